@@ -1,0 +1,1 @@
+"""Intent Engine: a person speaks, a robot does it."""

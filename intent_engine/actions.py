@@ -1,0 +1,189 @@
+"""What a robot is told to do: frozen values in SI units and ROS axes.
+
+Axes follow REP 103: x forward, y left, z up; angles are positive to the left (counter-clockwise) and in radians.
+Every action goes to JSON with :func:`to_json` and comes back with :func:`from_json`; the shape is fixed by
+``actions.schema.json`` in this package (:func:`json_schema`).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from functools import cache
+from importlib import resources
+from typing import Any, ClassVar, TypeAlias
+
+__all__ = [
+    "Action",
+    "Custom",
+    "Move",
+    "Navigate",
+    "Pick",
+    "Place",
+    "Stop",
+    "Turn",
+    "from_json",
+    "json_schema",
+    "to_json",
+]
+
+
+def _finite(owner: object, **values: float) -> None:
+    for name, value in values.items():
+        if not math.isfinite(value):
+            raise ValueError(f"{type(owner).__name__}.{name} must be a finite number, not {value}")
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """Drive straight along the robot's x axis."""
+
+    type: ClassVar[str] = "move"
+    linear_velocity: float
+    """m/s, negative is backward."""
+    distance: float
+    """m, never negative; the direction is in the velocity's sign."""
+    duration: float
+    """s, ``distance / abs(linear_velocity)``."""
+
+    def __post_init__(self) -> None:
+        _finite(self, linear_velocity=self.linear_velocity, distance=self.distance, duration=self.duration)
+        if self.distance < 0 or self.duration < 0:
+            raise ValueError("Move.distance and Move.duration must not be negative")
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """Turn on the spot about the robot's z axis."""
+
+    type: ClassVar[str] = "turn"
+    angle: float
+    """rad, positive to the left."""
+    angular_velocity: float
+    """rad/s, with the sign of ``angle``, so that it can be sent as ``Twist.angular.z`` as it is."""
+    duration: float
+    """s, ``abs(angle / angular_velocity)``."""
+
+    def __post_init__(self) -> None:
+        _finite(self, angle=self.angle, angular_velocity=self.angular_velocity, duration=self.duration)
+        if self.duration < 0:
+            raise ValueError("Turn.duration must not be negative")
+        if self.angle * self.angular_velocity < 0:
+            raise ValueError("Turn.angle and Turn.angular_velocity must have the same sign")
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Zero velocity now, forget what is queued, cancel navigation."""
+
+    type: ClassVar[str] = "stop"
+
+
+@dataclass(frozen=True, slots=True)
+class Navigate:
+    """Go to a pose on the map."""
+
+    type: ClassVar[str] = "navigate"
+    location: str
+    """The name in the map file (never an alias)."""
+    x: float
+    """m, in ``frame``."""
+    y: float
+    """m, in ``frame``."""
+    yaw: float
+    """rad, in ``frame``, positive to the left of its x axis."""
+    frame: str = "map"
+
+    def __post_init__(self) -> None:
+        _finite(self, x=self.x, y=self.y, yaw=self.yaw)
+
+
+@dataclass(frozen=True, slots=True)
+class Pick:
+    """Take hold of an object."""
+
+    type: ClassVar[str] = "pick"
+    object: str
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Put down what is held, or a named object, here or at a location."""
+
+    type: ClassVar[str] = "place"
+    object: str | None = None
+    """None: whatever is held."""
+    location: str | None = None
+    """A map name or a place in words ("table"); None: here."""
+
+
+@dataclass(frozen=True, slots=True)
+class Custom:
+    """An action of the user's own; the handler registered under ``name`` gets it."""
+
+    type: ClassVar[str] = "custom"
+    name: str
+    slots: Mapping[str, Any] = field(default_factory=dict)
+    """Slot values: strings, numbers in SI units, booleans or None."""
+
+    def __hash__(self) -> int:
+        return hash((self.name, json.dumps(dict(self.slots), sort_keys=True)))
+
+
+Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | Custom
+
+_TYPES: dict[str, type[Any]] = {kind.type: kind for kind in (Move, Turn, Stop, Navigate, Pick, Place, Custom)}
+
+
+def to_json(action: Action) -> dict[str, Any]:
+    """A plain dictionary with ``type`` first; ``json.dumps`` of it is valid under :func:`json_schema`."""
+    data: dict[str, Any] = {"type": action.type}
+    for item in fields(action):
+        value = getattr(action, item.name)
+        data[item.name] = dict(value) if isinstance(value, Mapping) else value
+    return data
+
+
+def from_json(data: Mapping[str, Any] | str) -> Action:
+    """The action that :func:`to_json` wrote.
+
+    Raises:
+        ValueError: the type is unknown, a field is missing, unknown or of the wrong kind.
+    """
+    if isinstance(data, str):
+        data = json.loads(data)
+    if not isinstance(data, Mapping):
+        raise ValueError(f"an action is a JSON object, not {type(data).__name__}")
+    values = dict(data)
+    kind = _TYPES.get(values.pop("type", ""))
+    if kind is None:
+        raise ValueError(f"unknown action type {data.get('type')!r}; known: {', '.join(_TYPES)}")
+    known = {item.name: item for item in fields(kind)}
+    for name, value in values.items():
+        if name not in known:
+            raise ValueError(f"{data['type']} has no field {name!r}; it has {', '.join(known) or 'none'}")
+        expected = known[name].type
+        if expected == "float":
+            if isinstance(value, bool) or not isinstance(value, (int, float)):
+                raise ValueError(f"{data['type']}.{name} must be a number, not {value!r}")
+            values[name] = float(value)
+        elif "str" in str(expected) and not (
+            isinstance(value, str) or (value is None and "None" in str(expected))
+        ):
+            if not isinstance(value, Mapping):
+                raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
+    try:
+        action: Action = kind(**values)
+    except TypeError as error:
+        raise ValueError(f"{data['type']}: {error}") from None
+    return action
+
+
+@cache
+def json_schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of one action. Its ``$id`` carries the version of the format."""
+    text = resources.files("intent_engine").joinpath("actions.schema.json").read_text("utf-8")
+    schema: dict[str, Any] = json.loads(text)
+    return schema

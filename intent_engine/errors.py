@@ -1,0 +1,100 @@
+"""What can go wrong, as few types as a caller can tell apart.
+
+Every message is written for the person who caused it: what is wrong, where, why, and what to do about it.
+Only these types leave the package on bad input; the command line prints them without a traceback and exits
+with ``exit_code``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = [
+    "AudioError",
+    "ConfigError",
+    "DeviceError",
+    "IntentEngineError",
+    "Problem",
+    "RobotError",
+    "TextTooLongError",
+    "WeightsError",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One thing wrong in a file that a person wrote."""
+
+    message: str
+    """What is wrong, in one sentence."""
+    file: str | None = None
+    """The file, as the person named it."""
+    line: int | None = None
+    """Line, counted from 1."""
+    column: int | None = None
+    """Column, counted from 1."""
+    source: str | None = None
+    """The line itself, to show with a caret under the column."""
+    hint: str | None = None
+    """What to do, or what was probably meant."""
+
+    def __str__(self) -> str:
+        where = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
+        text = f"{where}: {self.message}" if where else self.message
+        if self.source is not None:
+            text += f"\n    {self.source}"
+            if self.column is not None:
+                text += "\n    " + " " * (self.column - 1) + "^"
+        if self.hint:
+            text += f"\n    {self.hint}"
+        return text
+
+
+class IntentEngineError(Exception):
+    """Base of every error that this package raises on purpose."""
+
+    exit_code = 1
+
+
+class ConfigError(IntentEngineError):
+    """A grammar, map or robot file is missing or wrong. Holds *all* problems found, not only the first."""
+
+    exit_code = 2
+
+    def __init__(self, problems: Problem | str | list[Problem] | tuple[Problem, ...]) -> None:
+        if isinstance(problems, str):
+            problems = Problem(problems)
+        if isinstance(problems, Problem):
+            problems = [problems]
+        self.problems: tuple[Problem, ...] = tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))
+
+
+class AudioError(IntentEngineError):
+    """An audio file or stream cannot be used: missing, empty, truncated, not audio, too long."""
+
+    exit_code = 3
+
+
+class DeviceError(IntentEngineError):
+    """No microphone, no PortAudio, or no permission."""
+
+    exit_code = 4
+
+
+class WeightsError(IntentEngineError):
+    """Model weights are missing or do not match their digest."""
+
+    exit_code = 5
+
+
+class RobotError(IntentEngineError):
+    """A robot could not do what it was told, or cannot be reached."""
+
+    exit_code = 6
+
+
+class TextTooLongError(IntentEngineError):
+    """A text is longer than any command; nothing was parsed."""
+
+    exit_code = 7

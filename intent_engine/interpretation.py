@@ -1,0 +1,73 @@
+"""What a sentence was understood to mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from intent_engine.actions import Action, from_json, to_json
+
+__all__ = ["Interpretation", "Status"]
+
+
+class Status(StrEnum):
+    """How sure the engine is. Only ``ACCEPTED`` moves a robot."""
+
+    ACCEPTED = "accepted"
+    """Understood, and every part of it is complete."""
+    INCOMPLETE = "incomplete"
+    """The beginning of a sentence of the grammar; more words are needed."""
+    AMBIGUOUS = "ambiguous"
+    """Two or more meanings are as likely; ``alternatives`` names them."""
+    REJECTED = "rejected"
+    """Not a command of this grammar, or one that was negated or cancelled; ``reason`` says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Interpretation:
+    """The meaning of one utterance. The same text always gives the same interpretation."""
+
+    text: str
+    """What was said, as it came in."""
+    status: Status
+    intent: str | None = None
+    """Name of the intent; ``compound`` when several commands were said at once; None when rejected."""
+    slots: Mapping[str, Any] = field(default_factory=dict)
+    """Slot name to value: strings, SI floats, booleans. For a compound: ``{"steps": [{"intent", "slots"}, ...]}``."""
+    actions: tuple[Action, ...] = ()
+    """What to do, in order. Empty unless accepted."""
+    confidence: float = 0.0
+    """0 to 1: 1 is an exact sentence of the grammar; fuzzy slots and sound-alikes lower it."""
+    alternatives: tuple[str, ...] = ()
+    """Ambiguous: the meanings in question. Rejected: the nearest sentences or names."""
+    reason: str = ""
+    """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
+
+    def to_json(self) -> dict[str, Any]:
+        """A plain dictionary with exactly these eight keys."""
+        return {
+            "text": self.text,
+            "status": self.status.value,
+            "intent": self.intent,
+            "slots": dict(self.slots),
+            "actions": [to_json(action) for action in self.actions],
+            "confidence": round(self.confidence, 4),
+            "alternatives": list(self.alternatives),
+            "reason": self.reason,
+        }
+
+    @staticmethod
+    def from_json(data: Mapping[str, Any]) -> Interpretation:
+        """The interpretation that :meth:`to_json` wrote."""
+        return Interpretation(
+            text=data["text"],
+            status=Status(data["status"]),
+            intent=data["intent"],
+            slots=dict(data["slots"]),
+            actions=tuple(from_json(action) for action in data["actions"]),
+            confidence=float(data["confidence"]),
+            alternatives=tuple(data["alternatives"]),
+            reason=data["reason"],
+        )
