@@ -1,6 +1,6 @@
 """What a robot is told to do: frozen values in SI units and ROS axes.
 
-Axes follow REP 103: x forward, y left, z up; angles are positive to the left (counter-clockwise) and in radians.
+Axes follow REP 103: x forward, y left, z up; angles are in radians, positive to the left (counter-clockwise).
 Every action goes to JSON with :func:`to_json` and comes back with :func:`from_json`; the shape is fixed by
 ``actions.schema.json`` in this package (:func:`json_schema`).
 """
@@ -169,10 +169,9 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
             if isinstance(value, bool) or not isinstance(value, (int, float)):
                 raise ValueError(f"{data['type']}.{name} must be a number, not {value!r}")
             values[name] = float(value)
-        elif "str" in str(expected) and not (
-            isinstance(value, str) or (value is None and "None" in str(expected))
-        ):
-            if not isinstance(value, Mapping):
+        elif "str" in str(expected):
+            optional = value is None and "None" in str(expected)
+            if not (isinstance(value, (str, Mapping)) or optional):
                 raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
     try:
         action: Action = kind(**values)

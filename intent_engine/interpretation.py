@@ -35,7 +35,8 @@ class Interpretation:
     intent: str | None = None
     """Name of the intent; ``compound`` when several commands were said at once; None when rejected."""
     slots: Mapping[str, Any] = field(default_factory=dict)
-    """Slot name to value: strings, SI floats, booleans. For a compound: ``{"steps": [{"intent", "slots"}, ...]}``."""
+    """Slot name to value: strings, SI floats, booleans. For a compound:
+    ``{"steps": [{"intent", "slots"}, ...]}`` in the order said."""
     actions: tuple[Action, ...] = ()
     """What to do, in order. Empty unless accepted."""
     confidence: float = 0.0

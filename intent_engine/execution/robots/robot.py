@@ -1,6 +1,7 @@
 """What a robot must be able to do to be driven by the executor.
 
-A life cycle that can be recited: made -> used from one or more threads -> ``close()`` (idempotent, leaves zero velocity).
+A life cycle that can be recited: made -> used from one or more threads -> ``close()``, which is
+idempotent and leaves zero velocity.
 """
 
 from __future__ import annotations
