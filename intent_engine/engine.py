@@ -1,0 +1,249 @@
+"""Text in, interpretation out: the one object that most users need."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar_file import load_grammars
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning import Interpreter
+from intent_engine.language.nearest import Nearest
+from intent_engine.language.utterance import Utterance
+
+if TYPE_CHECKING:
+    from intent_engine.language.automaton import WordState
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
+
+StrPath = str | os.PathLike[str]
+
+
+class PrefixStatus(StrEnum):
+    """How far words that may go on have come."""
+
+    IMPOSSIBLE = "impossible"
+    """No utterance of the grammar begins so."""
+    INCOMPLETE = "incomplete"
+    """More words are needed."""
+    EXTENDABLE = "extendable"
+    """A whole command, that further words could still change ("turn left" + "ninety degrees")."""
+    COMPLETE = "complete"
+    """A whole command that nothing can change; only another command can follow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prefix:
+    """What :meth:`IntentEngine.prefix` says of partial text."""
+
+    status: PrefixStatus
+    next_words: tuple[str, ...] = ()
+    """Words that may follow, in alphabetical order; ``<number>`` where a numeral may, ``<any>`` where any word may."""
+    known_words: int = 0
+    """How many of the words could be followed."""
+
+
+@dataclass(frozen=True)
+class _Loaded:
+    """Everything made from one state of the files; replaced as a whole, so that a parse never sees two."""
+
+    grammars: tuple[Grammar, ...]
+    locations: LocationMap | None
+    interpreters: Mapping[str, Interpreter]
+
+
+class IntentEngine:
+    """A grammar and a map, ready to understand text.
+
+    All methods are thread-safe; :meth:`reload` swaps everything at once.
+    """
+
+    def __init__(self, grammars: Sequence[Grammar], locations: LocationMap | None = None) -> None:
+        self._lock = threading.Lock()
+        self._grammar_paths: tuple[StrPath, ...] = ()
+        self._location_paths: tuple[StrPath, ...] = ()
+        self._use(_build(tuple(grammars), locations))
+
+    @classmethod
+    def from_files(
+        cls,
+        grammar: StrPath | Sequence[StrPath],
+        *,
+        locations: StrPath | Sequence[StrPath] | LocationMap | Mapping[str, Any] | None = None,
+    ) -> IntentEngine:
+        """Load grammar files and a map.
+
+        Args:
+            grammar: one path or several; files of one language make one grammar.
+            locations: a map file or several, a map already loaded, or a dictionary of places
+                (``{"kitchen": (5.0, 2.0, 0.0)}``).
+
+        Raises:
+            ConfigError: with everything that is wrong in any file.
+        """
+        engine = cls.__new__(cls)
+        engine._lock = threading.Lock()
+        engine._grammar_paths = _paths(grammar)
+        engine._location_paths = ()
+        given: LocationMap | None = None
+        if isinstance(locations, (str, os.PathLike)) or (
+            isinstance(locations, Sequence) and not isinstance(locations, Mapping)
+        ):
+            engine._location_paths = _paths(locations)
+        elif locations is not None:
+            from intent_engine.language.locations import LocationMap
+
+            given = locations if isinstance(locations, LocationMap) else LocationMap.from_mapping(locations)
+        engine._use(engine._load(given))
+        return engine
+
+    def _load(self, given: LocationMap | None) -> _Loaded:
+        problems = []
+        grammars: tuple[Grammar, ...] = ()
+        places = given
+        try:
+            grammars = load_grammars([Path(path) for path in self._grammar_paths])
+        except ConfigError as error:
+            problems.extend(error.problems)
+        if self._location_paths:
+            from intent_engine.language.locations import load
+
+            try:
+                places = load([Path(path) for path in self._location_paths])
+            except ConfigError as error:
+                problems.extend(error.problems)
+        if problems:
+            raise ConfigError(problems)
+        return _build(grammars, places)
+
+    def _use(self, loaded: _Loaded) -> None:
+        self._loaded = loaded
+        self._parsers = tuple(loaded.interpreters.values())
+
+    def reload(self) -> None:
+        """Read the files again. Parses under way finish with the old grammar; all later ones use the new.
+
+        Raises:
+            ConfigError: something is wrong; the old grammar stays in use.
+        """
+        with self._lock:
+            given = None if self._location_paths else self._loaded.locations
+            self._use(self._load(given))
+
+    # -- what it holds ---------------------------------------------------------------------------------------------
+
+    @property
+    def grammars(self) -> tuple[Grammar, ...]:
+        return self._loaded.grammars
+
+    @property
+    def grammar(self) -> Grammar:
+        """The grammar of the first language."""
+        return self._loaded.grammars[0]
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        return tuple(self._loaded.interpreters)
+
+    @property
+    def locations(self) -> LocationMap | None:
+        return self._loaded.locations
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Every file that was read, for watching."""
+        found = [Path(name) for grammar in self._loaded.grammars for name in grammar.files]
+        return (*found, *(Path(path) for path in self._location_paths))
+
+    def matcher(self, language: str | None = None) -> Matcher:
+        """The automaton of a language, for looking ahead, sampling and checking."""
+        return self._interpreter(language).matcher
+
+    def _interpreter(self, language: str | None) -> Interpreter:
+        if language is None:
+            return self._parsers[0]
+        interpreter = self._loaded.interpreters.get(language.split("-")[0])
+        if interpreter is None:
+            raise ConfigError(
+                f"no grammar of language {language!r} is loaded; there is {', '.join(self.languages)}"
+            )
+        return interpreter
+
+    # -- understanding ---------------------------------------------------------------------------------------------
+
+    def parse(
+        self,
+        text: str,
+        *,
+        state: Collection[str] = (),
+        language: str | None = None,
+        spoken: bool = False,
+    ) -> Interpretation:
+        """What a text means. Never raises on text; the same text gives the same interpretation.
+
+        Args:
+            text: an utterance, as typed or as a recogniser wrote it.
+            state: states that the robot is in, for intents that require or exclude some (``moving`` makes
+                every utterance that begins with a stop word a stop).
+            language: which grammar to use; None: the first that accepts it.
+            spoken: whether the wake word is needed, where the grammar has one.
+        """
+        if language is not None or len(self._parsers) == 1:
+            return self._interpreter(language).interpret(text, state, spoken=spoken)
+        first: Interpretation | None = None
+        for parser in self._parsers:
+            found = parser.interpret(text, state, spoken=spoken)
+            if found.status is Status.ACCEPTED:
+                return found
+            if first is None or (first.status is Status.REJECTED and found.status is not Status.REJECTED):
+                first = found
+        assert first is not None
+        return first
+
+    def prefix(self, text: str, *, language: str | None = None) -> Prefix:
+        """How far partial text has come, and how it may go on."""
+        matcher = self.matcher(language)
+        words = Utterance.of(text).words if len(text) < 2000 else ["\0"]
+        count, reached = matcher.prefix(words)
+        if reached is None:
+            return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
+        return Prefix(_status(matcher, reached), next_words(matcher, reached), count)
+
+
+def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:
+    automaton = matcher.spoken
+    if not automaton.accepting(reached):
+        return PrefixStatus.INCOMPLETE
+    return PrefixStatus.EXTENDABLE if automaton.inside(reached) else PrefixStatus.COMPLETE
+
+
+def next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
+    """The words that may follow a state, for showing."""
+    automaton = matcher.spoken
+    words = sorted(word for word in automaton.next_words(reached) if word and word[0] != "\0")
+    if automaton.allows_digits(reached):
+        words.append("<number>")
+    if automaton.free(reached):
+        words.append("<any>")
+    return tuple(words)
+
+
+def _paths(value: Any) -> tuple[StrPath, ...]:
+    return (value,) if isinstance(value, (str, os.PathLike)) else tuple(value)
+
+
+def _build(grammars: tuple[Grammar, ...], locations: LocationMap | None) -> _Loaded:
+    interpreters = {}
+    for grammar in grammars:
+        matcher = Matcher(grammar, locations)
+        interpreters[grammar.language] = Interpreter(matcher, Nearest(matcher))
+    return _Loaded(grammars, locations, interpreters)

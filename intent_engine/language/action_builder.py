@@ -1,0 +1,198 @@
+"""Slot values to a typed action, as the grammar file declares it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.language.grammar import Intent
+from intent_engine.language.quantities import Relative
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["CannotActError", "build_action"]
+
+MOVE_SPEED = 0.5
+"""m/s, where a grammar gives no default."""
+MOVE_DURATION = 2.0
+"""s"""
+TURN_SPEED = 0.5
+"""rad/s"""
+TURN_DURATION = 1.5
+"""s. These four are the tutorials' own: forward 0.5 m/s for 2 s, turn 0.5 rad/s for 1.5 s."""
+
+_BACKWARD = frozenset(("backward", "backwards", "back"))
+_RIGHT = frozenset(("right", "clockwise"))
+
+
+class CannotActError(ValueError):
+    """The slots do not make an action; the message is the reason for the person who spoke."""
+
+
+def build_action(intent: Intent, said: Mapping[str, Any], locations: LocationMap | None) -> Action:
+    """The action of an intent.
+
+    Args:
+        intent: with its action, defaults and conditions.
+        said: slot label to value; quantities in SI units.
+        locations: the map, for navigation.
+
+    Raises:
+        CannotActError: something is missing, zero or not on the map.
+    """
+    spec = intent.action
+    if spec.type == "stop":
+        return Stop()
+    defaults = dict(intent.defaults)
+    for condition in intent.when:
+        if all(_same(said.get(label), value) for label, value in condition.slots.items()):
+            defaults.update(condition.defaults)
+    if spec.type == "custom":
+        return _custom(intent, said, defaults)
+    parameters = _Parameters(spec.parameters, said, defaults)
+    if spec.type == "move":
+        return _move(parameters)
+    if spec.type == "turn":
+        return _turn(parameters)
+    if spec.type == "navigate":
+        return _navigate(parameters, locations)
+    if spec.type == "pick":
+        return Pick(str(parameters.need("object")))
+    thing, location = parameters.get("object"), parameters.get("location")
+    return Place(None if thing is None else str(thing), None if location is None else str(location))
+
+
+def _same(value: Any, wanted: Any) -> bool:
+    return bool(value == wanted) or (isinstance(value, str) and value == str(wanted))
+
+
+class _Parameters:
+    """What an action asks for, from what was said, else from a default."""
+
+    def __init__(
+        self, mapping: Mapping[str, Any], said: Mapping[str, Any], defaults: Mapping[str, Any]
+    ) -> None:
+        self._mapping = mapping
+        self._said = said
+        self._defaults = defaults
+
+    def said(self, name: str) -> Any:
+        """The value that was spoken or fixed by the grammar; None if only a default could give it."""
+        source = self._mapping.get(name)
+        if source is None:
+            return self._said.get(name)
+        if isinstance(source, str) and source.startswith("{"):
+            return self._said.get(source.strip("{}"))
+        return source
+
+    def default(self, name: str) -> Any:
+        source = self._mapping.get(name)
+        if isinstance(source, str) and source.startswith("{"):
+            return self._defaults.get(source.strip("{}"), self._defaults.get(name))
+        return self._defaults.get(name)
+
+    def get(self, name: str) -> Any:
+        value = self.said(name)
+        return self.default(name) if value is None else value
+
+    def need(self, name: str) -> Any:
+        value = self.get(name)
+        if value is None:
+            raise CannotActError(f"no {name} was said")
+        return value
+
+    def speed(self, default: float) -> tuple[float, bool]:
+        """The speed, and whether it was said."""
+        usual = self.default("speed")
+        usual = default if usual is None else float(usual)
+        value = self.said("speed")
+        if isinstance(value, Relative):
+            return usual * value.factor, True
+        if value is None:
+            return usual, False
+        return abs(float(value)), True
+
+
+def _positive(name: str, value: float) -> float:
+    if not math.isfinite(value) or value <= 0:
+        raise CannotActError(f"a {name} of {value:g} cannot be driven")
+    return value
+
+
+def _move(parameters: _Parameters) -> Move:
+    speed, speed_said = parameters.speed(MOVE_SPEED)
+    direction = parameters.get("direction")
+    backward = isinstance(direction, str) and direction in _BACKWARD
+    distance, duration = parameters.said("distance"), parameters.said("duration")
+    if distance is not None:
+        if distance < 0:
+            backward = not backward
+        distance = _positive("distance", abs(distance))
+        if duration is not None and not speed_said:
+            duration = _positive("duration", duration)
+            speed = distance / duration
+        _positive("speed", speed)
+        duration = distance / speed
+    else:
+        if duration is None:
+            distance = parameters.default("distance")
+            duration = parameters.default("duration")
+            if duration is None:
+                duration = MOVE_DURATION if distance is None else distance / _positive("speed", speed)
+        duration = _positive("duration", duration)
+        distance = _positive("speed", speed) * duration
+    return Move(-speed if backward else speed, distance, duration)
+
+
+def _turn(parameters: _Parameters) -> Turn:
+    speed, speed_said = parameters.speed(TURN_SPEED)
+    direction = parameters.get("direction")
+    right = isinstance(direction, str) and direction in _RIGHT
+    angle, duration = parameters.said("angle"), parameters.said("duration")
+    if angle is None and duration is None:
+        angle, duration = parameters.default("angle"), parameters.default("duration")
+        if angle is not None:
+            duration = None
+        elif duration is None:
+            duration = TURN_DURATION
+    if angle is not None:
+        if angle < 0:
+            right = not right
+        angle = _positive("angle", abs(angle))
+        if duration is not None and not speed_said:
+            speed = angle / _positive("duration", duration)
+        duration = angle / _positive("speed", speed)
+    else:
+        duration = _positive("duration", duration)
+        angle = _positive("speed", speed) * duration
+    sign = -1.0 if right else 1.0
+    return Turn(sign * angle, sign * speed, duration)
+
+
+def _navigate(parameters: _Parameters, locations: LocationMap | None) -> Navigate:
+    name = str(parameters.need("location"))
+    place = locations.get(name) if locations is not None else None
+    if place is None:
+        raise CannotActError(f"{name!r} is not on the map")
+    return Navigate(place.name, place.x, place.y, place.yaw, place.frame)
+
+
+def _custom(intent: Intent, said: Mapping[str, Any], defaults: Mapping[str, Any]) -> Custom:
+    values = {**defaults, **{label: value for label, value in said.items() if value is not None}}
+    if intent.action.parameters:
+        mapped = {}
+        for name, source in intent.action.parameters.items():
+            if isinstance(source, str) and source.startswith("{"):
+                mapped[name] = values.get(source.strip("{}"))
+            else:
+                mapped[name] = source
+        values = mapped
+    plain = {
+        name: value.factor if isinstance(value, Relative) else value
+        for name, value in values.items()
+        if value is None or isinstance(value, (str, int, float, bool, Relative))
+    }
+    return Custom(intent.action.name or intent.name, plain)

@@ -1,0 +1,294 @@
+"""The word automaton: one graph for matching, prefix states, steering, sampling and checking.
+
+The networks of a grammar are walked as one non-deterministic automaton whose states are pairs (place in a network,
+networks to return to). It is made deterministic lazily: a set of such pairs, ordered by preference, is a
+:class:`WordState`, and the step from one set to the next on a word is computed once and kept. So a sentence costs
+its words, not the grammar's size, and the time is linear in the words for every grammar.
+
+Each kept step remembers, for every member of the new set, which member of the old one it came from and what was
+passed on the way (slots opened and closed, values). Reading back from an accepting member therefore gives the slots,
+as in Laurikari, "NFAs with tagged transitions" (2000), with preference in place of leftmost-longest.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from intent_engine.errors import ConfigError
+from intent_engine.language.network import Edge, Networks, State
+
+__all__ = ["Automaton", "Trace", "WordState"]
+
+MAX_MEMBERS = 20_000
+"""Members of one set. Shipped grammars need hundreds; a grammar beyond this doubles at every optional."""
+MAX_KEPT = 30_000
+"""Sets kept before the store is emptied, so that endless new sentences cannot fill the memory."""
+
+Mark = tuple[Any, ...]
+Trace = list[tuple[int, Mark]]
+"""What a reading passed, in order: (number of words read before, mark)."""
+
+
+class _Stack:
+    """The networks to return to, shared by all pairs that have the same way back."""
+
+    __slots__ = ("call_mark", "calls", "parent", "target")
+
+    def __init__(self, target: State | None, parent: _Stack | None, call_mark: Any) -> None:
+        self.target = target
+        self.parent = parent
+        self.call_mark = call_mark
+        self.calls: dict[tuple[int, bool], _Stack] = {}
+
+
+class WordState:
+    """A set of pairs that the same words lead to. Opaque to callers; hashable by identity."""
+
+    __slots__ = ("accepts", "came_from", "members", "numerals", "steps")
+
+    def __init__(self, members: tuple[tuple[State, _Stack], ...], accepts: tuple[int, ...]) -> None:
+        self.members = members
+        self.accepts = accepts
+        """Places in ``members`` that end a sentence, most wanted first."""
+        self.steps: dict[str, tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None] = {}
+        self.came_from: tuple[tuple[int, tuple[Mark, ...]], ...] = ()
+        """For a start state: what each member passed before the first word."""
+        self.numerals = any(state.numeral for state, _ in members)
+
+
+class Automaton:
+    """Deterministic walks over networks. Thread-safe: kept steps are read without a lock, new ones made under it.
+
+    Args:
+        networks: the networks that calls name.
+        root: where every walk begins; its calls and edges lead to the sentences.
+        loose: also enter the networks for names that may be misspelled, and read sound-alikes.
+        is_numeral: tells whether a word is a numeral.
+        is_number_word: tells whether a word is a number word of the language.
+        closed_words: words that a free slot never swallows.
+        sound_alikes: heard word -> words that may have been meant.
+    """
+
+    def __init__(
+        self,
+        networks: Networks,
+        root: State,
+        *,
+        loose: bool = False,
+        is_numeral: Callable[[str], bool],
+        is_number_word: Callable[[str], bool],
+        closed_words: frozenset[str] = frozenset(),
+        sound_alikes: Mapping[str, tuple[str, ...]] | None = None,
+    ) -> None:
+        self._networks = networks
+        self._root = root
+        self._loose = loose
+        self._is_numeral = is_numeral
+        self._is_number_word = is_number_word
+        self._closed = closed_words
+        self._alikes = sound_alikes if sound_alikes and loose else {}
+        self._lock = threading.RLock()
+        self._bottom = _Stack(None, None, None)
+        self._forget()
+
+    def _forget(self) -> None:
+        self._kept: dict[tuple[tuple[int, int], ...], WordState] = {}
+        self._start: WordState | None = None
+
+    # -- walking ---------------------------------------------------------------------------------------------------
+
+    def start(self) -> WordState:
+        """The state before the first word."""
+        start = self._start
+        if start is None:
+            with self._lock:
+                state, passed = self._close([(self._root, self._bottom, 0, ())])
+                # A copy of its own: a start remembers what was passed before any word.
+                start = WordState(state.members, state.accepts)
+                start.came_from = passed
+                self._start = start
+        return start
+
+    def step(self, state: WordState, word: str) -> WordState | None:
+        """The state after one more word, or None if no sentence goes on so."""
+        taken = self._taken(state, word)
+        return taken[0] if taken else None
+
+    def walk(self, words: Iterable[str]) -> tuple[int, WordState | None]:
+        """How many words could be read, and the state after them (None if a word was impossible)."""
+        state = self.start()
+        count = 0
+        for word in words:
+            taken = self._taken(state, word)
+            if taken is None:
+                return count, None
+            state = taken[0]
+            count += 1
+        return count, state
+
+    def read(self, words: list[str]) -> list[Trace]:
+        """Every way in which the words are a whole sentence, most wanted first; one for each sentence."""
+        state = self.start()
+        came_from = [state.came_from]
+        for word in words:
+            taken = state.steps.get(word) or self._taken(state, word)
+            if taken is None:
+                return []
+            state, passed = taken
+            came_from.append(passed)
+        last = len(words)
+        traces = []
+        for place in state.accepts:
+            trace: Trace = []
+            for count in range(last, -1, -1):
+                place, marks = came_from[count][place]
+                if marks:
+                    for mark in reversed(marks):
+                        trace.append((count, mark))
+            trace.reverse()
+            traces.append(trace)
+        return traces
+
+    def _taken(
+        self, state: WordState, word: str
+    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
+        steps = state.steps
+        if word in steps:
+            return steps[word]
+        with self._lock:
+            key = word
+            if not self._named(state, word):
+                # A word that no arc names is like any other such word: keep one step for all of them.
+                kind = (
+                    state.numerals and self._is_numeral(word),
+                    self._is_number_word(word),
+                    word in self._closed,
+                )
+                key = f"\0{kind}"
+                if key in steps:
+                    return steps[key]
+            taken = self._advance(state, word)
+            steps[key] = taken
+            return taken
+
+    def _named(self, state: WordState, word: str) -> bool:
+        heard = (word, *self._alikes.get(word, ()))
+        return any(one in place.arcs for place, _ in state.members for one in heard)
+
+    def _advance(
+        self, state: WordState, word: str
+    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
+        numeral = self._is_numeral(word)
+        number = self._is_number_word(word)
+        free = word not in self._closed
+        alikes = self._alikes.get(word, ())
+        onward: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
+        for index, (place, stack) in enumerate(state.members):
+            for target in place.arcs.get(word, ()):
+                onward.append((target, stack, index, ()))
+            if numeral:
+                onward.extend((target, stack, index, ()) for target in place.numeral)
+            if number:
+                onward.extend((target, stack, index, ()) for target in place.number)
+            for meant in alikes:
+                for target in place.arcs.get(meant, ()):
+                    onward.append((target, stack, index, (("alike", meant),)))
+            if free:
+                onward.extend((target, stack, index, ()) for target in place.wild)
+        if not onward:
+            return None
+        return self._close(onward)
+
+    def _close(
+        self, entries: list[tuple[State, _Stack, int, tuple[Mark, ...]]]
+    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]]:
+        """Follow every step that reads no word, in order of preference; keep the places where a word is read."""
+        seen: set[tuple[int, int]] = set()
+        members: list[tuple[State, _Stack]] = []
+        passed: list[tuple[int, tuple[Mark, ...]]] = []
+        accepts: list[int] = []
+        pending = list(reversed(entries))
+        while pending:
+            place, stack, origin, marks = pending.pop()
+            identity = (id(place), id(stack))
+            if identity in seen:
+                continue
+            seen.add(identity)
+            if len(seen) > MAX_MEMBERS:
+                raise ConfigError(
+                    "the grammar is too ambiguous: more than 20,000 ways to go on after the same words"
+                )
+            if place.expand is not None:
+                expand, place.expand = place.expand, None
+                expand(place)
+            accepted = place.final and stack.target is None
+            if place.arcs or place.numeral or place.number or place.wild or accepted:
+                if accepted:
+                    accepts.append(len(members))
+                members.append((place, stack))
+                passed.append((origin, marks))
+            if place.final and stack.target is not None and stack.parent is not None:
+                left = marks if stack.call_mark is None else (*marks, ("close", stack.call_mark))
+                pending.append((stack.target, stack.parent, origin, left))
+            for edge in reversed(place.edges):
+                self._follow(edge, stack, origin, marks, pending)
+        identities = tuple((id(place), id(stack)) for place, stack in members)
+        state = self._kept.get(identities)
+        if state is None:
+            if len(self._kept) >= MAX_KEPT:
+                self._forget()
+            state = self._kept[identities] = WordState(tuple(members), tuple(accepts))
+        return state, tuple(passed)
+
+    def _follow(
+        self,
+        edge: Edge,
+        stack: _Stack,
+        origin: int,
+        marks: tuple[Mark, ...],
+        pending: list[tuple[State, _Stack, int, tuple[Mark, ...]]],
+    ) -> None:
+        if edge.mark is not None:
+            marks = (*marks, edge.mark)
+        call = edge.call
+        if call is None:
+            pending.append((edge.target, stack, origin, marks))
+            return
+        for key, loose in ((call.loose, True), (call.network, False)):
+            if key is None or (loose and not self._loose):
+                continue
+            inner = stack.calls.get((id(edge), loose))
+            if inner is None:
+                inner = stack.calls[(id(edge), loose)] = _Stack(edge.target, stack, call.mark)
+            opened = marks if call.mark is None else (*marks, ("open", call.mark, loose))
+            pending.append((self._networks[key].start, inner, origin, opened))
+
+    # -- looking ahead ---------------------------------------------------------------------------------------------
+
+    def next_words(self, state: WordState) -> set[str]:
+        """The words that may follow, without numerals and without what a free slot would take."""
+        words: set[str] = set()
+        for place, _ in state.members:
+            words.update(place.arcs)
+        return words
+
+    def allows_digits(self, state: WordState) -> bool:
+        """Whether a numeral may follow."""
+        return state.numerals
+
+    def free(self, state: WordState) -> bool:
+        """Whether any word may follow, because a free slot is open."""
+        return any(place.wild for place, _ in state.members)
+
+    def accepting(self, state: WordState) -> bool:
+        """Whether the words so far are a whole sentence."""
+        return bool(state.accepts)
+
+    def inside(self, state: WordState) -> bool:
+        """Whether a sentence that was begun could go on (not only a further one begin)."""
+        return any(
+            stack.parent is not None and (place.arcs or place.numeral or place.number or place.wild)
+            for place, stack in state.members
+        )

@@ -1,0 +1,180 @@
+"""What a grammar file says, checked: the description that the automaton is built from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from intent_engine.language.template import Node
+
+__all__ = [
+    "ACTION_PARAMETERS",
+    "QUANTITY_KINDS",
+    "SLOT_TYPES",
+    "ActionSpec",
+    "Condition",
+    "Example",
+    "Grammar",
+    "Intent",
+    "Operators",
+    "Place",
+    "Sentence",
+    "Slot",
+]
+
+QUANTITY_KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
+"""Slot types whose value is a float in SI units (``ordinal`` and ``number`` have none)."""
+
+SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
+
+ACTION_PARAMETERS: dict[str, dict[str, str]] = {
+    "move": {
+        "direction": "forward or backward",
+        "distance": "distance",
+        "duration": "duration",
+        "speed": "speed",
+    },
+    "turn": {
+        "direction": "left or right",
+        "angle": "angle",
+        "duration": "duration",
+        "speed": "angular_speed",
+    },
+    "stop": {},
+    "navigate": {"location": "location"},
+    "pick": {"object": "text"},
+    "place": {"object": "text", "location": "text"},
+    "custom": {},
+}
+"""What each action takes, and the kind of each value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where something stands in a file, for messages."""
+
+    file: str
+    line: int
+    """From 1."""
+    column: int
+    """From 1."""
+    source: str
+    """The line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A hole in a sentence."""
+
+    name: str
+    type: str
+    """One of ``SLOT_TYPES``."""
+    unit: str | None = None
+    """Taken when a number is said without one; None: a unit must be said."""
+    minimum: float | None = None
+    """SI, inclusive."""
+    maximum: float | None = None
+    """SI, inclusive."""
+    values: tuple[tuple[Any, Node], ...] = ()
+    """Choice: value and the template that spells it."""
+    max_words: int = 4
+    """Text: at most so many words."""
+    allow: frozenset[str] = frozenset()
+    """Text: words that it may hold though they are operators ("and")."""
+    tags: frozenset[str] = frozenset()
+    """Location: only places with one of these tags; empty: all."""
+    fuzzy: bool = True
+    """Choice and location: whether misspelled and misheard values are resolved."""
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    text: str
+    template: Node
+    fixed: Mapping[str, Any] = field(default_factory=dict)
+    """Slot values that the sentence has without saying them ("back up" -> direction: backward)."""
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ActionSpec:
+    """How slots become an action."""
+
+    type: str
+    name: str | None = None
+    """Name of a custom action."""
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    """Parameter -> ``{slot}`` or a value. A parameter not listed takes the slot of its own name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """Defaults that hold only for some slot values."""
+
+    slots: Mapping[str, Any]
+    defaults: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A sentence with its meaning, written beside the sentences."""
+
+    text: str
+    expected: Mapping[str, Any] | str | None
+    """Slots; ``rejected``, ``ambiguous`` or ``incomplete``; None: accepted, whatever the slots."""
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Intent:
+    name: str
+    action: ActionSpec
+    sentences: tuple[Sentence, ...] = ()
+    regex: tuple[str, ...] = ()
+    lark: str | None = None
+    defaults: Mapping[str, Any] = field(default_factory=dict)
+    when: tuple[Condition, ...] = ()
+    requires: frozenset[str] = frozenset()
+    """States that the robot must be in."""
+    excludes: frozenset[str] = frozenset()
+    """States that the robot must not be in."""
+    priority: int = 0
+    """Wins over intents of lower priority where both accept a text."""
+    examples: tuple[Example, ...] = ()
+    description: str = ""
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Operators:
+    """The words that change what a sentence does, as plain phrases of normalised words."""
+
+    negation: tuple[tuple[str, ...], ...] = ()
+    correction: tuple[tuple[str, ...], ...] = ()
+    cancel: tuple[tuple[str, ...], ...] = ()
+    sequence: tuple[tuple[str, ...], ...] = ()
+    contrast: tuple[tuple[str, ...], ...] = ()
+    """After a negated part, what comes next is wanted: "don't turn left, *instead* turn right"."""
+    stop: tuple[tuple[str, ...], ...] = ()
+    closed: frozenset[str] = frozenset()
+    """Words that a text slot never swallows: they would change what is meant."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grammar:
+    """One language's grammar, from one or more files."""
+
+    language: str
+    fillers: tuple[tuple[str, ...], ...]
+    phrases: Mapping[str, Node]
+    slots: Mapping[str, Slot]
+    intents: Mapping[str, Intent]
+    operators: Operators
+    sound_alikes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Heard word -> words that may have been meant."""
+    wake: tuple[tuple[str, ...], ...] = ()
+    """If given, a spoken command must begin with one of these."""
+    files: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()

@@ -1,0 +1,352 @@
+"""Words to readings: which sentence was said, and what its slots hold."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.language import quantities
+from intent_engine.language.automaton import Automaton, Trace, WordState
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
+from intent_engine.language.names import NameIndex
+from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.sampler import spellings
+from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["Matcher", "Reading", "SlotReading"]
+
+MAX_LOOSE_WORDS = 5
+"""Words that a misheard name may have."""
+MAX_SPELLINGS = 64
+"""Ways of saying one choice value that are compared with misheard words."""
+ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that"))
+
+
+@dataclass(frozen=True, slots=True)
+class SlotReading:
+    """What was heard for one slot."""
+
+    label: str
+    slot: Slot
+    start: int
+    """First word."""
+    end: int
+    """Word after the last."""
+    value: Any
+    """SI float, canonical name, text; None if the words have no value."""
+    score: float = 1.0
+    """1: exactly said."""
+    rivals: tuple[tuple[str, float], ...] = ()
+    """Fuzzy names: the nearest, best first."""
+    status: str = "exact"
+    """``exact``, ``fuzzy``, ``ambiguous``, ``unknown`` or ``limit``."""
+    problem: str = ""
+    """Why there is no value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to understand all the words."""
+
+    intent: Intent
+    sentence: Sentence
+    slots: tuple[SlotReading, ...]
+    words: tuple[str, ...]
+    """The words as understood, with sound-alikes replaced."""
+    alikes: int
+    """Words that were replaced."""
+    free_words: int
+    """Words swallowed by text slots."""
+
+    @property
+    def problem(self) -> str:
+        return next((slot.problem for slot in self.slots if slot.problem), "")
+
+    @property
+    def score(self) -> float:
+        """1 for exact words; each fuzzy slot and sound-alike lowers it."""
+        score = 1.0
+        for slot in self.slots:
+            score *= slot.score
+        return score * 0.97**self.alikes
+
+    def values(self) -> dict[str, Any]:
+        """Slot label to value, with the sentence's own slots."""
+        found = dict(self.sentence.fixed)
+        for slot in self.slots:
+            found[slot.label] = slot.value
+        return found
+
+
+class Matcher:
+    """The automaton of one grammar and one map, and what its readings mean. Thread-safe."""
+
+    def __init__(self, grammar: Grammar, locations: LocationMap | None = None) -> None:
+        self.grammar = grammar
+        self.locations = locations
+        self.networks = Networks()
+        self.sentences: list[tuple[Intent, Sentence]] = [
+            (intent, sentence) for intent in grammar.intents.values() for sentence in intent.sentences
+        ]
+        self._indexes: dict[str, NameIndex] = {}
+        self._index_lock = threading.Lock()
+        self._add_networks()
+        self.strict = self._automaton(self._root(), loose=False)
+        self.loose = self._automaton(self._root(), loose=True)
+
+    # -- building --------------------------------------------------------------------------------------------------
+
+    def _automaton(self, root: State, *, loose: bool) -> Automaton:
+        language = self.grammar.language
+        return Automaton(
+            self.networks,
+            root,
+            loose=loose,
+            is_numeral=quantities.is_numeral,
+            is_number_word=lambda word: quantities.is_number_word(word, language),
+            closed_words=self.grammar.operators.closed,
+            sound_alikes=self.grammar.sound_alikes,
+        )
+
+    def _root(self) -> State:
+        root = State()
+        for index in range(len(self.sentences)):
+            end = State()
+            end.final = True
+            root.edges.append(Edge(end, call=Call(f"sentence:{index}", ("sentence", index))))
+        return root
+
+    @cached_property
+    def spoken(self) -> Automaton:
+        """The automaton of whole utterances: fillers, sentences joined by "and then", fillers. For looking ahead."""
+        begin, middle, end = State(), State(), State()
+        end.final = True
+        fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
+        self.networks.add_names("fillers", [(words, "") for words in fillers])
+        self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
+        self.networks.add_names("stop", [(words, "") for words in self.grammar.operators.stop])
+        begin.edges.append(Edge(middle))
+        if fillers:
+            begin.edges.append(Edge(begin, call=Call("fillers")))
+            end.edges.append(Edge(end, call=Call("fillers")))
+        for index in range(len(self.sentences)):
+            middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
+        middle.edges.append(Edge(end, call=Call("stop")))
+        end.edges.append(Edge(middle, call=Call("sequence")))
+        return self._automaton(begin, loose=False)
+
+    def _add_networks(self) -> None:
+        grammar = self.grammar
+        spoken = quantities.templates(grammar.language)
+        for name, node in spoken_trees(grammar.language).items():
+            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(node)}
+            self.networks.add_template(f"quantity:{name}", node, scope)
+        for words in range(1, 13):
+            self.networks.add_wild(f"wild:{words}", words)
+        for slot in grammar.slots.values():
+            self._add_slot(slot, spoken)
+        for name, node in grammar.phrases.items():
+            self.networks.add_template(f"phrase:{name}", node, self._scope(node))
+        for index, (_, sentence) in enumerate(self.sentences):
+            self.networks.add_template(f"sentence:{index}", sentence.template, self._scope(sentence.template))
+
+    def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
+        key = f"slot:{slot.name}"
+        if slot.type in QUANTITY_KINDS:
+            kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word("\0never")
+            if slot.unit is not None and slot.type != "number":
+                kind = Choice((kind, Reference("number", "number", 0)))
+            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
+            self.networks.add_template(key, kind, scope)
+        elif slot.type in ("choice", "boolean"):
+            scope = {}
+            for _, node in slot.values:
+                scope.update(self._scope(node))
+            self.networks.add_choice(key, slot.values, scope)
+        elif slot.type == "location":
+            self.networks.add_names(key, _NamesOf(self.locations, slot.tags))
+
+    def _scope(self, node: Node) -> dict[str, Call]:
+        scope = {}
+        for reference in references(node):
+            name, label = reference.name, reference.label
+            slot = self.grammar.slots.get(name)
+            if slot is None:
+                scope[name] = Call(f"phrase:{name}")
+            elif slot.type in ("text", "object"):
+                scope[f"{name}:{label}"] = Call(f"wild:{slot.max_words}", ("slot", label, name))
+            else:
+                loose = None
+                if slot.fuzzy and slot.type in ("location", "choice"):
+                    loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
+                scope[f"{name}:{label}"] = Call(f"slot:{name}", ("slot", label, name), loose)
+        return scope
+
+    # -- reading ---------------------------------------------------------------------------------------------------
+
+    def read(self, words: list[str], *, loose: bool = False) -> list[Reading]:
+        """Every reading of all the words, best first; those with a problem last."""
+        automaton = self.loose if loose else self.strict
+        readings = [self._reading(trace, words) for trace in automaton.read(words)]
+        if len(readings) > 1:
+            readings.sort(key=_preference)
+        return readings
+
+    def prefix(self, words: list[str]) -> tuple[int, WordState | None]:
+        """How far the words can be the beginning of an utterance, and the state there."""
+        return self.spoken.walk(words)
+
+    def _reading(self, trace: Trace, words: list[str]) -> Reading:
+        intent, sentence = self.sentences[trace[0][1][1][1]]
+        heard = words
+        alikes = 0
+        for position, mark in trace:
+            if mark[0] == "alike":
+                if heard is words:
+                    heard = list(words)
+                heard[position - 1] = mark[1]
+                alikes += 1
+        slots = []
+        free = 0
+        start = 0
+        value: Any = None
+        loosely = False
+        for position, mark in trace:
+            kind = mark[0]
+            if kind == "open":
+                if mark[1][0] == "slot":
+                    start, value, loosely = position, None, mark[2]
+            elif kind == "value":
+                value = mark[1]
+            elif kind == "close" and mark[1][0] == "slot":
+                slot = self.grammar.slots[mark[1][2]]
+                if slot.type in ("text", "object"):
+                    free += position - start
+                slots.append(self._slot(slot, mark[1][1], heard, start, position, value, loosely))
+        return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
+
+    def _slot(
+        self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
+    ) -> SlotReading:
+        if slot.type in QUANTITY_KINDS:
+            return self._quantity(slot, label, words[start:end], start, end)
+        if slot.type in ("text", "object"):
+            said = words[start:end]
+            while len(said) > 1 and said[0] in ARTICLES:
+                said = said[1:]
+            return SlotReading(label, slot, start, end, " ".join(said))
+        if not loosely:
+            return SlotReading(label, slot, start, end, value)
+        return self._name(slot, label, words[start:end], start, end)
+
+    def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        value = quantities.evaluate(said, slot.type, self.grammar.language, slot.unit)
+        problem = ""
+        status = "exact"
+        if value is None:
+            problem = f"{' '.join(said)!r} is not a {slot.type.replace('_', ' ')}"
+            status = "unknown"
+        elif isinstance(value, float):
+            limit = None
+            if slot.minimum is not None and value < slot.minimum:
+                limit = f"less than the smallest, {slot.minimum:g}"
+            elif slot.maximum is not None and value > slot.maximum:
+                limit = f"more than the largest, {slot.maximum:g}"
+            if limit:
+                problem = f"{slot.name} of {value:g} is {limit} (SI units, slot {slot.name!r})"
+                status = "limit"
+        return SlotReading(label, slot, start, end, value, problem=problem, status=status)
+
+    def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        match = self.index(slot).resolve(said)
+        words = " ".join(said)
+        problem = ""
+        if match.status == "unknown":
+            what = "place" if slot.type == "location" else slot.name
+            problem = f"no {what} is called {words!r}"
+        elif match.status == "ambiguous":
+            problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"
+        return SlotReading(
+            label,
+            slot,
+            start,
+            end,
+            match.name if not problem else None,
+            score=match.score if not problem else 0.0,
+            rivals=tuple(match.candidates),
+            status=match.status,
+            problem=problem,
+        )
+
+    def slot_from_words(self, slot: Slot, label: str, said: list[str]) -> SlotReading:
+        """What a slot holds if it is exactly these words, for patterns that find the words themselves."""
+        end = len(said)
+        if slot.type in ("choice", "boolean", "location"):
+            reading = self._name(slot, label, said, 0, end)
+        elif slot.type in ("text", "object") and not self.grammar.operators.closed.isdisjoint(
+            set(said) - slot.allow
+        ):
+            problem = f"{' '.join(said)!r} holds a word that changes what is meant"
+            return SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
+        else:
+            reading = self._slot(slot, label, said, 0, end, None, False)
+        return reading
+
+    def index(self, slot: Slot) -> NameIndex:
+        """The fuzzy index of a location or choice slot, made at first use."""
+        if slot.type == "location" and not slot.tags and self.locations is not None:
+            return self.locations.index
+        with self._index_lock:
+            index = self._indexes.get(slot.name)
+            if index is None:
+                index = self._indexes[slot.name] = NameIndex(list(self._spellings(slot)))
+            return index
+
+    def _spellings(self, slot: Slot) -> Iterator[tuple[str, str]]:
+        if slot.type == "location":
+            for words, name in _NamesOf(self.locations, slot.tags):
+                yield " ".join(words), name
+            return
+        for value, node in slot.values:
+            for words in spellings(node, self.grammar.phrases, MAX_SPELLINGS):
+                yield " ".join(words), value
+
+
+@cache
+def spoken_trees(language: str) -> Mapping[str, Node]:
+    """The spoken forms of quantities as trees."""
+    return {name: parse_template(text) for name, text in quantities.templates(language).items()}
+
+
+def _preference(reading: Reading) -> tuple[bool, int, int, int]:
+    return (bool(reading.problem), -reading.intent.priority, reading.free_words, reading.alikes)
+
+
+@dataclass(frozen=True)
+class _NamesOf(Sequence[tuple[tuple[str, ...], str]]):
+    """The names of a map, listed only when the walk first comes to a place."""
+
+    locations: LocationMap | None
+    tags: frozenset[str]
+
+    def __iter__(self) -> Iterator[tuple[tuple[str, ...], str]]:
+        if self.locations is None:
+            return
+        for words, name in self.locations.names():
+            if self.tags:
+                place = self.locations.get(name)
+                if place is None or not self.tags & set(place.tags):
+                    continue
+            yield words, name
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def __getitem__(self, index: Any) -> Any:
+        return list(self)[index]

@@ -1,0 +1,208 @@
+"""Networks of word arcs: what templates, lists, quantities and names are compiled to.
+
+A :class:`Network` is a small non-deterministic graph without recursion. Networks call each other (a sentence calls
+a phrase, a slot calls its list of names), so that ten thousand names are stored once however many sentences use
+them. They are built when the walk first enters them: loading a grammar costs what its YAML costs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from intent_engine.language.template import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+)
+
+__all__ = ["Call", "Edge", "Network", "Networks", "State"]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """How a name in a template is entered."""
+
+    network: str
+    """Key of the network that spells it exactly."""
+    mark: Any = None
+    """Put into the reading where the call begins and ends; None for phrases, which leave no trace."""
+    loose: str | None = None
+    """Key of the network to enter besides, when spelling may be wrong: any words, to be compared later."""
+
+
+class Edge:
+    """A step that reads no word: to ``target``, leaving ``mark``, through ``call`` if there is one."""
+
+    __slots__ = ("call", "mark", "target")
+
+    def __init__(self, target: State, mark: Any = None, call: Call | None = None) -> None:
+        self.target = target
+        self.mark = mark
+        self.call = call
+
+
+class State:
+    """A place in a network."""
+
+    __slots__ = ("arcs", "edges", "expand", "final", "number", "numeral", "wild")
+
+    def __init__(self) -> None:
+        self.arcs: dict[str, tuple[State, ...]] = {}
+        """The words that may be read here."""
+        self.edges: list[Edge] = []
+        """Steps without a word, most wanted first."""
+        self.numeral: tuple[State, ...] = ()
+        """Where a numeral ("10", "2.5") leads."""
+        self.number: tuple[State, ...] = ()
+        """Where a number word of the language leads."""
+        self.wild: tuple[State, ...] = ()
+        """Where any word leads, except those that a free slot may not swallow."""
+        self.final = False
+        """The end of its network."""
+        self.expand: Callable[[State], None] | None = None
+        """Fills the state in when it is first entered."""
+
+    def add(self, word: str, target: State) -> None:
+        self.arcs[word] = (*self.arcs.get(word, ()), target)
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    start: State
+    end: State
+
+
+class Networks:
+    """All networks of one grammar, by key, each built when first asked for. Not thread-safe: see the automaton."""
+
+    def __init__(self) -> None:
+        self._builders: dict[str, Callable[[], Network]] = {}
+        self._built: dict[str, Network] = {}
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._builders
+
+    def __getitem__(self, key: str) -> Network:
+        network = self._built.get(key)
+        if network is None:
+            network = self._built[key] = self._builders[key]()
+        return network
+
+    def add_template(self, key: str, node: Node, scope: Mapping[str, Call]) -> None:
+        """A network that spells a template; ``scope`` says what its names call."""
+        self._builders[key] = lambda: _template(node, scope)
+
+    def add_choice(self, key: str, values: Iterable[tuple[Any, Node]], scope: Mapping[str, Call]) -> None:
+        """A list of values, each with the template that spells it; the value is marked."""
+        options = list(values)
+        self._builders[key] = lambda: _choice(options, scope)
+
+    def add_names(self, key: str, entries: Iterable[tuple[tuple[str, ...], str]]) -> None:
+        """Names (normalised words, value), unfolded word by word as the walk goes in."""
+        rows = entries
+        self._builders[key] = lambda: _names(rows)
+
+    def add_wild(self, key: str, max_words: int) -> None:
+        """One to ``max_words`` words of any kind."""
+        self._builders[key] = lambda: _wild(max_words)
+
+
+def _template(node: Node, scope: Mapping[str, Call]) -> Network:
+    start, end = State(), State()
+    end.final = True
+    connect(node, start, end, scope)
+    return Network(start, end)
+
+
+def connect(node: Node, start: State, end: State, scope: Mapping[str, Call]) -> None:
+    """Lay a template between two states."""
+    match node:
+        case Word(text):
+            start.add(text, end)
+        case WordClass("#"):
+            start.numeral = (*start.numeral, end)
+        case WordClass():
+            start.number = (*start.number, end)
+        case Reference(name, label, _):
+            call = scope.get(f"{name}:{label}") or scope[name]
+            start.edges.append(Edge(end, call=call))
+        case Choice(items):
+            for item in items:
+                connect(item, start, end, scope)
+        case Optional(item):
+            connect(item, start, end, scope)
+            start.edges.append(Edge(end))
+        case Sequence(items):
+            here = start
+            for item in items[:-1]:
+                there = State()
+                connect(item, here, there, scope)
+                here = there
+            connect(items[-1], here, end, scope)
+        case AnyOrder(items):
+            _any_order(items, start, end, scope)
+
+
+def _any_order(items: tuple[Node, ...], start: State, end: State, scope: Mapping[str, Call]) -> None:
+    """A state for each set of parts already said."""
+    everything = (1 << len(items)) - 1
+    states = {0: start, everything: end}
+    for said in range(everything):
+        here = states.setdefault(said, State())
+        for number, item in enumerate(items):
+            if not said & (1 << number):
+                after = said | (1 << number)
+                connect(item, here, states.setdefault(after, State()), scope)
+
+
+def _choice(options: list[tuple[Any, Node]], scope: Mapping[str, Call]) -> Network:
+    start, end = State(), State()
+    end.final = True
+    for value, node in options:
+        first = State()
+        start.edges.append(Edge(first, mark=("value", value)))
+        connect(node, first, end, scope)
+    return Network(start, end)
+
+
+def _names(entries: Iterable[tuple[tuple[str, ...], str]]) -> Network:
+    start, end = State(), State()
+    end.final = True
+
+    def grow(rows: Iterable[tuple[tuple[str, ...], str]], depth: int) -> Callable[[State], None]:
+        def expand(state: State) -> None:
+            onward: dict[str, list[tuple[tuple[str, ...], str]]] = {}
+            for row in rows:
+                words = row[0]
+                if len(words) == depth:
+                    state.edges.append(Edge(end, mark=("value", row[1])))
+                elif words:
+                    onward.setdefault(words[depth], []).append(row)
+            for word, longer in onward.items():
+                child = State()
+                child.expand = grow(longer, depth + 1)
+                state.arcs[word] = (child,)
+
+        return expand
+
+    start.expand = grow(entries, 0)
+    return Network(start, end)
+
+
+def _wild(max_words: int) -> Network:
+    start, end = State(), State()
+    end.final = True
+    here = start
+    for _ in range(max_words):
+        there = State()
+        here.wild = (there,)
+        there.edges.append(Edge(end))
+        here = there
+    return Network(start, end)

@@ -1,0 +1,200 @@
+"""Sentence templates: text to tree.
+
+``(a|b)`` alternatives, ``[a]`` optional, ``(a;b;c)`` any order, ``{name}`` a phrase or slot, ``{name:as}`` a slot
+under another name, ``{#}`` one numeral. The grammar is in ``template.lark``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from importlib import resources
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from intent_engine.language.normalize import tokenize
+
+if TYPE_CHECKING:
+    from lark import Lark
+
+__all__ = [
+    "AnyOrder",
+    "Choice",
+    "Node",
+    "Optional",
+    "Reference",
+    "Sequence",
+    "TemplateError",
+    "Word",
+    "WordClass",
+    "parse_template",
+    "references",
+]
+
+MAX_DEPTH = 40
+"""Nesting of brackets; nobody speaks deeper, and it bounds every recursion over the tree."""
+MAX_ANY_ORDER = 6
+"""Parts of an any-order group: the automaton keeps a state for each subset of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    text: str
+    """One normalised word."""
+
+
+@dataclass(frozen=True, slots=True)
+class WordClass:
+    name: str
+    """``#``: a numeral; ``#word``: a number word of the grammar's language."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    name: str
+    """Phrase or slot."""
+    label: str
+    """Name under which a slot's value is given; the same as ``name`` unless ``{name:label}``."""
+    column: int
+    """Place in the template, from 0, for error messages."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Optional:
+    item: Node
+
+
+@dataclass(frozen=True, slots=True)
+class AnyOrder:
+    items: tuple[Node, ...]
+
+
+Node: TypeAlias = Word | WordClass | Reference | Sequence | Choice | Optional | AnyOrder
+
+
+class TemplateError(ValueError):
+    """A template that cannot be read."""
+
+    def __init__(self, message: str, column: int, hint: str | None = None) -> None:
+        super().__init__(message)
+        self.message = message
+        self.column = column
+        """Place in the template, from 0."""
+        self.hint = hint
+
+
+@cache
+def _parser() -> Lark:
+    from lark import Lark
+
+    grammar = resources.files("intent_engine.language").joinpath("template.lark").read_text("utf-8")
+    return Lark(grammar, parser="lalr", propagate_positions=False, maybe_placeholders=False)
+
+
+@lru_cache(maxsize=4096)
+def parse_template(text: str) -> Node:
+    """The tree of a template.
+
+    Raises:
+        TemplateError: the text is not a template; says where and what to do.
+    """
+    from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
+
+    if not text.strip():
+        raise TemplateError("an empty sentence", 0, "write the words that a person says, or remove the line")
+    _check_brackets(text)
+    try:
+        tree = _parser().parse(text)
+    except UnexpectedCharacters as error:
+        column = error.pos_in_stream or 0
+        raise TemplateError(f"{text[column]!r} cannot stand here", column, _hint(text, column)) from None
+    except UnexpectedToken as error:
+        column = error.pos_in_stream if error.pos_in_stream is not None else len(text)
+        if error.token.type == "$END":
+            raise TemplateError("the sentence ends too early", len(text), "something is missing") from None
+        raise TemplateError(f"{error.token.value!r} cannot stand here", column, _hint(text, column)) from None
+    except UnexpectedInput as error:  # pragma: no cover - Lark has no other kinds today
+        raise TemplateError("cannot be read", error.pos_in_stream or 0) from None
+    return _build(tree.children[0])
+
+
+def _hint(text: str, column: int) -> str:
+    character = text[column : column + 1]
+    before = text[:column].rstrip()[-1:]
+    if character in "|)];" and before in "(|[;":
+        return "an empty alternative; write [words] for words that may be left out"
+    if character == ";":
+        return "';' separates parts in any order, inside brackets: (a; b)"
+    if "{" in text[:column] and "}" not in text[text.rindex("{", 0, column) : column]:
+        return "a name in braces has letters, digits and '_': {how_far} or {distance:how_far}"
+    return "the template language has ( | ) [ ] { } and ; - see docs/grammar.md"
+
+
+def _check_brackets(text: str) -> None:
+    """Name the bracket that has no partner: better than a parser's surprise further on."""
+    pairs = {")": "(", "]": "[", "}": "{"}
+    open_brackets: list[tuple[str, int]] = []
+    for column, character in enumerate(text):
+        if character in "([{":
+            open_brackets.append((character, column))
+            if len(open_brackets) > MAX_DEPTH:
+                raise TemplateError(f"brackets nested deeper than {MAX_DEPTH}", column, "use {phrases}")
+        elif character in pairs:
+            if not open_brackets:
+                raise TemplateError(
+                    f"{character!r} closes nothing", column, f"add {pairs[character]!r} or remove it"
+                )
+            opened, at = open_brackets.pop()
+            if opened != pairs[character]:
+                raise TemplateError(f"{character!r} does not close the {opened!r} at column {at + 1}", column)
+    if open_brackets:
+        opened, at = open_brackets[-1]
+        closing = next(close for close, start in pairs.items() if start == opened)
+        raise TemplateError(f"{opened!r} is never closed", at, f"add the {closing!r}")
+
+
+def _build(tree: Any) -> Node:
+    kind = tree.data
+    if kind == "word":
+        items = tuple(Word(token.word) for token in tokenize(str(tree.children[0])))
+        return items[0] if len(items) == 1 else Sequence(items)
+    if kind == "choice":
+        options = tuple(_build(child) for child in tree.children)
+        return options[0] if len(options) == 1 else Choice(options)
+    if kind == "sequence":
+        parts = tuple(_build(child) for child in tree.children)
+        return parts[0] if len(parts) == 1 else Sequence(parts)
+    if kind == "group":
+        return _build(tree.children[0])
+    if kind == "optional":
+        return Optional(_build(tree.children[0]))
+    if kind == "word_class":
+        return WordClass(str(tree.children[0]))
+    if kind == "reference":
+        name = tree.children[0]
+        return Reference(str(name), str(tree.children[-1]), name.start_pos)
+    parts = tuple(_build(child) for child in tree.children)
+    if len(parts) > MAX_ANY_ORDER:
+        raise TemplateError(f"more than {MAX_ANY_ORDER} parts in any order", 0, "write several sentences")
+    return Optional(AnyOrder(parts)) if kind == "optional_any_order" else AnyOrder(parts)
+
+
+def references(node: Node) -> Iterator[Reference]:
+    """Every phrase and slot that a template names, in order."""
+    if isinstance(node, Reference):
+        yield node
+    elif isinstance(node, (Sequence, Choice, AnyOrder)):
+        for item in node.items:
+            yield from references(item)
+    elif isinstance(node, Optional):
+        yield from references(node.item)

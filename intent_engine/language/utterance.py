@@ -1,0 +1,106 @@
+"""The words of one utterance, with its pauses, and plain phrases found in them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from intent_engine.language.normalize import tokenize
+
+__all__ = ["PhraseSet", "Utterance"]
+
+_ANNOTATION = re.compile(
+    r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
+    r"inaudible|cough(?:s|ing)?|sigh(?:s|ing)?|breath(?:es|ing)?|background[ _]noise|no[ _]speech|bell|beep)\s*[\])>*]",
+    re.IGNORECASE,
+)
+"""What recognisers write for sounds that are not words."""
+
+
+class PhraseSet:
+    """Phrases of whole words, found at a position, longest first."""
+
+    def __init__(self, phrases: Iterable[Sequence[str]]) -> None:
+        self._by_first: dict[str, list[tuple[str, ...]]] = {}
+        for words in sorted({tuple(words) for words in phrases if words}, key=len, reverse=True):
+            self._by_first.setdefault(words[0], []).append(words)
+
+    def __bool__(self) -> bool:
+        return bool(self._by_first)
+
+    def may_stand_in(self, words: Iterable[str]) -> bool:
+        """A quick look: whether any phrase could begin in these words."""
+        return not self._by_first.keys().isdisjoint(words)
+
+    def at(self, words: Sequence[str], position: int) -> int:
+        """Length of the longest phrase that begins at a position; 0 for none."""
+        for phrase in self._by_first.get(words[position], ()) if position < len(words) else ():
+            if tuple(words[position : position + len(phrase)]) == phrase:
+                return len(phrase)
+        return 0
+
+    def lengths_at(self, words: Sequence[str], position: int) -> list[int]:
+        """Lengths of all phrases that begin at a position, longest first."""
+        return [
+            len(phrase)
+            for phrase in (self._by_first.get(words[position], ()) if position < len(words) else ())
+            if tuple(words[position : position + len(phrase)]) == phrase
+        ]
+
+    def ends(self, words: Sequence[str]) -> int:
+        """Length of the longest phrase that the words end with; 0 for none."""
+        for start in range(len(words)):
+            if self.at(words, start) == len(words) - start:
+                return len(words) - start
+        return 0
+
+    def find(self, words: Sequence[str], start: int = 0) -> tuple[int, int] | None:
+        """First (position, length) at or after ``start``."""
+        for position in range(start, len(words)):
+            length = self.at(words, position)
+            if length:
+                return position, length
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Utterance:
+    """Normalised words; ``breaks[i]`` is True where a pause or punctuation stands before word ``i``."""
+
+    words: list[str]
+    breaks: list[bool]
+
+    @classmethod
+    def of(cls, text: str) -> Utterance:
+        if any(bracket in text for bracket in "[(<*"):
+            text = _ANNOTATION.sub(" , ", text)
+        tokens = tokenize(text)
+        return cls([token.word for token in tokens], [token.breaks for token in tokens])
+
+    def __len__(self) -> int:
+        return len(self.words)
+
+    def part(self, start: int, end: int) -> Utterance:
+        return Utterance(self.words[start:end], self.breaks[start:end])
+
+    def without(self, phrases: PhraseSet) -> Utterance:
+        """The utterance less every such phrase; a pause before or after a removed phrase is kept."""
+        if not phrases.may_stand_in(self.words):
+            return self
+        words: list[str] = []
+        breaks: list[bool] = []
+        pause = False
+        position = 0
+        while position < len(self.words):
+            pause = pause or self.breaks[position]
+            length = phrases.at(self.words, position)
+            if length:
+                pause = pause or any(self.breaks[position : position + length])
+                position += length
+                continue
+            words.append(self.words[position])
+            breaks.append(pause)
+            pause = False
+            position += 1
+        return Utterance(words, breaks)
