@@ -139,7 +139,7 @@ class IntentEngine:
             given = None if self._location_paths else self._loaded.locations
             self._use(self._load(given))
 
-    # -- what it holds ---------------------------------------------------------------------------------------------
+    # -- what it holds ----------------------------------------------------------------------------------------
 
     @property
     def grammars(self) -> tuple[Grammar, ...]:
@@ -173,12 +173,10 @@ class IntentEngine:
             return self._parsers[0]
         interpreter = self._loaded.interpreters.get(language.split("-")[0])
         if interpreter is None:
-            raise ConfigError(
-                f"no grammar of language {language!r} is loaded; there is {', '.join(self.languages)}"
-            )
+            raise ConfigError(f"no grammar of language {language!r} is loaded; there is {', '.join(self.languages)}")
         return interpreter
 
-    # -- understanding ---------------------------------------------------------------------------------------------
+    # -- understanding ----------------------------------------------------------------------------------------
 
     def parse(
         self,

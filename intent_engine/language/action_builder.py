@@ -72,9 +72,7 @@ def _same(value: Any, wanted: Any) -> bool:
 class _Parameters:
     """What an action asks for, from what was said, else from a default."""
 
-    def __init__(
-        self, mapping: Mapping[str, Any], said: Mapping[str, Any], defaults: Mapping[str, Any]
-    ) -> None:
+    def __init__(self, mapping: Mapping[str, Any], said: Mapping[str, Any], defaults: Mapping[str, Any]) -> None:
         self._mapping = mapping
         self._said = said
         self._defaults = defaults

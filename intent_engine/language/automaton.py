@@ -97,7 +97,7 @@ class Automaton:
         self._kept: dict[tuple[tuple[int, int], ...], WordState] = {}
         self._start: WordState | None = None
 
-    # -- walking ---------------------------------------------------------------------------------------------------
+    # -- walking ----------------------------------------------------------------------------------------------
 
     def start(self) -> WordState:
         """The state before the first word."""
@@ -151,9 +151,7 @@ class Automaton:
             traces.append(trace)
         return traces
 
-    def _taken(
-        self, state: WordState, word: str
-    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
+    def _taken(self, state: WordState, word: str) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
         steps = state.steps
         if word in steps:
             return steps[word]
@@ -217,9 +215,7 @@ class Automaton:
                 continue
             seen.add(identity)
             if len(seen) > MAX_MEMBERS:
-                raise ConfigError(
-                    "the grammar is too ambiguous: more than 20,000 ways to go on after the same words"
-                )
+                raise ConfigError("the grammar is too ambiguous: more than 20,000 ways to go on after the same words")
             if place.expand is not None:
                 expand, place.expand = place.expand, None
                 expand(place)
@@ -265,7 +261,7 @@ class Automaton:
             opened = marks if call.mark is None else (*marks, ("open", call.mark, loose))
             pending.append((self._networks[key].start, inner, origin, opened))
 
-    # -- looking ahead ---------------------------------------------------------------------------------------------
+    # -- looking ahead ----------------------------------------------------------------------------------------
 
     def next_words(self, state: WordState) -> set[str]:
         """The words that may follow, without numerals and without what a free slot would take."""

@@ -63,9 +63,7 @@ def _names(grammar: Grammar) -> Iterator[Problem]:
 
     def unknown(reference: Reference) -> str | None:
         near = did_you_mean(reference.name, known)
-        return near or (
-            f"known: {', '.join(sorted(known))}" if known else "define it under slots: or phrases:"
-        )
+        return near or (f"known: {', '.join(sorted(known))}" if known else "define it under slots: or phrases:")
 
     for _, sentence in _sentences(grammar):
         for reference in references(sentence.template):
@@ -160,9 +158,7 @@ def _intent(grammar: Grammar, intent: Intent) -> Iterator[Problem]:
         yield _problem(intent.place, message, "add sentences:, regex: or lark:")
     for sentence in intent.sentences:
         if nullable(sentence.template, grammar.phrases):
-            yield _problem(
-                sentence.place, "every word of this sentence may be left out", "make one necessary"
-            )
+            yield _problem(sentence.place, "every word of this sentence may be left out", "make one necessary")
         yield from _complete(grammar, intent, sentence)
     labels = _labels(grammar, intent)
     free = bool(intent.regex or intent.lark)
@@ -171,9 +167,7 @@ def _intent(grammar: Grammar, intent: Intent) -> Iterator[Problem]:
             if intent.action.type == "custom":
                 continue  # a constant for the handler
             known = [*labels, *ACTION_PARAMETERS[intent.action.type]]
-            yield _problem(
-                intent.place, f"default for {key!r}, which nothing takes", did_you_mean(key, known)
-            )
+            yield _problem(intent.place, f"default for {key!r}, which nothing takes", did_you_mean(key, known))
     for condition in intent.when:
         for key in condition.slots:
             if key not in labels and not free:
@@ -236,6 +230,4 @@ def _unused(grammar: Grammar) -> Iterable[Problem]:
             yield _problem(slot.place, f"slot {name!r} is used by no sentence")
     for name in grammar.phrases:
         if name not in used:
-            yield Problem(
-                f"phrase {name!r} is used by no sentence", grammar.files[0] if grammar.files else None
-            )
+            yield Problem(f"phrase {name!r} is used by no sentence", grammar.files[0] if grammar.files else None)

@@ -35,8 +35,10 @@ __all__ = ["load_grammars", "schema"]
 
 DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "en": {
-        "two": ("to",), "too": ("to", "two"), "to": ("two",), "for": ("four",), "four": ("for",), "fore": ("for", "four"),
-        "write": ("right",), "rite": ("right",), "wright": ("right",), "write's": ("right",),
+        "two": ("to",), "too": ("to", "two"), "to": ("two",),
+        "for": ("four",), "four": ("for",), "fore": ("for", "four"),
+        "write": ("right",),
+        "rite": ("right",), "wright": ("right",), "write's": ("right",),
         "bae": ("bay",), "bey": ("bay",), "foreword": ("forward",), "forwards": ("forward",), "forword": ("forward",),
         "meeters": ("meters",), "meeter": ("meter",), "metres": ("meters",), "ford": ("forward",),
         "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
@@ -128,9 +130,7 @@ class _Builder:
         self.phrases: dict[str, Node] = {}
         self.slots: dict[str, Slot] = {}
         self.intents: dict[str, Intent] = {}
-        self.operators: dict[str, list[str]] = {
-            key: list(items) for key, items in default_operators(language).items()
-        }
+        self.operators: dict[str, list[str]] = {key: list(items) for key, items in default_operators(language).items()}
         self.alikes: dict[str, tuple[str, ...]] = dict(DEFAULT_SOUND_ALIKES.get(language, {}))
         self.sources: list[YamlSource] = []
 
@@ -166,9 +166,7 @@ class _Builder:
     def _once(self, source: YamlSource, path: YamlPath, name: str) -> None:
         kind = "slot" if name in self.slots else "phrase" if name in self.phrases else None
         if kind is not None:
-            source.problem(
-                path, f"{name!r} is already the name of a {kind}", "give it another name", key=True
-            )
+            source.problem(path, f"{name!r} is already the name of a {kind}", "give it another name", key=True)
 
     def _template(self, source: YamlSource, path: YamlPath, text: str) -> Node | None:
         try:
@@ -194,9 +192,7 @@ class _Builder:
         kind = spec.get("type", "choice" if "values" in spec else None)
         if kind not in SLOT_TYPES:
             hint = did_you_mean(str(kind), SLOT_TYPES) or f"the types are {', '.join(SLOT_TYPES)}"
-            source.problem(
-                path, f"slot {name!r} has no known type" if kind else f"slot {name!r} needs a type", hint
-            )
+            source.problem(path, f"slot {name!r} has no known type" if kind else f"slot {name!r} needs a type", hint)
             return None
         limits = {}
         for key in ("min", "max"):
@@ -224,9 +220,7 @@ class _Builder:
             place=source.place(path, key=True),
         )
 
-    def _values(
-        self, source: YamlSource, path: YamlPath, spec: Mapping[str, Any]
-    ) -> tuple[tuple[Any, Node], ...]:
+    def _values(self, source: YamlSource, path: YamlPath, spec: Mapping[str, Any]) -> tuple[tuple[Any, Node], ...]:
         values = spec.get("values")
         if values is None:
             if spec["type"] == "boolean":
@@ -251,9 +245,7 @@ class _Builder:
         found = quantities.evaluate(words, kind, "en", unit)
         return float(found) if isinstance(found, (int, float)) else None
 
-    def _quantity(
-        self, source: YamlSource, path: YamlPath, kind: str, raw: Any, unit: str | None
-    ) -> float | None:
+    def _quantity(self, source: YamlSource, path: YamlPath, kind: str, raw: Any, unit: str | None) -> float | None:
         """A limit or default: SI number, or text with a unit."""
         if isinstance(raw, (int, float)) and not isinstance(raw, bool):
             if unit is not None:
@@ -261,12 +253,8 @@ class _Builder:
             return float(raw)
         value = self._value(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
         if value is None:
-            what = (
-                f"is not a {kind}" if kind in QUANTITY_KINDS else f"has no meaning for a slot of type {kind}"
-            )
-            source.problem(
-                path, f"{raw!r} {what}", "write a number in SI units, or one with its unit: 0.5 m/s"
-            )
+            what = f"is not a {kind}" if kind in QUANTITY_KINDS else f"has no meaning for a slot of type {kind}"
+            source.problem(path, f"{raw!r} {what}", "write a number in SI units, or one with its unit: 0.5 m/s")
         return value
 
     def _intent(self, source: YamlSource, path: YamlPath, name: str, spec: Mapping[str, Any]) -> Intent:
@@ -329,9 +317,7 @@ class _Builder:
     def _action(self, source: YamlSource, path: YamlPath, name: str, spec: Any) -> ActionSpec:
         if isinstance(spec, str):
             if spec not in ACTION_PARAMETERS:
-                hint = (
-                    did_you_mean(spec, ACTION_PARAMETERS) or "for your own: action: {type: custom, name: ...}"
-                )
+                hint = did_you_mean(spec, ACTION_PARAMETERS) or "for your own: action: {type: custom, name: ...}"
                 source.problem(path, f"no action is called {spec!r}", hint)
             return ActionSpec(spec, name if spec == "custom" else None)
         kind = spec["type"]
@@ -369,9 +355,7 @@ class _Builder:
                 yield Example(entry, None, source.place(at))
                 continue
             if not isinstance(entry, dict) or len(entry) != 1:
-                source.problem(
-                    at, "an example is one sentence and its meaning", '"go left": {direction: left}'
-                )
+                source.problem(at, "an example is one sentence and its meaning", '"go left": {direction: left}')
                 continue
             ((text, expected),) = entry.items()
             if isinstance(expected, str) and expected not in (
@@ -381,9 +365,7 @@ class _Builder:
                 "incomplete",
             ):
                 hint = did_you_mean(expected, ("rejected", "ambiguous", "incomplete"))
-                source.problem(
-                    (*at, text), f"{expected!r} is no result", hint or "write {slot: value} or rejected"
-                )
+                source.problem((*at, text), f"{expected!r} is no result", hint or "write {slot: value} or rejected")
                 continue
             if expected is not None and not isinstance(expected, (str, dict)):
                 source.problem((*at, text), "the meaning of an example is {slot: value} or rejected")
@@ -405,11 +387,7 @@ class _Builder:
             slots=self.slots,
             intents=self.intents,
             operators=Operators(
-                **{
-                    key: tuple(words for words in rows if words)
-                    for key, rows in operators.items()
-                    if key != "closed"
-                },
+                **{key: tuple(words for words in rows if words) for key, rows in operators.items() if key != "closed"},
                 closed=frozenset(closed),
             ),
             sound_alikes=self.alikes,

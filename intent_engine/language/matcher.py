@@ -100,7 +100,7 @@ class Matcher:
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
 
-    # -- building --------------------------------------------------------------------------------------------------
+    # -- building ---------------------------------------------------------------------------------------------
 
     def _automaton(self, root: State, *, loose: bool) -> Automaton:
         language = self.grammar.language
@@ -188,7 +188,7 @@ class Matcher:
                 scope[f"{name}:{label}"] = Call(f"slot:{name}", ("slot", label, name), loose)
         return scope
 
-    # -- reading ---------------------------------------------------------------------------------------------------
+    # -- reading ----------------------------------------------------------------------------------------------
 
     def read(self, words: list[str], *, loose: bool = False) -> list[Reading]:
         """Every reading of all the words, best first; those with a problem last."""
@@ -289,9 +289,7 @@ class Matcher:
         end = len(said)
         if slot.type in ("choice", "boolean", "location"):
             reading = self._name(slot, label, said, 0, end)
-        elif slot.type in ("text", "object") and not self.grammar.operators.closed.isdisjoint(
-            set(said) - slot.allow
-        ):
+        elif slot.type in ("text", "object") and not self.grammar.operators.closed.isdisjoint(set(said) - slot.allow):
             problem = f"{' '.join(said)!r} holds a word that changes what is meant"
             return SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
         else:

@@ -71,7 +71,7 @@ class Interpreter:
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
 
-    # -- the order of things ---------------------------------------------------------------------------------------
+    # -- the order of things ----------------------------------------------------------------------------------
 
     def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation:
         """The meaning of a text.
@@ -111,9 +111,7 @@ class Interpreter:
             return self._not_accepted(text, clause)
         return self._operated(text, core, state, clause)
 
-    def _operated(
-        self, text: str, core: Utterance, state: Collection[str], clause: Clause | None
-    ) -> Interpretation:
+    def _operated(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Interpretation:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
         if self._cancel.may_stand_in(words) and 0 < self._cancel.ends(words) < len(words):
@@ -132,7 +130,7 @@ class Interpreter:
             return self._accepted(text, single) if single.accepted else self._not_accepted(text, single)
         return self._not_understood(text, core, clause or single)
 
-    # -- stop --------------------------------------------------------------------------------------------------------
+    # -- stop ---------------------------------------------------------------------------------------------------
 
     def _stops(self, said: Utterance, state: Collection[str]) -> bool:
         """Whether any clause of the utterance is a command to stop.
@@ -199,17 +197,11 @@ class Interpreter:
         return reached is not None and count > 0
 
     def _negated_before(self, words: list[str], position: int) -> bool:
-        return any(
-            self._negation.at(words, back) == position - back
-            for back in range(max(0, position - 3), position)
-        )
+        return any(self._negation.at(words, back) == position - back for back in range(max(0, position - 3), position))
 
     def _sequenced(self, words: list[str], position: int) -> bool:
         """Whether "and then" stands before: a stop at the end of a list of commands is where it ends anyway."""
-        return any(
-            self._sequence.at(words, back) == position - back
-            for back in range(max(0, position - 4), position)
-        )
+        return any(self._sequence.at(words, back) == position - back for back in range(max(0, position - 4), position))
 
     def _awake(self, said: Utterance) -> Utterance | None:
         position = 0
@@ -223,7 +215,7 @@ class Interpreter:
             position += length
         return None
 
-    # -- one command -------------------------------------------------------------------------------------------------
+    # -- one command --------------------------------------------------------------------------------------------
 
     def _exact(self, words: list[str], state: Collection[str]) -> Clause | None:
         """The command that these words are, exactly; None if no sentence has them."""
@@ -257,9 +249,7 @@ class Interpreter:
             return None
         good = [reading for reading in readings if not reading.problem]
         if good:
-            best = max(
-                good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score)
-            )
+            best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
                 reading
                 for reading in good
@@ -275,9 +265,7 @@ class Interpreter:
         best = readings[0]
         if best.problem:
             return self._problem_clause(best)
-        allowed = [
-            reading for reading in readings if not reading.problem and not self._forbidden(reading, state)
-        ]
+        allowed = [reading for reading in readings if not reading.problem and not self._forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=self._forbidden(best, state))
         best = allowed[0]
@@ -331,7 +319,7 @@ class Interpreter:
             return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=True)
         return Clause(reading, reason=slot.problem, alternatives=names)
 
-    # -- operators ---------------------------------------------------------------------------------------------------
+    # -- operators ----------------------------------------------------------------------------------------------
 
     def _after_negation(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
         """What is still wanted of an utterance with a negation: only what follows "instead" or "but".
@@ -433,9 +421,7 @@ class Interpreter:
             return meant if reached is not None else None
         return None
 
-    def _replacements(
-        self, said: list[str], meant: list[str], reading: Reading
-    ) -> Iterator[tuple[list[str], int]]:
+    def _replacements(self, said: list[str], meant: list[str], reading: Reading) -> Iterator[tuple[list[str], int]]:
         for slot in reading.slots:
             for end in range(slot.end, slot.start, -1):
                 yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start)
@@ -446,7 +432,7 @@ class Interpreter:
         clause = self._exact(words, state)
         return clause is not None and clause.accepted
 
-    # -- compounds ---------------------------------------------------------------------------------------------------
+    # -- compounds ----------------------------------------------------------------------------------------------
 
     def _compound(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
         """The commands that an utterance joins, if every part of some split is a whole command; else None."""
@@ -508,11 +494,9 @@ class Interpreter:
             actions.append(part.action)
             score *= part.reading.score
         reasons = "; ".join(part.reason for part in parts if part.reason)
-        return Interpretation(
-            text, Status.ACCEPTED, "compound", {"steps": steps}, tuple(actions), score, (), reasons
-        )
+        return Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, tuple(actions), score, (), reasons)
 
-    # -- results -----------------------------------------------------------------------------------------------------
+    # -- results ------------------------------------------------------------------------------------------------
 
     def _accepted(self, text: str, clause: Clause) -> Interpretation:
         reading, action = clause.reading, clause.action
@@ -543,7 +527,7 @@ class Interpreter:
             return self._not_accepted(text, clause)
         words = core.words
         if not self._holds_operator(words):
-            count, reached = self.matcher.prefix(words)
+            _, reached = self.matcher.prefix(words)
             if reached is not None and not self.matcher.spoken.accepting(reached):
                 following = sorted(self.matcher.spoken.next_words(reached))[:8]
                 return Interpretation(
@@ -553,9 +537,7 @@ class Interpreter:
                     alternatives=tuple(following),
                 )
         near = self._nearest.sentences(words)
-        return Interpretation(
-            text, Status.REJECTED, reason="not a command of this grammar", alternatives=near
-        )
+        return Interpretation(text, Status.REJECTED, reason="not a command of this grammar", alternatives=near)
 
 
 def _problem_rank(reading: Reading) -> tuple[int, float]:

@@ -64,9 +64,7 @@ class Patterns:
         for name in compiled.groupindex:
             if name not in self._grammar.slots:
                 message = f"regex of intent {intent.name!r}: group {name!r} is no slot"
-                problems.append(
-                    self._problem(intent, message, f"define it: slots: {{{name}: {{type: text}}}}")
-                )
+                problems.append(self._problem(intent, message, f"define it: slots: {{{name}: {{type: text}}}}"))
         self._regexes.append((intent, Sentence(pattern, Word(pattern)), compiled))
 
     def _add_lark(self, intent: Intent, text: str, problems: list[Problem]) -> None:
@@ -74,13 +72,9 @@ class Patterns:
         from lark.exceptions import LarkError
 
         try:
-            parser = Lark(
-                text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True
-            )
+            parser = Lark(text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True)
         except (LarkError, OSError, ValueError) as error:
-            message = (
-                f"lark grammar of intent {intent.name!r} cannot be read: {str(error).strip().splitlines()[0]}"
-            )
+            message = f"lark grammar of intent {intent.name!r} cannot be read: {str(error).strip().splitlines()[0]}"
             problems.append(self._problem(intent, message, "the first rule must be called start"))
             return
         self._larks.append((intent, Sentence(text, Word(intent.name)), parser))

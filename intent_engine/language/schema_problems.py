@@ -40,9 +40,7 @@ def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]
     import json
 
     found: list[Problem] = []
-    for error in _validator(str(schema.get("$id")), json.dumps(schema, sort_keys=True)).iter_errors(
-        source.data
-    ):
+    for error in _validator(str(schema.get("$id")), json.dumps(schema, sort_keys=True)).iter_errors(source.data):
         found.extend(_problems(source, error))
     return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0))
 
@@ -76,9 +74,7 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         return
     if error.validator == "required":
         missing = [key for key in error.validator_value if key not in error.instance]
-        yield _at(
-            source, path, f"{where!r} needs {' and '.join(repr(key) for key in missing)}", None, key=True
-        )
+        yield _at(source, path, f"{where!r} needs {' and '.join(repr(key) for key in missing)}", None, key=True)
         return
     if error.validator == "pattern":
         yield _at(
@@ -97,8 +93,6 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     yield _at(source, path, error.message)
 
 
-def _at(
-    source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False
-) -> Problem:
+def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:
     place = source.place(path, key=key)
     return Problem(message, source.file, place.line, place.column, place.source, hint)

@@ -151,9 +151,7 @@ def _check_brackets(text: str) -> None:
                 raise TemplateError(f"brackets nested deeper than {MAX_DEPTH}", column, "use {phrases}")
         elif character in pairs:
             if not open_brackets:
-                raise TemplateError(
-                    f"{character!r} closes nothing", column, f"add {pairs[character]!r} or remove it"
-                )
+                raise TemplateError(f"{character!r} closes nothing", column, f"add {pairs[character]!r} or remove it")
             opened, at = open_brackets.pop()
             if opened != pairs[character]:
                 raise TemplateError(f"{character!r} does not close the {opened!r} at column {at + 1}", column)

@@ -60,26 +60,18 @@ def read_yaml(path: str | Path) -> YamlSource:
     file = Path(path)
     try:
         if file.stat().st_size > MAX_BYTES:
-            source.problems.append(
-                Problem("is larger than 64 MiB", str(path), hint="is this the right file?")
-            )
+            source.problems.append(Problem("is larger than 64 MiB", str(path), hint="is this the right file?"))
             return source
         text = file.read_text("utf-8")
     except FileNotFoundError:
         near = did_you_mean(file.name, (other.name for other in _neighbours(file)))
-        source.problems.append(
-            Problem("no such file", str(path), hint=near or "give the path of a YAML file")
-        )
+        source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
         return source
     except IsADirectoryError:
-        source.problems.append(
-            Problem("is a folder, not a file", str(path), hint="give the path of a YAML file")
-        )
+        source.problems.append(Problem("is a folder, not a file", str(path), hint="give the path of a YAML file"))
         return source
     except UnicodeDecodeError as error:
-        source.problems.append(
-            Problem(f"is not UTF-8 text (byte {error.start})", str(path), hint="save it as UTF-8")
-        )
+        source.problems.append(Problem(f"is not UTF-8 text (byte {error.start})", str(path), hint="save it as UTF-8"))
         return source
     except OSError as error:
         source.problems.append(Problem(f"cannot be read: {error.strerror}", str(path)))
@@ -93,9 +85,7 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     try:
         node = yaml.compose(text, Loader=_Loader)
         if node is None:
-            source.problems.append(
-                Problem("is empty", source.file, hint="see docs/grammar.md for the shortest file")
-            )
+            source.problems.append(Problem("is empty", source.file, hint="see docs/grammar.md for the shortest file"))
             return source
         source.data = _plain(node, (), source, set())
     except yaml.MarkedYAMLError as error:
@@ -103,14 +93,8 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
         line = mark.line if mark else 0
         shown = source.lines[line] if line < len(source.lines) else ""
         message = f"is not valid YAML: {error.problem or error.context}"
-        hint = (
-            "quote sentences that hold ':' '#' '{' or '[' at their start"
-            if "{" in shown or "[" in shown
-            else None
-        )
-        source.problems.append(
-            Problem(message, source.file, line + 1, (mark.column if mark else 0) + 1, shown, hint)
-        )
+        hint = "quote sentences that hold ':' '#' '{' or '[' at their start" if "{" in shown or "[" in shown else None
+        source.problems.append(Problem(message, source.file, line + 1, (mark.column if mark else 0) + 1, shown, hint))
     except (yaml.YAMLError, ValueError) as error:
         source.problems.append(Problem(f"is not valid YAML: {error}", source.file))
     except RecursionError:
@@ -136,9 +120,7 @@ def _plain(node: Any, path: YamlPath, source: YamlSource, above: set[int]) -> An
         here = (*path, key)
         source.key_marks[here] = (key_node.start_mark.line, key_node.start_mark.column)
         if key in result:
-            source.problem(
-                here, f"{key!r} stands twice; the first would be lost", "rename or merge them", key=True
-            )
+            source.problem(here, f"{key!r} stands twice; the first would be lost", "rename or merge them", key=True)
         _scalar(key_node, (*here, "\0key"), source)
         result[key] = _plain(value_node, here, source, above)
     return result

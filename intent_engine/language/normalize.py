@@ -1,0 +1,150 @@
+"""What people type and recognisers write, as plain words.
+
+The same is done to the sentences of a grammar and to what is said, so both always meet in the same form.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from typing import NamedTuple
+
+__all__ = ["Token", "plain_words", "tokenize"]
+
+
+class Token(NamedTuple):
+    """One normalised word and where it came from."""
+
+    word: str
+    """Lower case, NFKC, without punctuation. A numeral is one word: ``2.5``, ``1/2``, ``2-1/2``, ``1200``, ``-3``."""
+    start: int
+    """First character in the text."""
+    end: int
+    """Character after the last. Words of one contraction share their place."""
+    breaks: bool
+    """Whether punctuation that separates clauses, or a dash, stands before."""
+
+
+_NEGATED = {
+    f"{verb}nt": (meant, "not")
+    for verb, meant in {
+        "do": "do", "wo": "will", "ca": "can", "is": "is", "are": "are", "was": "was", "were": "were", "does": "does",
+        "did": "did", "should": "should", "could": "could", "would": "would", "must": "must", "need": "need",
+        "have": "have", "has": "has", "had": "had", "ai": "is", "sha": "shall", "might": "might", "dare": "dare",
+    }.items()
+}  # fmt: skip
+CONTRACTIONS: dict[str, tuple[str, ...]] = {**_NEGATED, "cannot": ("can", "not")}
+"""Contractions that hide a negation. Others only lose their apostrophe ("let's" is "lets", "i'd" is "id")."""
+
+_FRACTIONS = {
+    character: f" {top}/{bottom}"
+    for character, top, bottom in (
+        ("½", 1, 2), ("⅓", 1, 3), ("⅔", 2, 3), ("¼", 1, 4), ("¾", 3, 4), ("⅕", 1, 5), ("⅖", 2, 5), ("⅗", 3, 5),
+        ("⅘", 4, 5), ("⅙", 1, 6), ("⅚", 5, 6), ("⅛", 1, 8), ("⅜", 3, 8), ("⅝", 5, 8), ("⅞", 7, 8),
+    )
+}  # fmt: skip
+
+_PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
+_TOKEN = re.compile(
+    r"(?P<number>(?:(?<![\w.,])|^)(?:[-−]|^[-−]\s+)(?=\d|\.\d))?"
+    r"(?:(?P<mixed>\d+(?:\s*-\s*|\s+)\d+\s?[/⁄]\s?\d+(?![\d/]))"
+    r"|(?P<fraction>(?<![/\d])\d+[/⁄]\d+(?![\d/]))"
+    r"|(?P<grouped>\d{1,3}(?:,\d{3})+(?:\.\d+)?(?!\d))"
+    r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
+    r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
+    r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
+    r"|(?P<sign>[°º%'’′\"”″/])"
+    r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
+)
+
+
+def plain_words(text: str) -> list[str] | None:
+    """The words of a text that is nothing but lower-case ASCII words and single spaces; None for any other text.
+
+    The short way for what a recogniser or another program hands over; the same as :func:`tokenize` where it answers.
+    """
+    if _PLAIN.fullmatch(text) is None:
+        return None
+    words = text.split(" ")
+    return None if not CONTRACTIONS.keys().isdisjoint(words) else words
+
+
+def tokenize(text: str) -> tuple[Token, ...]:
+    """The normalised words of any text, in order. Never raises; linear in the text."""
+    source, places = text, None
+    if not text.isascii():
+        source, places = _composed(text)
+    lowered = source.lower()
+    if len(lowered) != len(source):  # a few letters grow when lowered ("İ"); places would shift
+        lowered = "".join(c.lower() if len(c.lower()) == 1 else c for c in source)
+    tokens: list[Token] = []
+    breaks = False
+    for match in _TOKEN.finditer(lowered):
+        kind = match.lastgroup
+        start, end = match.span()
+        if kind == "pause":
+            breaks = True
+            continue
+        for word in _words(match, kind, lowered, tokens):
+            if places is not None:
+                tokens.append(Token(word, places[start], places[end - 1] + 1, breaks))
+            else:
+                tokens.append(Token(word, start, end, breaks))
+            breaks = False
+    return tuple(tokens)
+
+
+def _composed(text: str) -> tuple[str, list[int]]:
+    """NFKC, with fractions as digits, and the place in the source of every character."""
+    pieces: list[str] = []
+    places: list[int] = []
+    for place, character in enumerate(text):
+        piece = _FRACTIONS.get(character) or (character if character in "°º″′" else None)
+        if piece is None and character in "\u00a0\u202f\u2009" and text[place - 1 : place].isdigit():
+            piece = "" if text[place + 1 : place + 4].isdigit() and place else " "  # thousands, set apart
+        if piece is None:
+            piece = unicodedata.normalize("NFKC", character)
+        pieces.append(piece)
+        places.extend([place] * len(piece))
+    joined = "".join(pieces)
+    composed = unicodedata.normalize("NFC", joined)
+    if len(composed) != len(joined):  # accents written as marks of their own: places of the text are then unknown
+        return composed, [min(place, len(text) - 1) for place in range(len(composed))]
+    return joined, places
+
+
+def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token]) -> tuple[str, ...]:
+    found = match.group()
+    if kind == "word":
+        word = found
+        if not found.isalpha():
+            word = re.sub(r"['’ʼ`]", "", found)
+        return CONTRACTIONS.get(word, (word,))
+    if kind == "sign":
+        return _sign(found, text, match.start(), before)
+    if kind == "mixed":
+        whole, top, bottom = re.findall(r"\d+", found)
+        number = f"{whole}-{top}/{bottom}"
+    elif kind == "grouped":
+        number = found.lstrip("-− ").replace(",", "")
+    else:
+        number = found.lstrip("-− ").replace("⁄", "/")
+    if number.startswith("."):
+        number = "0" + number
+    return ("-" + number if match.group("number") else number,)
+
+
+def _sign(sign: str, text: str, place: int, before: list[Token]) -> tuple[str, ...]:
+    touching = place > 0 and not text[place - 1].isspace()
+    after = text[place + 1 : place + 2]
+    number_before = touching and bool(before) and before[-1].word[-1].isdigit() and text[place - 1].isdigit()
+    if sign in "°º":
+        return ("degrees",)
+    if sign == "%":
+        return ("percent",)
+    if sign == "/":
+        between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
+        return ("per",) if between else ()
+    if sign in "'’′":
+        return ("feet",) if number_before and not after.isalpha() else ()
+    return ("inches",) if number_before else ()

@@ -1,0 +1,355 @@
+"""English numbers in words: to the trillions, decimals, fractions, and the short forms of speech ("one eighty")."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from intent_engine.language.numbers.numerals import is_numeral, numeral_value
+
+__all__ = ["NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
+
+DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
+TEENS = {
+    "ten": 10, "eleven": 11, "twelve": 12, "thirteen": 13, "fourteen": 14, "fifteen": 15, "sixteen": 16,
+    "seventeen": 17, "eighteen": 18, "nineteen": 19,
+}  # fmt: skip
+TENS = {
+    "twenty": 20, "thirty": 30, "forty": 40, "fourty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80,
+    "ninety": 90,
+}  # fmt: skip
+ZERO = frozenset(("zero", "oh", "o", "nought", "naught", "nil"))
+SCALES = {
+    "thousand": 1e3, "thousands": 1e3, "lakh": 1e5, "lakhs": 1e5, "million": 1e6, "millions": 1e6, "mln": 1e6,
+    "crore": 1e7, "crores": 1e7, "billion": 1e9, "billions": 1e9, "bln": 1e9, "trillion": 1e12, "trillions": 1e12,
+    "tln": 1e12,
+}  # fmt: skip
+SUFFIXES = {"k": 1e3, "g": 1e9, "t": 1e12}
+"""Signs that scale a numeral: "10 k". ``m`` is not one: to a robot "10 m" is ten meters."""
+_ORDINAL_UNITS = {
+    "first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "seventh": 7, "eighth": 8, "ninth": 9,
+    "tenth": 10, "eleventh": 11, "twelfth": 12, "thirteenth": 13, "fourteenth": 14, "fifteenth": 15, "sixteenth": 16,
+    "seventeenth": 17, "eighteenth": 18, "nineteenth": 19,
+}  # fmt: skip
+_ORDINAL_TENS = {
+    "twentieth": 20, "thirtieth": 30, "fortieth": 40, "fiftieth": 50, "sixtieth": 60, "seventieth": 70,
+    "eightieth": 80, "ninetieth": 90,
+}  # fmt: skip
+_ORDINAL_SCALES = {"hundredth": 1e2, "thousandth": 1e3, "millionth": 1e6, "billionth": 1e9, "trillionth": 1e12}
+HALVES = {"half": 2.0, "halves": 2.0, "halfs": 2.0, "quarter": 4.0, "quarters": 4.0}
+
+SMALL = {**DIGITS, **TEENS, **TENS}
+NUMBER_WORDS = frozenset(
+    (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
+)
+
+Found = tuple[float, int]
+"""A value and the place after its last word."""
+
+
+def _below_hundred(words: Sequence[str], at: int) -> Found | None:
+    word = words[at] if at < len(words) else ""
+    if word in TENS:
+        after = words[at + 1] if at + 1 < len(words) else ""
+        if after in DIGITS:
+            return float(TENS[word] + DIGITS[after]), at + 2
+        return float(TENS[word]), at + 1
+    value = DIGITS.get(word) or TEENS.get(word)
+    return (float(value), at + 1) if value else None
+
+
+def _numeral(words: Sequence[str], at: int) -> Found | None:
+    if at < len(words) and words[at][:1].isdigit() and is_numeral(words[at]):
+        value = numeral_value(words[at])
+        return (value, at + 1) if value is not None else None
+    return None
+
+
+def _group(words: Sequence[str], at: int) -> Found | None:
+    """Below a thousand, or a numeral: "a hundred and five", "twelve hundred", "one eighty", "3 hundred"."""
+    found = _below_hundred(words, at) or _numeral(words, at)
+    if found is None and at < len(words) and words[at] in ("a", "an", "hundred"):
+        found = (1.0, at if words[at] == "hundred" else at + 1)
+        if found[1] >= len(words) or words[found[1]] != "hundred":
+            return None
+    if found is None:
+        return None
+    value, here = found
+    if here < len(words) and words[here] in ("hundred", "hundreds"):
+        value, here = value * 100, here + 1
+        more = here + 1 if here < len(words) and words[here] == "and" else here
+        tail = _below_hundred(words, more) or _small_numeral(words, more)
+        if tail is not None and tuple(words[tail[1] : tail[1] + 1]) not in (("hundred",), ("hundreds",)):
+            return value + tail[0], tail[1]
+        return value, here
+    if value < 10 and here == at + 1 and words[at] in DIGITS and here < len(words):
+        # "one eighty", "two seventy five": hundreds left out, as angles are said; "one oh five" likewise.
+        if words[here] in TENS or words[here] in TEENS:
+            tail = _below_hundred(words, here)
+            if tail is not None:
+                return value * 100 + tail[0], tail[1]
+        if words[here] in ZERO and here + 1 < len(words) and words[here + 1] in DIGITS:
+            return value * 100 + DIGITS[words[here + 1]], here + 2
+    return value, here
+
+
+def _small_numeral(words: Sequence[str], at: int) -> Found | None:
+    found = _numeral(words, at)
+    return found if found is not None and found[0] < 100 and words[at].isdigit() else None
+
+
+def cardinal(words: Sequence[str], at: int) -> Found | None:
+    """The longest whole number (or scaled numeral) that begins here."""
+    here = at
+    if here < len(words) and words[here] in ZERO:
+        return 0.0, here + 1
+    if here + 1 < len(words) and words[here] in ("a", "an") and words[here + 1] in SCALES:
+        found: Found | None = (1.0, here + 1)
+    elif here + 1 < len(words) and words[here] in ("thousand", "million") and _group(words, here + 1) is not None:
+        found = (1.0, here)  # "thousand nine hundred twenty", its "one" left out
+    else:
+        found = _group(words, here)
+    total, last, best = 0.0, float("inf"), None
+    while found is not None:
+        value, here = found
+        scale = 1.0
+        while here < len(words) and words[here] in SCALES and SCALES[words[here]] * scale <= 1e15:
+            scale *= SCALES[words[here]]
+            here += 1
+        if scale == 1.0 and here < len(words) and words[here] in SUFFIXES and words[here - 1][0].isdigit():
+            scale = SUFFIXES[words[here]]
+            here += 1
+        if scale >= last:
+            break
+        total += value * scale
+        best = (total, here)
+        if scale == 1.0:
+            break
+        last = scale
+        more = here + 1 if here < len(words) and words[here] == "and" else here
+        found = _group(words, more)
+    if best is not None and best[1] < len(words) and words[best[1]] in ("dozen", "dozens"):
+        return best[0] * 12, best[1] + 1
+    return best
+
+
+def _decimals(words: Sequence[str], at: int) -> Found | None:
+    digits = ""
+    here = at
+    while here < len(words) and len(digits) < 15:
+        word = words[here]
+        if word in DIGITS:
+            digits += str(DIGITS[word])
+        elif word in ZERO:
+            digits += "0"
+        elif word.isdigit():
+            digits += word
+        elif not digits and (word in TENS or word in TEENS):
+            tail = _below_hundred(words, here)
+            assert tail is not None
+            return float(f"0.{int(tail[0])}"), tail[1]
+        else:
+            break
+        here += 1
+    return (float("0." + digits), here) if digits else None
+
+
+def _denominator(words: Sequence[str], at: int) -> Found | None:
+    word = words[at] if at < len(words) else ""
+    if word in HALVES:
+        return HALVES[word], at + 1
+    singular = word[:-1] if word.endswith("s") else word
+    if singular in _ORDINAL_SCALES:
+        return _ORDINAL_SCALES[singular], at + 1
+    if singular in _ORDINAL_TENS:
+        return float(_ORDINAL_TENS[singular]), at + 1
+    if singular in _ORDINAL_UNITS and _ORDINAL_UNITS[singular] > 2:
+        return float(_ORDINAL_UNITS[singular]), at + 1
+    if word in TENS and at + 1 < len(words):
+        after = words[at + 1][:-1] if words[at + 1].endswith("s") else words[at + 1]
+        if after in _ORDINAL_UNITS and _ORDINAL_UNITS[after] < 10:
+            return float(TENS[word] + _ORDINAL_UNITS[after]), at + 2
+    digits = singular.rstrip("thndrs")
+    if digits.isdigit() and singular != digits and 2 < int(digits) < 10**6:
+        return float(digits), at + 1
+    return None
+
+
+def fraction(words: Sequence[str], at: int) -> Found | None:
+    """ "a half", "three quarters", "two thirds", "a twenty-first"; below one, except "three halves"."""
+    if at >= len(words):
+        return None
+    if words[at] in ("half", "quarter"):
+        return 1.0 / HALVES[words[at]], at + 1
+    if words[at] in ("a", "an"):
+        bottom = _denominator(words, at + 1)
+        return (1.0 / bottom[0], bottom[1]) if bottom else None
+    for top in (cardinal(words, at), _below_hundred(words, at), _group(words, at), _numeral(words, at)):
+        if top is None:
+            continue
+        if top[1] - at > 1 and words[top[1] - 1] in TENS:
+            # "one hundred thirty-fifths": the tens go with the ordinal after them
+            shorter = cardinal(words[: top[1] - 1], at)
+            joined = _denominator(words, top[1] - 1)
+            if shorter is not None and shorter[1] == top[1] - 1 and joined is not None and joined[1] > top[1]:
+                return shorter[0] / joined[0], joined[1]
+        bottom = _denominator(words, top[1])
+        if bottom is not None:
+            return top[0] / bottom[0], bottom[1]
+        # "three twenty-firsts": the tens belong to the denominator, not to "three twenty"
+        if words[at] in DIGITS:
+            bottom = _denominator(words, at + 1)
+            if bottom is not None:
+                return DIGITS[words[at]] / bottom[0], bottom[1]
+    return None
+
+
+def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
+    """Every number that begins at a place; the first is the one most likely meant, and not always the longest."""
+    if at >= len(words):
+        return
+    word = words[at]
+    if word in ("minus", "negative") or (word == "plus" and at + 1 < len(words)):
+        sign = 1.0 if word == "plus" else -1.0
+        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
+        return
+    if word[0] == "-" and is_numeral(word):
+        value = numeral_value(word)
+        if value is not None:
+            yield from (
+                (-positive, after) for positive, after in numbers_at([*words[:at], word[1:], *words[at + 1 :]], at)
+            )
+        return
+    yield from _positive(words, at)
+
+
+def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
+    word = words[at]
+    if word == "point":
+        decimals = _decimals(words, at + 1)
+        if decimals is not None:
+            yield from _scaled(words, decimals)
+        return
+    if word in ("a", "an", "the") and at + 1 < len(words) and words[at + 1] in ("couple", "pair", "dozen"):
+        after = at + 3 if words[at + 2 : at + 3] == ["of"] or tuple(words[at + 2 : at + 3]) == ("of",) else at + 2
+        yield (12.0 if words[at + 1] == "dozen" else 2.0), after
+        return
+    if word in ("couple", "pair", "dozen"):
+        after = at + 2 if tuple(words[at + 1 : at + 2]) == ("of",) else at + 1
+        yield (12.0 if word == "dozen" else 2.0), after
+        return
+    if word in ("quarter", "half") and tuple(words[at + 1 : at + 2]) in (("million",), ("billion",)):
+        yield SCALES[words[at + 1]] / HALVES[word], at + 2
+        return
+    if word == "half" and tuple(words[at + 1 : at + 3]) in (("a", "dozen"), ("a", "million"), ("a", "thousand")):
+        yield {"dozen": 6.0, "million": 5e5, "thousand": 500.0}[words[at + 2]], at + 3
+        return
+    whole = cardinal(words, at)
+    if whole is not None:
+        value, here = whole
+        after = tuple(words[here : here + 2])
+        if after[:1] == ("point",):
+            decimals = _decimals(words, here + 1)
+            if decimals is not None:
+                yield from _scaled(words, (value + decimals[0], decimals[1]))
+                return
+        if after[:1] in (("over",), ("divided",)) or after == ("out", "of"):
+            bottom = cardinal(words, here + (2 if after in (("divided", "by"), ("out", "of")) else 1))
+            if bottom is not None and bottom[0]:
+                yield value / bottom[0], bottom[1]
+                return
+        if after[:1] == ("and",):
+            part = fraction(words, here + 1)
+            if part is not None and part[0] < 1:
+                yield value + part[0], part[1]
+                yield value, here
+                return
+        joined = _hundreds_and_fraction(words, at)
+        if joined is not None:
+            yield joined
+            return
+        part = fraction(words, here)
+        if part is not None and part[0] < 1 and words[here] not in ("half", "quarter", "second"):
+            yield value + part[0], part[1]  # "two three quarters", "2 1/2" written as two numerals
+    part = fraction(words, at)
+    if part is not None:
+        yield part
+    if whole is not None:
+        yield whole
+
+
+def _hundreds_and_fraction(words: Sequence[str], at: int) -> Found | None:
+    """ "two hundred and fifty-four hundredths": what follows "and" is the fraction's top."""
+    for place in range(at + 1, min(len(words) - 1, at + 8)):
+        if words[place] != "and":
+            continue
+        whole = cardinal(words[:place], at)
+        part = fraction(words, place + 1)
+        if whole is not None and whole[1] == place and part is not None and part[0] < 1:
+            return whole[0] + part[0], part[1]
+    return None
+
+
+def _scaled(words: Sequence[str], found: Found) -> Iterator[Found]:
+    value, here = found
+    if here < len(words) and words[here] in SCALES:
+        yield value * SCALES[words[here]], here + 1
+    yield found
+
+
+def number(words: Sequence[str]) -> float | None:
+    """The value of exactly these words."""
+    for value, after in numbers_at(words, 0):
+        if after == len(words):
+            return value
+    return None
+
+
+def ordinal(words: Sequence[str]) -> float | None:
+    """ "third", "twenty first", "3rd", "number three", "the last" (-1)."""
+    if not words:
+        return None
+    if words[-1] == "last" and len(words) <= 2:
+        return -1.0
+    last = words[-1]
+    if len(words) == 1 and last[0].isdigit():
+        digits = last.rstrip("thndrs")
+        return float(digits) if digits.isdigit() and digits != last else None
+    if last in _ORDINAL_UNITS:
+        value: float = _ORDINAL_UNITS[last]
+    elif last in _ORDINAL_TENS:
+        value = _ORDINAL_TENS[last]
+    elif last in _ORDINAL_SCALES:
+        before = number(words[:-1]) if len(words) > 1 else 1.0
+        return before * _ORDINAL_SCALES[last] if before is not None else None
+    else:
+        return None
+    if len(words) == 1:
+        return float(value)
+    before = number(words[:-1])
+    if before is None or value >= 100 or (before % 100 if value >= 10 else before % 10):
+        return None
+    return before + value
+
+
+TEMPLATES: Mapping[str, str] = {
+    "digit": "(one|two|three|four|five|six|seven|eight|nine)",
+    "teen": "(" + "|".join(TEENS) + ")",
+    "tens": "(twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)",
+    "zero": "(zero|oh|o)",
+    "below_hundred": "({digit}|{teen}|{tens} [{digit}])",
+    "group": "([({below_hundred}|a|{#})] hundred [[and] ({below_hundred}|{#})]|{below_hundred}"
+    "|{digit} ({tens} [{digit}]|{teen}|{zero} {digit})|{#})",
+    "thousands": "({group} [thousand [[and] {group}]]|a thousand [[and] {group}])",
+    "cardinal": "({thousands}|({group}|a) (million|billion) [[and] {thousands}]|{#} k)",
+    "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) [({digit}|{zero}) [({digit}|{zero}) [({digit}|{zero})]]]",
+    "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
+    "|ninth|ninths|tenth|tenths|hundredths|thousandths|half|halves)",
+    "fraction": "([a|one] half|[a|one] quarter|(a|{digit}|{teen}|{#}) {part})",
+    "number": "[minus|negative] ({cardinal} [and {fraction}|{fraction}|(point {decimals})|over {cardinal}]"
+    "|[{zero}] point {decimals}|{fraction}|{zero}|[a] couple [of]|[a|{below_hundred}|half a] dozen|a pair of)",
+    "ordinal_unit": "(" + "|".join(_ORDINAL_UNITS) + ")",
+    "ordinal": "([number] {#}|[the] last|[{tens}|{below_hundred} hundred [and]] {ordinal_unit}|"
+    + "|".join(_ORDINAL_TENS)
+    + ")",
+}
+"""Spoken forms, as sentence templates: a little more than :func:`number` accepts, for looking ahead."""

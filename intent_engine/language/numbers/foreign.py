@@ -1,0 +1,132 @@
+"""Numbers of other languages, through text2num."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+
+from intent_engine.language.numbers.numerals import is_numeral, numeral_value
+from intent_engine.language.numbers.units import units
+
+__all__ = ["TEMPLATES", "fraction", "is_number_word", "number", "numbers_at", "ordinal"]
+
+LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
+"""What text2num knows, besides English."""
+MAX_WORDS = 12
+
+TEMPLATES: Mapping[str, str] = {
+    "below_hundred": "{#word} [{#word} [{#word}]]",
+    "fraction": "{#word} [{#word}]",
+    "number": "({#}|{#word} [{#word} [{#word} [{#word} [{#word} [{#word} [{#word} [{#word}]]]]]]])",
+    "ordinal": "({#}|{#word} [{#word}])",
+}
+
+
+@lru_cache(maxsize=65536)
+def _text2num(text: str, language: str) -> float | None:
+    if language not in LANGUAGES:
+        return None
+    from text_to_num import text2num
+
+    try:
+        return float(text2num(text, language))
+    except (ValueError, KeyError, AttributeError, TypeError, IndexError):
+        return None
+
+
+@lru_cache(maxsize=65536)
+def is_number_word(word: str, language: str) -> bool:
+    """Whether a word is a number of the language, or a word that stands inside numbers ("und", "komma", "halbe")."""
+    table = units(language)
+    if table is not None and any(
+        word in table.words.get(key, ()) for key in ("one", "half", "halves", "quarter", "and", "point")
+    ):
+        return True
+    return _text2num(word, language) is not None
+
+
+def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[float, int]]:
+    """Every number that begins at a place, longest first."""
+    if at >= len(words):
+        return
+    if is_numeral(words[at]):
+        value = numeral_value(words[at])
+        if value is not None:
+            half = _and_half(words, at + 1, language)
+            if half is not None:
+                yield value + half[0], half[1]
+            yield value, at + 1
+        return
+    last = at
+    while last < len(words) and last - at < MAX_WORDS and is_number_word(words[last], language):
+        last += 1
+    for end in range(last, at, -1):
+        value = _value(words, at, end, language)
+        if value is not None:
+            yield value, end
+
+
+def _value(words: Sequence[str], at: int, end: int, language: str) -> float | None:
+    table = units(language)
+    assert table is not None
+    for place in range(at + 1, end - 1):
+        if words[place] in table.words.get("point", ()):
+            whole = _text2num(" ".join(words[at:place]), language)
+            digits = [_text2num(word, language) for word in words[place + 1 : end]]
+            if whole is None or any(digit is None or not 0 <= digit < 100 for digit in digits):
+                return None
+            return whole + float("0." + "".join(str(int(digit or 0)) for digit in digits))
+    whole = _text2num(" ".join(words[at:end]), language)
+    if whole is not None:
+        return whole
+    if end - at == 1:
+        return {"anderthalb": 1.5, "eineinhalb": 1.5}.get(words[at]) or _part(words[at], table.words)
+    if end - at == 2 and words[at] in table.words.get("one", ()):
+        return _part(words[at + 1], table.words)
+    for place in range(at + 1, end):
+        half = _and_half(words, place, language)
+        if half is not None and half[1] == end:
+            before = _text2num(" ".join(words[at:place]), language)
+            return before + half[0] if before is not None else None
+    return None
+
+
+def _part(word: str, words: Mapping[str, frozenset[str]]) -> float | None:
+    if word in words.get("half", ()):
+        return 0.5
+    if word in words.get("quarter", ()):
+        return 0.25
+    return None
+
+
+def _and_half(words: Sequence[str], at: int, language: str) -> tuple[float, int] | None:
+    """ "y medio", "et demi", "e mezzo", "einhalb"."""
+    table = units(language)
+    if table is None or at >= len(words):
+        return None
+    if words[at] in table.words.get("halves", ()):
+        return 0.5, at + 1
+    here = at + 1 if words[at] in table.words.get("and", ()) else at
+    if here == at:
+        return None
+    return fraction(words, here, language)
+
+
+def fraction(words: Sequence[str], at: int, language: str) -> tuple[float, int] | None:
+    """A half or a quarter."""
+    table = units(language)
+    if table is None or at >= len(words):
+        return None
+    here = at + 1 if words[at] in table.words.get("one", ()) and at + 1 < len(words) else at
+    value = _part(words[here], table.words)
+    return (value, here + 1) if value is not None else None
+
+
+def number(words: Sequence[str], language: str) -> float | None:
+    """The value of exactly these words."""
+    return next((value for value, end in numbers_at(words, 0, language) if end == len(words)), None)
+
+
+def ordinal(words: Sequence[str], language: str) -> float | None:
+    """A numeral with a point ("3."), or a plain number: other languages' ordinal words are not known."""
+    return number(words, language)

@@ -1,0 +1,72 @@
+"""Units as people say and write them, with their size in SI."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib import resources
+
+import yaml
+
+__all__ = ["Units", "units"]
+
+FACTORS: Mapping[str, Mapping[str, float]] = {
+    "distance": {
+        "um": 1e-6, "mm": 1e-3, "cm": 1e-2, "dm": 0.1, "m": 1.0, "dam": 10.0, "hm": 100.0, "km": 1000.0,
+        "in": 0.0254, "ft": 0.3048, "yd": 0.9144, "mi": 1609.344, "nmi": 1852.0,
+    },
+    "duration": {
+        "us": 1e-6, "ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, "wk": 604800.0,
+        "fortnight": 1209600.0,
+    },
+    "angle": {
+        "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "grad": math.pi / 200,
+        "arcmin": math.pi / 10800, "right_angle": math.pi / 2,
+    },
+    "percent": {"percent": 0.01},
+}  # fmt: skip
+"""Unit -> SI. International yard and pound agreement of 1959 for inch, foot, yard and mile; BIPM for the rest."""
+
+RATES: Mapping[str, Mapping[str, float]] = {
+    "speed": {"mps": 1.0, "kmh": 1 / 3.6, "mph": 0.44704, "knot": 1852 / 3600, "fps": 0.3048},
+    "angular_speed": {"rpm": 2 * math.pi / 60, "dps": math.pi / 180},
+}
+"""Rates that are said in one word. Others are a distance or angle "per" or "a" duration."""
+
+
+@dataclass(frozen=True)
+class Units:
+    """The unit words of one language."""
+
+    by_kind: Mapping[str, Mapping[tuple[str, ...], float]]
+    """Kind -> spoken words -> SI factor."""
+    names: Mapping[tuple[str, ...], str]
+    """Spoken words -> unit key ("m")."""
+    words: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Function words: ``one`` (a, an), ``half``, ``quarter``, ``and``, ``of``, ``per``, ``point``."""
+
+    def spoken(self, kind: str) -> str:
+        """All words of a kind as one template."""
+        return "(" + "|".join(" ".join(words) for words in self.by_kind.get(kind, {})) + ")"
+
+
+@cache
+def units(language: str) -> Units | None:
+    """The units of a language, from ``<language>.yaml``; None if there is no such file."""
+    file = resources.files("intent_engine.language.numbers").joinpath(f"{language}.yaml")
+    if not file.is_file():
+        return None
+    data = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    by_kind: dict[str, dict[tuple[str, ...], float]] = {}
+    names: dict[tuple[str, ...], str] = {}
+    for kind, rows in data["units"].items():
+        factors = {**FACTORS.get(kind, {}), **RATES.get(kind, {})}
+        for key, spellings in rows.items():
+            for spelling in spellings:
+                words = tuple(str(spelling).split())
+                by_kind.setdefault(kind, {})[words] = factors[key]
+                names[words] = key
+    words = {key: frozenset(str(item) for item in items) for key, items in data.get("words", {}).items()}
+    return Units(by_kind, names, words)

@@ -1,0 +1,305 @@
+"""Words to quantities in SI units: the one page that the rest of the language asks.
+
+Kinds: ``number``, ``ordinal``, ``distance`` (m), ``angle`` (rad), ``duration`` (s), ``speed`` (m/s),
+``angular_speed`` (rad/s), ``percent`` (a fraction of 1).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.units import FACTORS, Units, units
+
+__all__ = ["Found", "Relative", "evaluate", "find", "is_number_word", "is_numeral", "templates"]
+
+MAX_WORDS = 16
+"""Words of the longest quantity that anybody says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Relative:
+    """A speed that was said in terms of the usual one: "half speed", "slowly"."""
+
+    factor: float
+
+
+RELATIVE_SPEEDS: Mapping[str, float] = {
+    "slowly": 0.5, "slow": 0.5, "slower": 0.5, "gently": 0.5, "carefully": 0.5, "very slowly": 0.25, "at a crawl": 0.25,
+    "really slowly": 0.25, "slowly and carefully": 0.5, "quickly": 1.5, "fast": 1.5, "faster": 1.5, "rapidly": 1.5,
+    "very fast": 2.0, "very quickly": 2.0, "half speed": 0.5, "half the speed": 0.5, "half your speed": 0.5,
+    "quarter speed": 0.25, "a quarter speed": 0.25, "full speed": 2.0, "top speed": 2.0, "maximum speed": 2.0,
+    "normal speed": 1.0, "normally": 1.0, "the usual speed": 1.0, "twice the speed": 2.0, "double speed": 2.0,
+    "low speed": 0.5, "slow speed": 0.5, "high speed": 1.5,
+}  # fmt: skip
+"""English words for speeds, as factors of the usual speed. Modest on purpose: limits of the robot file still hold."""
+
+_WHOLE_ANGLES: Mapping[tuple[str, ...], float] = {
+    ("all", "the", "way", "around"): 2 * math.pi,
+    ("all", "the", "way", "round"): 2 * math.pi,
+    ("a", "full", "circle"): 2 * math.pi,
+    ("full", "circle"): 2 * math.pi,
+    ("completely", "around"): 2 * math.pi,
+    ("about", "face"): math.pi,
+    ("an", "about", "face"): math.pi,
+    ("half", "way", "around"): math.pi,
+    ("halfway", "around"): math.pi,
+    ("half", "way", "round"): math.pi,
+    ("halfway", "round"): math.pi,
+    ("a", "u", "turn"): math.pi,
+    ("u", "turn"): math.pi,
+}
+_SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
+"""What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
+
+_Numbers = Callable[[Sequence[str], int], Iterator[tuple[float, int]]]
+
+
+def is_number_word(word: str, language: str = "en") -> bool:
+    """Whether a word is a number, or part of one, in a language whose numbers are not English."""
+    return language != "en" and foreign.is_number_word(word, language)
+
+
+def _numbers(language: str) -> _Numbers:
+    if language == "en":
+        return english.numbers_at
+    return lambda words, at: foreign.numbers_at(words, at, language)
+
+
+def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | None = None) -> float | Relative | None:
+    """The value of exactly these words in SI units.
+
+    Args:
+        words: normalised words, all of which must belong to the quantity.
+        kind: see the module.
+        unit: taken if the words carry none ("deg"); None: a unit must be said.
+
+    Returns:
+        A finite float; :class:`Relative` for a speed said in terms of the usual one; None if the words are no
+        such quantity.
+    """
+    if not words or len(words) > MAX_WORDS:
+        return None
+    if kind == "number":
+        return _whole(_numbers(language)(words, 0), len(words))
+    if kind == "ordinal":
+        return english.ordinal(words) if language == "en" else foreign.ordinal(words, language)
+    table = units(language)
+    if table is None:
+        return None
+    if kind in ("speed", "angular_speed"):
+        relative = RELATIVE_SPEEDS.get(" ".join(words)) if language == "en" else None
+        if relative is not None:
+            return Relative(relative)
+    value = _whole(_quantities(words, 0, kind, language, table), len(words))
+    if value is None and unit is not None:
+        number = _whole(_numbers(language)(words, 0), len(words))
+        factor = _unit_factor(unit, kind, table)
+        if number is not None and factor is not None:
+            value = number * factor
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _whole(found: Iterator[tuple[float, int]], length: int) -> float | None:
+    return next((value for value, after in found if after == length and math.isfinite(value)), None)
+
+
+def _unit_factor(unit: str, kind: str, table: Units) -> float | None:
+    """SI factor of a unit as a grammar file writes it: "deg", "m", "m/s"."""
+    plain = FACTORS.get(kind, {}).get(unit)
+    if plain is not None:
+        return plain
+    words = tuple(unit.replace("/", " per ").split())
+    if words in table.by_kind.get(kind, {}):
+        return table.by_kind[kind][words]
+    rate = _rate(words, 0, kind, table, "en")
+    return rate[0] if rate is not None and rate[1] == len(words) else None
+
+
+def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float, int, str] | None:
+    """The unit that stands at a place, longest first: (factor, after, key)."""
+    known = table.by_kind.get(kind, {})
+    for length in (3, 2, 1):
+        spoken = tuple(words[at : at + length])
+        if len(spoken) == length and spoken in known:
+            if spoken == ("in",) and at + 1 < len(words) and is_numeral(words[at + 1]):
+                continue  # "10 in 3 years" has no inches in it
+            return known[spoken], at + length, table.names[spoken]
+    return None
+
+
+def _rate(words: Sequence[str], at: int, kind: str, table: Units, language: str) -> tuple[float, int] | None:
+    single = _unit(words, at, kind, table)
+    if single is not None:
+        return single[0], single[1]
+    top = _unit(words, at, "distance" if kind == "speed" else "angle", table)
+    if top is None or top[1] >= len(words) or words[top[1]] not in table.words.get("per", ()):
+        return None
+    bottom = _unit(words, top[1] + 1, "duration", table)
+    return (top[0] / bottom[0], bottom[1]) if bottom is not None else None
+
+
+def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: Units) -> Iterator[tuple[float, int]]:
+    """Every quantity of a kind that begins at a place, longest first."""
+    if kind in ("speed", "angular_speed"):
+        for value, after in _counts(words, at, language, table):
+            rate = _rate(words, after, kind, table, language)
+            if rate is not None:
+                yield value * rate[0], rate[1]
+        return
+    if kind == "angle" and language == "en":
+        for spoken, angle in _WHOLE_ANGLES.items():
+            if tuple(words[at : at + len(spoken)]) == spoken:
+                yield angle, at + len(spoken)
+    found: list[tuple[float, int]] = []
+    for value, after, key in _parts(words, at, kind, language, table):
+        found.extend(_extended(words, value, after, key, kind, language, table, 0))
+    found.sort(key=lambda pair: -pair[1])
+    yield from found
+
+
+def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Iterator[tuple[float, int]]:
+    """Numbers before a unit, with "a meter", "half a meter", "a quarter of an hour"."""
+    one, of = table.words.get("one", frozenset()), table.words.get("of", frozenset())
+    for value, after in _numbers(language)(words, at):
+        if after < len(words) and words[after] in of:
+            onward = after + 1
+            if onward < len(words) and (words[onward] in one or words[onward] == "the"):
+                onward += 1
+            yield value, onward
+        if after < len(words) and words[after] in one and value != int(value):
+            yield value, after + 1
+        yield value, after
+    if at < len(words) and words[at] in one:
+        yield 1.0, at + 1
+        if at + 1 < len(words) and words[at + 1] in ("whole", "full", "single"):
+            yield 1.0, at + 2
+    elif at < len(words) and words[at] in ("whole", "full"):
+        yield 1.0, at + 1
+
+
+def _parts(words: Sequence[str], at: int, kind: str, language: str, table: Units) -> Iterator[tuple[float, int, str]]:
+    for value, after in _counts(words, at, language, table):
+        found = _unit(words, after, kind, table)
+        if found is not None:
+            factor, end, key = found
+            yield value * factor, end, key
+    if at < len(words) and kind == "duration":
+        found = _unit(words, at, kind, table)
+        if found is not None and found[2] == "fortnight":
+            yield found[0], found[1], found[2]
+
+
+def _extended(
+    words: Sequence[str], value: float, after: int, key: str, kind: str, language: str, table: Units, depth: int
+) -> Iterator[tuple[float, int]]:
+    """A quantity with what may follow: "and a half", a smaller unit, a bare number of the smaller unit."""
+    yield value, after
+    if depth > 4 or after >= len(words):
+        return
+    factor = FACTORS[kind][key]
+    joined = words[after] in table.words.get("and", ())
+    onward = after + 1 if joined else after
+    if joined and onward < len(words):
+        part = english.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
+        if part is not None and part[0] < 1 and _unit(words, part[1], kind, table) is None:
+            yield value + part[0] * factor, part[1]
+    for more, end, smaller in _parts(words, onward, kind, language, table):
+        if FACTORS[kind][smaller] < factor:
+            yield from (
+                (value + rest, last)
+                for rest, last in _extended(words, more, end, smaller, kind, language, table, depth + 1)
+            )
+    if key in _SMALLER and (not joined or kind == "duration"):
+        size, most = _SMALLER[key]
+        for number, end in _numbers(language)(words, onward):
+            if 0 < number < most and number == int(number):
+                yield value + number * size, end
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A quantity in running text."""
+
+    kind: str
+    value: float
+    """SI."""
+    start: int
+    """First character."""
+    end: int
+    """Character after the last."""
+    text: str
+
+
+def find(text: str, language: str = "en") -> list[Found]:
+    """All quantities in a text, left to right, the longest at each place; plain numbers where there is no unit."""
+    from intent_engine.language.normalize import tokenize
+
+    tokens = tokenize(text)
+    words = [token.word for token in tokens]
+    table = units(language)
+    found: list[Found] = []
+    at = 0
+    while at < len(words):
+        best: tuple[int, str, float] | None = None
+        window = words[: at + MAX_WORDS]
+        if table is not None:
+            for kind in ("speed", "angular_speed", "distance", "duration", "angle"):
+                for value, after in _quantities(window, at, kind, language, table):
+                    bare_article = after == at + 2 and words[at] in table.words.get("one", ()) and kind == "angle"
+                    if (best is None or after > best[0]) and not bare_article:
+                        best = (after, kind, value)
+                    break
+        if best is None:
+            for value, after in _numbers(language)(window, at):
+                if after > at and (best is None or after > best[0]):
+                    best = (after, "number", value)
+        if best is None or not math.isfinite(best[2]):
+            at += 1
+            continue
+        after, kind, value = best
+        start, end = tokens[at].start, tokens[after - 1].end
+        found.append(Found(kind, value, start, end, text[start:end]))
+        at = after
+    return found
+
+
+@cache
+def templates(language: str) -> Mapping[str, str]:
+    """The spoken forms of quantities as named sentence templates, for matching and looking ahead.
+
+    They accept what :func:`evaluate` gives a value to, and a little more; :func:`evaluate` has the last word. For a
+    language that we do not know, a number is a numeral.
+    """
+    table = units(language)
+    if table is None:
+        return {"number": "{#}", "ordinal": "{#}"}
+    base = dict(english.TEMPLATES) if language == "en" else dict(foreign.TEMPLATES)
+    one = "(" + "|".join(sorted(table.words["one"])) + ")"
+    of = "(" + "|".join(sorted(table.words["of"])) + ")"
+    joint = "(" + "|".join(sorted(table.words["and"])) + ")"
+    per = "(" + "|".join(sorted(table.words["per"])) + ")"
+    base["one"] = f"{one} [whole|full|single]" if language == "en" else one
+    article = f"[{of}] [{one}|the]" if language == "en" else f"[{of}] [{one}]"
+    base["count"] = (
+        f"({{number}} {article}|{{one}}|full|whole)" if language == "en" else f"({{number}} {article}|{{one}})"
+    )
+    for kind in ("distance", "duration", "angle", "percent"):
+        base[f"{kind}_unit"] = table.spoken(kind)
+        base[kind] = (
+            f"{{count}} {{{kind}_unit}} [{joint} {{fraction}}|[{joint}] {{count}} {{{kind}_unit}} "
+            f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}]"
+        )
+    if language == "en":
+        base["angle"] += "".join(f"|{' '.join(words)}" for words in _WHOLE_ANGLES)
+        relative = "|".join(RELATIVE_SPEEDS)
+    for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
+        single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
+        base[kind] = f"{{count}} {{{top}_unit}} {per} {{duration_unit}}{single}"
+        if language == "en":
+            base[kind] += f"|{relative}"
+    return base
