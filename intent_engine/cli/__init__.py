@@ -1,0 +1,60 @@
+"""The command line: one verb a function; the verbs hold no rules of their own."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import metadata
+from typing import Annotated
+
+import typer
+
+from intent_engine.cli.guard import DEBUG
+from intent_engine.cli.parse import parse
+
+__all__ = ["app", "main"]
+
+app = typer.Typer(
+    name="intent-engine",
+    help="A person speaks, a robot does it.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="rich",
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Exit codes: 0 done, 1 not accepted or failed, 2 wrong options or files, 3 audio, 4 microphone, 5 model "
+    "weights, 6 robot, 7 text too long, 70 a fault of the program, 130 Ctrl-C, 143 terminated.",
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"intent-engine {metadata.version('intent-engine')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _common(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", envvar=DEBUG, help="Show tracebacks of errors.")] = False,
+) -> None:
+    if debug:
+        os.environ[DEBUG] = "1"
+
+
+_UNDERSTAND = "Understand text"
+
+app.command(
+    epilog='Examples:\n\nintent-engine parse "go to the kitchen"\n\n'
+    'intent-engine parse --json "turn left ninety degrees"\n\nintent-engine parse - < sentences.txt',
+    rich_help_panel=_UNDERSTAND,
+)(parse)
+
+
+def main() -> None:
+    """What the ``intent-engine`` script runs."""
+    try:
+        app()
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,106 @@
+"""Every verb ends through here: results, errors, bugs, Ctrl-C and a closed pipe, each with its exit code.
+
+Nothing that a user can do gives a traceback. A robot is stopped by the ``with`` that holds it, before this is reached.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import shlex
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Iterator
+from typing import ParamSpec
+
+import typer
+
+from intent_engine.cli.terminal import error_block
+from intent_engine.errors import IntentEngineError
+
+__all__ = ["DEBUG", "EXIT_BUG", "EXIT_INTERRUPTED", "EXIT_NOT_ACCEPTED", "EXIT_TERMINATED", "verb"]
+
+P = ParamSpec("P")
+
+EXIT_NOT_ACCEPTED = 1
+"""What was asked for was done, and the answer is no: not a command, a failed example, a failed drill."""
+EXIT_BUG = 70
+"""A fault of ours (EX_SOFTWARE of sysexits.h)."""
+EXIT_INTERRUPTED = 130
+"""Ctrl-C, as shells have it: 128 + SIGINT."""
+EXIT_PIPE_CLOSED = 141
+"""The reader of standard output went away: 128 + SIGPIPE."""
+EXIT_TERMINATED = 143
+"""128 + SIGTERM."""
+
+DEBUG = "INTENT_ENGINE_DEBUG"
+"""Set by ``--debug``: show tracebacks."""
+
+
+class _Terminated(BaseException):
+    """SIGTERM, made an exception so that every ``with`` on the way out stops its robot."""
+
+
+def verb(function: Callable[P, int | None]) -> Callable[P, None]:
+    """Make a command of a function that returns its exit code (None: 0)."""
+
+    @functools.wraps(function)
+    def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
+        with _sigterm_raises():
+            code = _run(functools.partial(function, *args, **kwargs))
+        raise typer.Exit(code)
+
+    return guarded
+
+
+def _run(function: Callable[[], int | None]) -> int:
+    try:
+        return function() or 0
+    except (typer.Exit, typer.BadParameter):
+        raise
+    except IntentEngineError as error:
+        _trace()
+        error_block(str(error))
+        return error.exit_code
+    except KeyboardInterrupt:
+        error_block("interrupted; the robot is stopped")
+        return EXIT_INTERRUPTED
+    except _Terminated:
+        error_block("terminated; the robot is stopped")
+        return EXIT_TERMINATED
+    except BrokenPipeError:
+        # Python flushes standard output once more at exit; give it somewhere to go.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_PIPE_CLOSED
+    except Exception as error:
+        _trace()
+        error_block(
+            f"intent-engine failed in a way it should not: {type(error).__name__}: {error}\n"
+            "Any robot is stopped. This is a fault of the program, not of what you gave it.\n"
+            f"To see where it happened, repeat the command as: intent-engine --debug {shlex.join(sys.argv[1:])}"
+        )
+        return EXIT_BUG
+
+
+def _trace() -> None:
+    if os.environ.get(DEBUG):
+        traceback.print_exc()
+
+
+@contextlib.contextmanager
+def _sigterm_raises() -> Iterator[None]:
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def raise_terminated(signum: int, frame: object) -> None:
+        raise _Terminated
+
+    before = signal.signal(signal.SIGTERM, raise_terminated)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

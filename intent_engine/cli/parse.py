@@ -1,0 +1,77 @@
+"""``intent-engine parse``: text to its meaning, without audio or a robot."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from typing import Annotated, BinaryIO
+
+import typer
+
+from intent_engine.cli.describe import interpretation_lines
+from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.terminal import json_line, say
+from intent_engine.errors import TextTooLongError
+from intent_engine.interpretation import Interpretation, Status
+
+__all__ = ["parse"]
+
+MAX_TEXT = 10_000
+"""Characters. No one says a command this long; what is longer is a file given by mistake."""
+
+
+@verb
+def parse(
+    text: Annotated[str, typer.Argument(help="What was said; - reads one sentence a line from standard input.")],
+    grammar: Grammars = None,
+    locations: Locations = None,
+    language: Language = None,
+    state: Annotated[
+        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
+    engine = load_engine(grammar, locations, language)
+    states = tuple(state or ())
+    if text == "-":
+        accepted, too_long = True, 0
+        for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
+            found = engine.parse(line[:MAX_TEXT], state=states, language=language)
+            json_line(found.to_json())
+            accepted = accepted and found.status is Status.ACCEPTED
+            too_long = too_long or (number if len(line) > MAX_TEXT else 0)
+        if too_long:
+            raise _too_long(f"line {too_long} of standard input")
+        return 0 if accepted else EXIT_NOT_ACCEPTED
+    if len(text) > MAX_TEXT:
+        raise _too_long(f"the text ({len(text)} characters)")
+    found = engine.parse(text, state=states, language=language)
+    if as_json:
+        json_line(found.to_json())
+    else:
+        _show(found)
+    return 0 if found.status is Status.ACCEPTED else EXIT_NOT_ACCEPTED
+
+
+def _show(found: Interpretation) -> None:
+    for line, style in interpretation_lines(found):
+        say(line, style)
+
+
+def _too_long(what: str) -> TextTooLongError:
+    return TextTooLongError(
+        f"{what} is longer than {MAX_TEXT} characters, so it is no command, and nothing was done\n"
+        "    give one sentence; to read a file of sentences, one a line: intent-engine parse - < sentences.txt"
+    )
+
+
+def _lines(stream: BinaryIO) -> Iterator[str]:
+    """Lines of any bytes as text. A line without end is read to its end, but only its beginning is kept."""
+    limit = 4 * (MAX_TEXT + 1)  # bytes; UTF-8 needs at most 4 for a character
+    while line := stream.readline(limit):
+        rest = line
+        while not rest.endswith(b"\n") and (rest := stream.readline(limit)):
+            pass
+        yield line.decode("utf-8", errors="replace").strip()

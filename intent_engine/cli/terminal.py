@@ -1,0 +1,85 @@
+"""What a person or a program reads: text and JSON lines on standard output, errors and progress on standard error."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+from rich.text import Text
+
+__all__ = ["error_block", "json_line", "note", "say", "table", "track"]
+
+T = TypeVar("T")
+
+
+def _out() -> Console:
+    # Made for each use: rich looks at the stream, NO_COLOR and the width when a console is made, and tests swap both.
+    return Console(highlight=False, soft_wrap=not sys.stdout.isatty())
+
+
+def _err() -> Console:
+    return Console(stderr=True, highlight=False, soft_wrap=not sys.stderr.isatty())
+
+
+def say(text: str = "", style: str | None = None) -> None:
+    """One line on standard output, at once. ``text`` is shown as it is: what people said may hold brackets."""
+    _out().print(Text(text, style=style or ""))
+    sys.stdout.flush()
+
+
+def json_line(data: Any) -> None:
+    """One JSON object on one line of standard output, at once, so that a program can follow."""
+    sys.stdout.write(json.dumps(data, ensure_ascii=False, allow_nan=False) + "\n")
+    sys.stdout.flush()
+
+
+def note(text: str) -> None:
+    """A line for the person at the terminal that is no result; on standard error."""
+    _err().print(Text(text, style="dim"))
+
+
+def error_block(message: str) -> None:
+    """What went wrong, on standard error."""
+    console = _err()
+    first, *rest = message.splitlines() or [""]
+    console.print(Text.assemble(("error: ", "bold red"), first))
+    for line in rest:
+        console.print(Text(line))
+
+
+def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """A table on standard output; columns of numbers stand to the right."""
+    body = [[str(cell) for cell in row] for row in rows]
+    grid = Table(title=title or None, title_justify="left", show_edge=False, pad_edge=False)
+    for index, name in enumerate(columns):
+        numeric = bool(body) and all(_is_number(row[index]) for row in body)
+        grid.add_column(name, justify="right" if numeric else "left", overflow="fold")
+    for row in body:
+        grid.add_row(*(Text(cell) for cell in row))
+    console = _out()
+    if not console.is_terminal:
+        console = Console(highlight=False, width=200)
+    console.print(grid)
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell.rstrip("%").strip() or "0")
+    except ValueError:
+        return False
+    return True
+
+
+def track(items: Sequence[T], what: str) -> Iterable[T]:
+    """The items, with a progress bar on standard error where that is a terminal."""
+    if not sys.stderr.isatty():
+        yield from items
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=_err(), transient=True) as progress:
+        yield from progress.track(items, description=what)

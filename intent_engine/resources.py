@@ -1,0 +1,58 @@
+"""The files that come with the engine: grammars, maps and robots that work before a user writes their own.
+
+A name is looked for in the folder one stands in, so that a user's copy wins; then in the installed package; then in
+the repository that the package is run from.
+"""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+
+from intent_engine.errors import ConfigError, Problem
+
+__all__ = ["default_grammar", "default_locations", "default_robot", "find"]
+
+_SUFFIX = ".yaml"
+
+
+def _folders(kind: str) -> list[Path]:
+    package = Path(str(resources.files("intent_engine")))
+    return [Path(kind), package / "share" / kind, package.parent / kind]
+
+
+def find(kind: str, name: str) -> Path:
+    """The file of a kind (``grammars``, ``locations``, ``robots``) with a name (``en``, ``home``).
+
+    Args:
+        kind: the folder's name.
+        name: the file's name without its suffix; or the path of a file, which is given back as it is.
+
+    Raises:
+        ConfigError: there is none; the message lists those that there are.
+    """
+    given = Path(name)
+    if given.suffix or len(given.parts) > 1 or given.exists():
+        return given
+    for folder in _folders(kind):
+        path = folder / f"{name}{_SUFFIX}"
+        if path.is_file():
+            return path
+    known = sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{_SUFFIX}")})
+    hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
+    raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))
+
+
+def default_grammar(language: str = "en") -> Path:
+    """The grammar of a language that comes with the engine."""
+    return find("grammars", language)
+
+
+def default_locations() -> Path:
+    """The map of the tutorials' home."""
+    return find("locations", "home")
+
+
+def default_robot() -> Path:
+    """The robot file of the simulated robot."""
+    return find("robots", "simulated")
