@@ -157,7 +157,8 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
     if not isinstance(data, Mapping):
         raise ValueError(f"an action is a JSON object, not {type(data).__name__}")
     values = dict(data)
-    kind = _TYPES.get(values.pop("type", ""))
+    name = values.pop("type", None)
+    kind = _TYPES.get(name) if isinstance(name, str) else None
     if kind is None:
         raise ValueError(f"unknown action type {data.get('type')!r}; known: {', '.join(_TYPES)}")
     known = {item.name: item for item in fields(kind)}
@@ -168,11 +169,18 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
         if expected == "float":
             if isinstance(value, bool) or not isinstance(value, (int, float)):
                 raise ValueError(f"{data['type']}.{name} must be a number, not {value!r}")
-            values[name] = float(value)
-        elif "str" in str(expected):
-            optional = value is None and "None" in str(expected)
-            if not (isinstance(value, (str, Mapping)) or optional):
-                raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
+            try:
+                values[name] = float(value)
+            except OverflowError:
+                raise ValueError(f"{data['type']}.{name} must be a finite number") from None
+        elif "Mapping" in str(expected):
+            if not isinstance(value, Mapping):
+                raise ValueError(f"{data['type']}.{name} must be an object, not {value!r}")
+            for key, slot in value.items():
+                if not (isinstance(key, str) and (slot is None or isinstance(slot, (str, int, float)))):
+                    raise ValueError(f"{data['type']}.{name}[{key!r}] must be a string, number, boolean or null")
+        elif not (isinstance(value, str) or (value is None and "None" in str(expected))):
+            raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
     try:
         action: Action = kind(**values)
     except TypeError as error:

@@ -1,0 +1,122 @@
+"""Actions: their limits, their way through JSON and back, and the schema that says the same."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import jsonschema
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn, from_json, json_schema, to_json
+
+finite = st.floats(allow_nan=False, allow_infinity=False, width=32)
+positive = st.floats(min_value=0, max_value=1e6, allow_nan=False)
+names = st.text(min_size=1, max_size=20)
+slot_values = st.one_of(names, finite, st.booleans(), st.none())
+
+turns = st.builds(
+    lambda size, speed, left: Turn(size if left else -size, speed if left else -speed, size / speed),
+    st.floats(0, 100),
+    st.floats(0.01, 10),
+    st.booleans(),
+)
+actions = st.one_of(
+    st.builds(Move, finite, positive, positive),
+    turns,
+    st.just(Stop()),
+    st.builds(Navigate, names, finite, finite, finite, names),
+    st.builds(Pick, names),
+    st.builds(Place, st.none() | names, st.none() | names),
+    st.builds(Custom, names, st.dictionaries(names, slot_values, max_size=4)),
+)
+
+
+@given(actions)
+def test_every_action_comes_back_from_json_and_fits_the_schema(action):
+    text = json.dumps(to_json(action), allow_nan=False)
+    jsonschema.Draft202012Validator(json_schema()).validate(json.loads(text))
+    assert from_json(text) == action
+    assert from_json(json.loads(text)) == action
+    assert hash(from_json(text)) == hash(action)
+
+
+@given(actions, st.sampled_from(["linear_velocity", "object", "extra", "type", "slots"]))
+def test_what_the_schema_refuses_from_json_refuses(action, key):
+    data = to_json(action) | {key: [1]}
+    assert not jsonschema.Draft202012Validator(json_schema()).is_valid(data)
+    with pytest.raises(ValueError, match=r"."):
+        from_json(data)
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda v: Move(v, 1.0, 1.0),
+        lambda v: Move(1.0, v, 1.0),
+        lambda v: Move(1.0, 1.0, v),
+        lambda v: Turn(v, 1.0, 1.0),
+        lambda v: Turn(1.0, v, 1.0),
+        lambda v: Turn(1.0, 1.0, v),
+        lambda v: Navigate("kitchen", v, 0.0, 0.0),
+        lambda v: Navigate("kitchen", 0.0, v, 0.0),
+        lambda v: Navigate("kitchen", 0.0, 0.0, v),
+    ],
+)
+def test_numbers_are_finite(make, value):
+    with pytest.raises(ValueError, match="finite"):
+        make(value)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: Move(0.5, -1.0, 2.0), "negative"),
+        (lambda: Move(0.5, 1.0, -2.0), "negative"),
+        (lambda: Turn(1.0, -0.5, 2.0), "same sign"),
+        (lambda: Turn(1.0, 0.5, -2.0), "negative"),
+    ],
+)
+def test_values_that_contradict_themselves_are_refused(make, says):
+    with pytest.raises(ValueError, match=says):
+        make()
+
+
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        ({}, "unknown action type None; known: move, turn, stop, navigate, pick, place, custom"),
+        ({"type": "fly"}, "unknown action type 'fly'"),
+        ({"type": "pick"}, "pick"),
+        ({"type": "pick", "object": 3}, "pick.object must be a string, not 3"),
+        ({"type": "pick", "object": None}, "pick.object must be a string"),
+        ({"type": "stop", "now": True}, "stop has no field 'now'; it has none"),
+        ({"type": "move", "linear_velocity": "fast", "distance": 1, "duration": 1}, "must be a number, not 'fast'"),
+        ({"type": "move", "linear_velocity": True, "distance": 1, "duration": 1}, "must be a number, not True"),
+        ({"type": "move", "linear_velocity": 1, "distance": 1}, "duration"),
+        ({"type": "move", "linear_velocity": 10**400, "distance": 1, "duration": 1}, "must be a finite number"),
+        ({"type": "pick", "object": {}}, "pick.object must be a string, not {}"),
+        ({"type": "custom", "name": "wave", "slots": "fast"}, "custom.slots must be an object, not 'fast'"),
+        ({"type": "custom", "name": "wave", "slots": {"a": [1]}}, "custom.slots['a'] must be a string, number"),
+        ({"type": ["stop"]}, "unknown action type ['stop']"),
+        ("[]", "an action is a JSON object, not list"),
+    ],
+)
+def test_json_that_is_no_action_says_why(data, says):
+    with pytest.raises(ValueError, match=r".") as caught:
+        from_json(data)
+    assert says in str(caught.value)
+
+
+def test_the_sign_of_an_action_is_the_direction():
+    # REP 103: x forward, z up; so a positive linear velocity is forward and a positive angle is to the left.
+    assert to_json(Move(-0.3, 0.6, 2.0)) == {"type": "move", "linear_velocity": -0.3, "distance": 0.6, "duration": 2.0}
+    assert to_json(Turn(-1.5, -0.5, 3.0)) == {"type": "turn", "angle": -1.5, "angular_velocity": -0.5, "duration": 3.0}
+
+
+def test_the_format_has_a_version():
+    jsonschema.Draft202012Validator.check_schema(json_schema())
+    assert json_schema()["$id"] == "urn:intent-engine:actions:1"
