@@ -10,7 +10,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.errors import ConfigError
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.grammar_file import load_grammars
@@ -107,7 +107,7 @@ class IntentEngine:
         return engine
 
     def _load(self, given: LocationMap | None) -> _Loaded:
-        problems = []
+        problems: list[Problem] = []
         grammars: tuple[Grammar, ...] = ()
         places = given
         try:

@@ -173,7 +173,7 @@ class Automaton:
 
     def _named(self, state: WordState, word: str) -> bool:
         heard = (word, *self._alikes.get(word, ()))
-        return any(one in place.arcs for place, _ in state.members for one in heard)
+        return any(one in place.arcs or one in place.allowed for place, _ in state.members for one in heard)
 
     def _advance(
         self, state: WordState, word: str
@@ -193,7 +193,7 @@ class Automaton:
             for meant in alikes:
                 for target in place.arcs.get(meant, ()):
                     onward.append((target, stack, index, (("alike", meant),)))
-            if free:
+            if free or word in place.allowed:
                 onward.extend((target, stack, index, ()) for target in place.wild)
         if not onward:
             return None

@@ -82,6 +82,8 @@ class Slot:
     """Text: at most so many words."""
     allow: frozenset[str] = frozenset()
     """Text: words that it may hold though they are operators ("and")."""
+    without: frozenset[str] = frozenset()
+    """Text: words that show that something else is meant ("email" is nothing to pick up)."""
     tags: frozenset[str] = frozenset()
     """Location: only places with one of these tags; empty: all."""
     fuzzy: bool = True

@@ -198,7 +198,8 @@ class _Builder:
         for key in ("min", "max"):
             if key in spec:
                 limits[key] = self._quantity(source, (*path, key), kind, spec[key], spec.get("unit"))
-        if limits.get("min") is not None and limits.get("max") is not None and limits["min"] > limits["max"]:
+        low, high = limits.get("min"), limits.get("max")
+        if low is not None and high is not None and low > high:
             source.problem((*path, "min"), "min is larger than max", "swap them")
         unit = spec.get("unit")
         if unit is not None and kind in QUANTITY_KINDS and self._value("1", kind, unit) is None:
@@ -215,6 +216,7 @@ class _Builder:
             values=values,
             max_words=spec.get("max_words", 4),
             allow=frozenset(word for text in spec.get("allow", ()) for word in phrase(text)),
+            without=frozenset(word for text in spec.get("without", ()) for word in phrase(text)),
             tags=frozenset(spec.get("tags", ())),
             fuzzy=spec.get("fuzzy", True),
             place=source.place(path, key=True),

@@ -119,7 +119,8 @@ def _location(name: str, pose: Mapping[str, Any], frame: str) -> Location:
             raise ValueError(f"{key} must be a finite number, not {value!r}")
         values.append(float(value))
     aliases = pose.get("aliases", ())
-    return Location(name, *values, str(pose.get("frame", frame)), tuple(aliases), tuple(pose.get("tags", ())))
+    x, y, yaw = values
+    return Location(name, x, y, yaw, str(pose.get("frame", frame)), tuple(aliases), tuple(pose.get("tags", ())))
 
 
 def _twice(places: Mapping[str, Location]) -> Iterator[tuple[str, str]]:
@@ -277,7 +278,7 @@ def _waypoints(source: YamlSource) -> tuple[dict[str, Location], str, list[Probl
             source.problem(
                 path, f"waypoint {name!r} has no pose that can be read", "position: {x, y}, orientation: {z, w}"
             )
-    for name, message in _twice(places):
+    for _, message in _twice(places):
         source.problem(("waypoints",), message)
     return places, frame, source.problems
 

@@ -25,7 +25,7 @@ MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
 MAX_SPELLINGS = 64
 """Ways of saying one choice value that are compared with misheard words."""
-ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that"))
+ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,6 +150,9 @@ class Matcher:
         for words in range(1, 13):
             self.networks.add_wild(f"wild:{words}", words)
         for slot in grammar.slots.values():
+            if slot.allow:
+                self.networks.add_wild(f"text:{slot.name}", slot.max_words, slot.allow)
+        for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
         for name, node in grammar.phrases.items():
             self.networks.add_template(f"phrase:{name}", node, self._scope(node))
@@ -180,7 +183,8 @@ class Matcher:
             if slot is None:
                 scope[name] = Call(f"phrase:{name}")
             elif slot.type in ("text", "object"):
-                scope[f"{name}:{label}"] = Call(f"wild:{slot.max_words}", ("slot", label, name))
+                key = f"text:{name}" if slot.allow else f"wild:{slot.max_words}"
+                scope[f"{name}:{label}"] = Call(key, ("slot", label, name))
             else:
                 loose = None
                 if slot.fuzzy and slot.type in ("location", "choice"):
@@ -237,13 +241,19 @@ class Matcher:
         if slot.type in QUANTITY_KINDS:
             return self._quantity(slot, label, words[start:end], start, end)
         if slot.type in ("text", "object"):
-            said = words[start:end]
-            while len(said) > 1 and said[0] in ARTICLES:
-                said = said[1:]
-            return SlotReading(label, slot, start, end, " ".join(said))
+            return self._text(slot, label, words[start:end], start, end)
         if not loosely:
             return SlotReading(label, slot, start, end, value)
         return self._name(slot, label, words[start:end], start, end)
+
+    def _text(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        wrong = slot.without.intersection(said)
+        if wrong:
+            problem = f"{min(wrong)!r} is nothing for slot {slot.name!r}"
+            return SlotReading(label, slot, start, end, None, 0.0, (), "unknown", problem)
+        while len(said) > 1 and said[0] in ARTICLES:
+            said = said[1:]
+        return SlotReading(label, slot, start, end, " ".join(said))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value = quantities.evaluate(said, slot.type, self.grammar.language, slot.unit)

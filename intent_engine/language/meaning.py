@@ -14,8 +14,9 @@ from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.patterns import Patterns
-from intent_engine.language.quantities import Relative
+from intent_engine.language.quantities import Relative, is_number_word, is_numeral
 from intent_engine.language.utterance import PhraseSet, Utterance
 
 if TYPE_CHECKING:
@@ -101,7 +102,7 @@ class Interpreter:
         core = said.without(self._fillers)
         if not core.words:
             return self._rejected(text, "no command in it")
-        if core is not said:
+        if core is not said and not self._number_restarted(core):
             again = self._exact(core.words, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
@@ -109,7 +110,19 @@ class Interpreter:
                 return self._accepted(text, clause)
         if clause is not None and clause.ambiguous:
             return self._not_accepted(text, clause)
+        if self._number_restarted(core):
+            return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, core, state, clause)
+
+    def _number_restarted(self, core: Utterance) -> bool:
+        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
+        return any(
+            self._is_number(core.words[place - 1]) and self._is_number(core.words[place]) for place in core.joined
+        )
+
+    def _is_number(self, word: str) -> bool:
+        language = self._grammar.language
+        return is_numeral(word) or (word in NUMBER_WORDS if language == "en" else is_number_word(word, language))
 
     def _operated(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Interpretation:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
@@ -118,10 +131,10 @@ class Interpreter:
             return self._rejected(text, "cancelled in the same breath")
         negated = self._negation.may_stand_in(words)
         if negated:
-            core, reason = self._after_negation(core, state)
-            if core is None:
+            wanted, reason = self._after_negation(core, state)
+            if wanted is None:
                 return self._rejected(text, reason)
-            words = core.words
+            core = wanted
         parts = self._compound(core, state)
         if parts is not None:
             return self._joined(text, parts)
@@ -178,6 +191,8 @@ class Interpreter:
                 found = True
             elif found:
                 length = self._fillers.at(words, position) or self._wake.at(words, position)
+            if not length and found:
+                length = _echo(words, position)
             if not length:
                 return False
             position += length
@@ -540,12 +555,20 @@ class Interpreter:
         return Interpretation(text, Status.REJECTED, reason="not a command of this grammar", alternatives=near)
 
 
-def _problem_rank(reading: Reading) -> tuple[int, float]:
-    """Which failure tells most: an ambiguous name, then a limit, then the name that came nearest."""
+def _echo(words: list[str], position: int) -> int:
+    """Length of the words here that only say again what stands before: "stop right there right there"."""
+    for length in range(min(position, len(words) - position), 0, -1):
+        if words[position : position + length] == words[position - length : position]:
+            return length
+    return 0
+
+
+def _problem_rank(reading: Reading) -> tuple[int, int, float]:
+    """Which failure tells most: an ambiguous name, then a limit, then the fewest words not understood."""
     order = {"ambiguous": 0, "limit": 1}
     slot = next(slot for slot in reading.slots if slot.problem)
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
-    return order.get(slot.status, 2), -nearest + (slot.end - slot.start) * 0.01
+    return order.get(slot.status, 2), slot.end - slot.start, -nearest
 
 
 def _changes(reading: Reading) -> str:

@@ -51,7 +51,7 @@ class Edge:
 class State:
     """A place in a network."""
 
-    __slots__ = ("arcs", "edges", "expand", "final", "number", "numeral", "wild")
+    __slots__ = ("allowed", "arcs", "edges", "expand", "final", "number", "numeral", "wild")
 
     def __init__(self) -> None:
         self.arcs: dict[str, tuple[State, ...]] = {}
@@ -64,6 +64,8 @@ class State:
         """Where a number word of the language leads."""
         self.wild: tuple[State, ...] = ()
         """Where any word leads, except those that a free slot may not swallow."""
+        self.allowed: frozenset[str] = frozenset()
+        """Words that this free slot may swallow all the same."""
         self.final = False
         """The end of its network."""
         self.expand: Callable[[State], None] | None = None
@@ -109,9 +111,9 @@ class Networks:
         rows = entries
         self._builders[key] = lambda: _names(rows)
 
-    def add_wild(self, key: str, max_words: int) -> None:
+    def add_wild(self, key: str, max_words: int, allowed: frozenset[str] = frozenset()) -> None:
         """One to ``max_words`` words of any kind."""
-        self._builders[key] = lambda: _wild(max_words)
+        self._builders[key] = lambda: _wild(max_words, allowed)
 
 
 def _template(node: Node, scope: Mapping[str, Call]) -> Network:
@@ -196,13 +198,14 @@ def _names(entries: Iterable[tuple[tuple[str, ...], str]]) -> Network:
     return Network(start, end)
 
 
-def _wild(max_words: int) -> Network:
+def _wild(max_words: int, allowed: frozenset[str]) -> Network:
     start, end = State(), State()
     end.final = True
     here = start
     for _ in range(max_words):
         there = State()
         here.wild = (there,)
+        here.allowed = allowed
         there.edges.append(Edge(end))
         here = there
     return Network(start, end)

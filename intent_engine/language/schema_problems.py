@@ -48,49 +48,45 @@ def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]
 def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     path = tuple(error.absolute_path)
     where = path[-1] if path else "the file"
-    if error.validator == "additionalProperties" and isinstance(error.instance, dict):
-        known = list(error.schema.get("properties", ()))
-        for key in error.instance:
+    wanted: Any = error.validator_value
+    schema: Any = error.schema
+    instance: Any = error.instance
+    if error.validator == "additionalProperties" and isinstance(instance, dict):
+        known = list(schema.get("properties", ()))
+        for key in instance:
             if key not in known:
                 hint = did_you_mean(str(key), known) or f"known here: {', '.join(known)}"
                 yield _at(source, (*path, key), f"unknown key {key!r}", hint, key=True)
-        return
-    if error.validator == "type":
-        wanted = error.validator_value if isinstance(error.validator_value, list) else [error.validator_value]
-        raw = source.raw.get(path)
-        message = f"{where!r} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
-        hint = None
-        if raw is not None and raw.lower() in _YAML_BOOLEANS and "string" in wanted:
-            message = f"YAML reads {raw} as {str(error.instance).lower()}, not as a word"
-            hint = f'quote it: "{raw}"'
-        elif raw is not None and "string" in wanted:
-            hint = f'quote it: "{raw}"' if raw else "something is missing after the ':'"
-        yield _at(source, path, message, hint)
-        return
-    if error.validator == "enum":
-        values = [str(value) for value in error.validator_value]
-        hint = did_you_mean(str(error.instance), values) or f"one of: {', '.join(values)}"
-        yield _at(source, path, f"{error.instance!r} is not known here", hint)
-        return
-    if error.validator == "required":
-        missing = [key for key in error.validator_value if key not in error.instance]
+    elif error.validator == "type":
+        yield _wrong_type(source, path, where, wanted if isinstance(wanted, list) else [wanted], instance)
+    elif error.validator == "enum":
+        values = [str(value) for value in wanted]
+        hint = did_you_mean(str(instance), values) or f"one of: {', '.join(values)}"
+        yield _at(source, path, f"{instance!r} is not known here", hint)
+    elif error.validator == "required":
+        missing = [key for key in wanted if key not in instance]
         yield _at(source, path, f"{where!r} needs {' and '.join(repr(key) for key in missing)}", None, key=True)
-        return
-    if error.validator == "pattern":
-        yield _at(
-            source,
-            (*path, str(error.instance))
-            if isinstance(error.parent, type(error)) or "propertyNames" in error.schema_path
-            else path,
-            f"{error.instance!r} is not a name that can be used here",
-            "letters, digits and '_', not beginning with a digit",
-            key=True,
-        )
-        return
-    if error.validator in ("minLength", "minItems"):
+    elif error.validator == "pattern":
+        at = (*path, str(instance)) if "propertyNames" in error.schema_path else path
+        hint = "letters, digits and '_', not beginning with a digit"
+        if where == "language":
+            hint = "two letters, as en or de"
+        yield _at(source, at, f"{instance!r} is not a name that can be used here", hint, key=True)
+    elif error.validator in ("minLength", "minItems"):
         yield _at(source, path, f"{where!r} is empty", "write something, or remove it")
-        return
-    yield _at(source, path, error.message)
+    else:
+        yield _at(source, path, error.message)
+
+
+def _wrong_type(source: YamlSource, path: tuple[Any, ...], where: Any, wanted: list[str], instance: Any) -> Problem:
+    raw = source.raw.get(path)
+    message = f"{where!r} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
+    if raw is not None and raw.lower() in _YAML_BOOLEANS and "string" in wanted:
+        message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
+        return _at(source, path, message, f'quote it: "{raw}"')
+    if raw is not None and "string" in wanted:
+        return _at(source, path, message, f'quote it: "{raw}"' if raw else "something is missing after the ':'")
+    return _at(source, path, message)
 
 
 def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:

@@ -70,13 +70,20 @@ class Utterance:
 
     words: list[str]
     breaks: list[bool]
+    joined: frozenset[int] = frozenset()
+    """Places where a word was removed that stood between this word and the one before."""
 
     @classmethod
     def of(cls, text: str) -> Utterance:
         if any(bracket in text for bracket in "[(<*"):
             text = _ANNOTATION.sub(" , ", text)
         tokens = tokenize(text)
-        return cls([token.word for token in tokens], [token.breaks for token in tokens])
+        words = [token.word for token in tokens]
+        breaks = [token.breaks for token in tokens]
+        kept = [place for place in range(len(words)) if not _stutter(words, place)]
+        if len(kept) < len(words):
+            return cls([words[place] for place in kept], [breaks[place] for place in kept])
+        return cls(words, breaks)
 
     def __len__(self) -> int:
         return len(self.words)
@@ -90,7 +97,8 @@ class Utterance:
             return self
         words: list[str] = []
         breaks: list[bool] = []
-        pause = False
+        joined: set[int] = set()
+        pause = removed = False
         position = 0
         while position < len(self.words):
             pause = pause or self.breaks[position]
@@ -98,9 +106,20 @@ class Utterance:
             if length:
                 pause = pause or any(self.breaks[position : position + length])
                 position += length
+                removed = True
                 continue
+            if removed and words:
+                joined.add(len(words))
             words.append(self.words[position])
             breaks.append(pause)
-            pause = False
+            pause = removed = False
             position += 1
-        return Utterance(words, breaks)
+        return Utterance(words, breaks, frozenset(joined))
+
+
+def _stutter(words: list[str], place: int) -> bool:
+    """ "t turn", "f forty": a first sound said twice. Never "a" or "i", which are words."""
+    word = words[place]
+    if len(word) != 1 or word in "aio" or not word.isalpha() or place + 1 >= len(words):
+        return False
+    return len(words[place + 1]) > 2 and words[place + 1].startswith(word)

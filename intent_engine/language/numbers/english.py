@@ -182,7 +182,8 @@ def fraction(words: Sequence[str], at: int) -> Found | None:
         return 1.0 / HALVES[words[at]], at + 1
     if words[at] in ("a", "an"):
         bottom = _denominator(words, at + 1)
-        return (1.0 / bottom[0], bottom[1]) if bottom else None
+        if bottom is not None:
+            return 1.0 / bottom[0], bottom[1]
     for top in (cardinal(words, at), _below_hundred(words, at), _group(words, at), _numeral(words, at)):
         if top is None:
             continue
@@ -246,18 +247,18 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
     whole = cardinal(words, at)
     if whole is not None:
         value, here = whole
-        after = tuple(words[here : here + 2])
-        if after[:1] == ("point",):
+        following = tuple(words[here : here + 2])
+        if following[:1] == ("point",):
             decimals = _decimals(words, here + 1)
             if decimals is not None:
                 yield from _scaled(words, (value + decimals[0], decimals[1]))
                 return
-        if after[:1] in (("over",), ("divided",)) or after == ("out", "of"):
-            bottom = cardinal(words, here + (2 if after in (("divided", "by"), ("out", "of")) else 1))
+        if following[:1] in (("over",), ("divided",)) or following == ("out", "of"):
+            bottom = cardinal(words, here + (2 if following in (("divided", "by"), ("out", "of")) else 1))
             if bottom is not None and bottom[0]:
                 yield value / bottom[0], bottom[1]
                 return
-        if after[:1] == ("and",):
+        if following[:1] == ("and",):
             part = fraction(words, here + 1)
             if part is not None and part[0] < 1:
                 yield value + part[0], part[1]

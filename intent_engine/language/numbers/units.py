@@ -68,5 +68,5 @@ def units(language: str) -> Units | None:
                 words = tuple(str(spelling).split())
                 by_kind.setdefault(kind, {})[words] = factors[key]
                 names[words] = key
-    words = {key: frozenset(str(item) for item in items) for key, items in data.get("words", {}).items()}
-    return Units(by_kind, names, words)
+    function_words = {key: frozenset(str(item) for item in items) for key, items in data.get("words", {}).items()}
+    return Units(by_kind, names, function_words)
