@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
-from importlib import metadata
 from typing import Annotated
 
 import typer
@@ -28,6 +28,8 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
+        from importlib import metadata
+
         typer.echo(f"intent-engine {metadata.version('intent-engine')}")
         raise typer.Exit
 
@@ -54,6 +56,9 @@ app.command(
 
 def main() -> None:
     """What the ``intent-engine`` script runs."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # a name with odd bytes is shown, not raised about
     try:
         app()
     except KeyboardInterrupt:

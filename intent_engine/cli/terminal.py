@@ -33,8 +33,11 @@ def say(text: str = "", style: str | None = None) -> None:
 
 
 def json_line(data: Any) -> None:
-    """One JSON object on one line of standard output, at once, so that a program can follow."""
-    sys.stdout.write(json.dumps(data, ensure_ascii=False, allow_nan=False) + "\n")
+    """One JSON object on one line of standard output, at once, so that a program can follow.
+
+    ASCII alone: some readers end a line at U+2028 or U+0085 as well, and not every terminal is UTF-8.
+    """
+    sys.stdout.write(json.dumps(data, allow_nan=False) + "\n")
     sys.stdout.flush()
 
 

@@ -1,0 +1,95 @@
+"""``intent-engine parse``, as a person at a shell and as a program at a pipe meet it."""
+
+from __future__ import annotations
+
+import json
+import random
+import sys
+
+import pytest
+
+KEYS = ["text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason"]
+
+
+def test_a_sentence_and_its_action(intent_engine):
+    done = intent_engine("parse", "go forward two meters")
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    assert "accepted: move direction=forward distance=2" in done.stdout
+    assert "move forward 2.00 m at +0.50 m/s for 4.00 s" in done.stdout
+    assert "\x1b" not in done.stdout, "no colours in a pipe"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "status"),
+    [
+        ("go to the kitchen", 0, "accepted"),
+        ("don't move forward", 1, "rejected"),
+        ("go to the", 1, "incomplete"),
+        ("", 1, "rejected"),
+    ],
+)
+def test_json_has_exactly_the_eight_keys_and_the_code_says_whether_it_was_accepted(intent_engine, text, code, status):
+    done = intent_engine("parse", "--json", text)
+    assert done.returncode == code
+    (line,) = done.stdout.splitlines()
+    found = json.loads(line)
+    assert list(found) == KEYS
+    assert (found["text"], found["status"]) == (text, status)
+    assert bool(found["actions"]) == (code == 0)
+
+
+def test_a_sentence_a_line_from_standard_input(intent_engine):
+    done = intent_engine("parse", "-", stdin="go to the kitchen\nstop\r\n\nwhat a day".encode())
+    found = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [item["status"] for item in found] == ["accepted", "accepted", "rejected", "rejected"]
+    assert [item["text"] for item in found] == ["go to the kitchen", "stop", "", "what a day"]
+    assert all(list(item) == KEYS for item in found)
+    assert done.returncode == 1, "not every sentence was accepted"
+
+
+def test_all_accepted_is_success(intent_engine):
+    assert intent_engine("parse", "-", stdin=b"stop\nturn left\n").returncode == 0
+
+
+def test_bytes_that_are_no_text(intent_engine):
+    noise = random.Random(7).randbytes(20_000)
+    done = intent_engine("parse", "-", stdin=noise)
+    assert done.returncode == 1
+    assert len(done.stdout.splitlines()) == noise.rstrip(b"\n").count(b"\n") + 1
+    assert not any(json.loads(line)["actions"] for line in done.stdout.splitlines())
+    assert "Traceback" not in done.stderr
+
+
+def test_a_megabyte_without_a_line_end(intent_engine):
+    done = intent_engine("parse", "-", stdin=b"go forward " * 100_000 + b"\nstop\n")
+    assert done.returncode == 7
+    assert done.stderr.startswith("error: line 1 of standard input is longer than")
+    long, short = [json.loads(line) for line in done.stdout.splitlines()]
+    assert (long["status"], long["actions"]) == ("rejected", [])
+    assert short["status"] == "accepted", "the lines after it are read as ever"
+
+
+def test_a_long_argument(intent_engine):
+    done = intent_engine("parse", "go forward " * 9_000)
+    assert done.returncode == 7
+    assert done.stdout == ""
+    assert done.stderr.startswith("error: the text (99000 characters) is longer than")
+
+
+def test_text_needs_no_audio():
+    """Parsing must start fast and work where no audio library is installed."""
+    import subprocess
+
+    code = (
+        "import sys\n"
+        "from typer.testing import CliRunner\n"
+        "from intent_engine.cli import app\n"
+        "result = CliRunner().invoke(app, ['parse', 'go to the kitchen'])\n"
+        "assert result.exit_code == 0, result.output\n"
+        "heavy = {'faster_whisper', 'ctranslate2', 'sounddevice', 'soundfile', 'onnxruntime', 'av', 'soxr', 'numpy',\n"
+        "         'pocketsphinx', 'rclpy', 'matplotlib', 'huggingface_hub'}\n"
+        "print(sorted(heavy & set(sys.modules)))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,116 @@
+"""What the README and the docs show is run: Python blocks, shell commands and what they print.
+
+A ``console`` block holds ``$ command`` lines, each followed by what it prints, if that is shown; a line ``...`` stands
+for any lines. A ``yaml`` block whose first line is ``# name.yaml`` is a file that the commands after it can use.
+``<!-- skip: next -->`` before a block says that it cannot be run here (a microphone, a robot).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from sybil import Document, Example
+from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser, SkipParser
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")])
+BY_HAND = ("make ", "git ", "cd ", "pip ", "sudo ", "python -m pip")
+"""Commands that set things up; that their make targets exist is tested, the rest is for a person."""
+
+
+class Shell:
+    """Runs console blocks in a copy of the repository's data, and writes the files that pages show."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        bin_folder = Path(sys.executable).parent
+        path = f"{bin_folder}{os.pathsep}{os.environ['PATH']}"
+        self.environment = {**os.environ, "PATH": path, "NO_COLOR": "1", "COLUMNS": "100", "OPENBLAS_NUM_THREADS": "1"}
+
+    def console(self, example: Example) -> None:
+        for command, expected in _commands(str(example.parsed)):
+            if command.startswith(BY_HAND):
+                continue
+            done = subprocess.run(
+                ["bash", "-c", command],
+                cwd=self.folder,
+                env=self.environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                timeout=300,
+                check=False,
+            )
+            where = f"{example.path}:{example.line}: $ {command}"
+            if expected:
+                assert _matches(expected, done.stdout), f"{where}\nshown:\n{expected}\nprinted:\n{done.stdout}"
+            else:
+                assert done.returncode == 0, f"{where}\n{done.stdout}"
+
+    def yaml(self, example: Example) -> None:
+        if name := re.match(r"# ([\w./-]+\.ya?ml)\n", str(example.parsed)):
+            path = self.folder / name[1]
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(str(example.parsed), "utf-8")
+
+
+def _commands(block: str) -> list[tuple[str, str]]:
+    found: list[tuple[str, str]] = []
+    for line in block.splitlines():
+        if line.startswith("$ "):
+            found.append((line[2:], ""))
+        elif found and found[-1][0].endswith("\\"):
+            found[-1] = (found[-1][0][:-1] + line.strip(), "")
+        elif found:
+            found[-1] = (found[-1][0], found[-1][1] + line + "\n")
+    return found
+
+
+def _matches(shown: str, printed: str) -> bool:
+    lines = [r"(?:.*\n)*?" if line.strip() == "..." else _line(line) for line in shown.strip("\n").splitlines()]
+    return re.fullmatch("".join(lines) + r"\s*", printed.strip("\n") + "\n") is not None
+
+
+def _line(line: str) -> str:
+    """One line, in which ``...`` stands for anything and spaces may differ in number."""
+    words = [".*".join(map(re.escape, word.split("..."))) for word in line.split()]
+    return r"[^\S\n]*" + r"[^\S\n]+".join(words) + r"[^\S\n]*\n"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_page(page, tmp_path, monkeypatch):
+    for name in ("grammars", "locations", "robots", "examples"):
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.chdir(tmp_path)
+    shell = Shell(tmp_path)
+    parsers = [
+        SkipParser(),
+        PythonCodeBlockParser(),
+        CodeBlockParser("console", shell.console),
+        CodeBlockParser("yaml", shell.yaml),
+    ]
+    document = Document.parse(str(page), *parsers)
+    for example in document.examples():
+        example.evaluate()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_make_targets_that_a_page_names_exist(page):
+    targets = set(re.findall(r"^([a-z0-9-]+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE))
+    named = set(re.findall(r"(?:`|\$ )make ([a-z][a-z0-9-]*)", page.read_text("utf-8")))
+    assert named <= targets
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_links_between_pages_lead_somewhere(page):
+    text = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.DOTALL)
+    for target in re.findall(r"\]\(([^)#\s]+)", text):
+        if not target.startswith(("http://", "https://", "mailto:")):
+            assert (page.parent / target).exists(), f"{page.name} links to {target}"
