@@ -40,7 +40,7 @@ def test_json_has_exactly_the_eight_keys_and_the_code_says_whether_it_was_accept
 
 
 def test_a_sentence_a_line_from_standard_input(intent_engine):
-    done = intent_engine("parse", "-", stdin="go to the kitchen\nstop\r\n\nwhat a day".encode())
+    done = intent_engine("parse", "-", stdin=b"go to the kitchen\nstop\r\n\nwhat a day")
     found = [json.loads(line) for line in done.stdout.splitlines()]
     assert [item["status"] for item in found] == ["accepted", "accepted", "rejected", "rejected"]
     assert [item["text"] for item in found] == ["go to the kitchen", "stop", "", "what a day"]
