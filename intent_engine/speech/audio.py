@@ -1,0 +1,87 @@
+"""Sound as the rest of the room sees it: 16 kHz mono float frames with their time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = ["FRAME_SAMPLES", "FRAME_SECONDS", "SAMPLE_RATE", "AudioSource", "Frame", "Resampler", "Samples", "clean"]
+
+SAMPLE_RATE = 16_000
+"""Hz, what Whisper and Silero were trained on."""
+FRAME_SAMPLES = 512
+"""Samples of a frame: the length that Silero takes at 16 kHz."""
+FRAME_SECONDS = FRAME_SAMPLES / SAMPLE_RATE
+
+Samples = npt.NDArray[np.float32]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """32 ms of sound."""
+
+    samples: Samples
+    """``(512,)``, -1 to 1."""
+    time: float
+    """s, of the end of the frame, since the source began."""
+
+
+class AudioSource(Protocol):
+    """Gives frames until it ends. Opened by iterating, closed by ``close()`` (idempotent, from any thread)."""
+
+    def frames(self) -> Iterator[Frame]:
+        """Frames in order.
+
+        Raises:
+            AudioError: the sound cannot be read.
+            DeviceError: a device is missing or forbidden.
+        """
+        ...
+
+    def close(self) -> None: ...
+
+
+def clean(samples: npt.NDArray[np.floating]) -> Samples:
+    """Finite, mono, within -1 to 1: what broken drivers and files send must not reach a model.
+
+    Args:
+        samples: ``(n,)`` or ``(n, channels)``.
+    """
+    mono = samples if samples.ndim == 1 else samples.mean(axis=1)
+    sound = np.nan_to_num(mono.astype(np.float32, copy=False), nan=0.0, posinf=0.0, neginf=0.0)
+    return np.clip(sound, -1.0, 1.0)
+
+
+class Resampler:
+    """A stream at any rate to frames at 16 kHz."""
+
+    def __init__(self, rate: int, start: float = 0.0) -> None:
+        self._stream = None
+        if rate != SAMPLE_RATE:
+            import soxr
+
+            self._stream = soxr.ResampleStream(rate, SAMPLE_RATE, 1, dtype="float32")
+        self._left = np.zeros(0, np.float32)
+        self._count = 0
+        self._start = start
+
+    def push(self, samples: npt.NDArray[np.floating], *, last: bool = False) -> Iterator[Frame]:
+        """Frames that are whole after more sound; with ``last`` the rest, filled with silence."""
+        sound = clean(samples)
+        if self._stream is not None:
+            sound = self._stream.resample_chunk(sound, last=last)
+        self._left = np.concatenate((self._left, sound))
+        if last and self._left.size % FRAME_SAMPLES:
+            self._left = np.pad(self._left, (0, -self._left.size % FRAME_SAMPLES))
+        whole = self._left.size // FRAME_SAMPLES
+        for index in range(whole):
+            self._count += 1
+            yield Frame(
+                self._left[index * FRAME_SAMPLES : (index + 1) * FRAME_SAMPLES],
+                self._start + self._count * FRAME_SECONDS,
+            )
+        self._left = self._left[whole * FRAME_SAMPLES :]

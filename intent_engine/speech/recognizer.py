@@ -1,0 +1,47 @@
+"""Sound to text: the protocol and what it returns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from intent_engine.speech.audio import Samples
+
+__all__ = ["Recognizer", "Transcript"]
+
+
+@dataclass(frozen=True, slots=True)
+class Transcript:
+    """What was heard in one stretch of speech."""
+
+    text: str
+    """The words, as the recogniser writes them; in the words of the grammar if it was steered. Empty: nothing."""
+    score: float = 0.0
+    """Mean log probability of a token: 0 is certain, below -1 is doubtful."""
+    free_text: str = ""
+    """What was heard without steering; the same as ``text`` if there was none."""
+    gap: float | None = None
+    """Log probability of the free text less that of the best sentence of the grammar, in nats; None if not steered.
+    Small: the grammar explains the sound as well as anything. Large: something else was said."""
+    alternatives: tuple[str, ...] = ()
+    """Further readings, best first."""
+    language: str | None = None
+    decode_seconds: float = 0.0
+    """Time that recognition took."""
+
+
+class Recognizer(Protocol):
+    """Turns a stretch of speech into text. Called from one thread at a time."""
+
+    def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
+        """What was said.
+
+        Args:
+            samples: ``(n,)`` at 16 kHz, the speech with a little silence around it.
+            final: False for a look at speech that may go on; may be answered with less care.
+        """
+        ...
+
+    def close(self) -> None:
+        """Let go of the model. Idempotent."""
+        ...

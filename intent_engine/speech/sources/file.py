@@ -1,0 +1,99 @@
+"""Sound files: WAV, FLAC and whatever else libsndfile reads, at any rate, streamed."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from intent_engine.errors import AudioError
+from intent_engine.speech.audio import Frame, Resampler
+
+__all__ = ["FileSource"]
+
+MAX_SECONDS = 4 * 3600.0
+"""A recording beyond this is a mistake; a session of commands has minutes."""
+TAIL_SECONDS = 0.8
+"""Silence added at the end, so that the last command is heard to end."""
+BLOCK = 1 << 15
+
+
+class FileSource:
+    """Frames of a sound file.
+
+    Args:
+        path: WAV, FLAC, OGG, AIFF; any rate, mono or more channels.
+        realtime: play at the speed of the recording; else as fast as the reader takes it.
+
+    Raises:
+        AudioError: the file is missing, empty, no sound file, or longer than four hours.
+    """
+
+    def __init__(self, path: str | Path, *, realtime: bool = False) -> None:
+        import soundfile
+
+        self.path = Path(path)
+        self._realtime = realtime
+        self._closed = False
+        if not self.path.exists():
+            raise AudioError(f"{path}: no such file\n    give the path of a WAV or FLAC file")
+        if self.path.is_dir():
+            raise AudioError(f"{path}: is a folder\n    give the path of a WAV or FLAC file")
+        if self.path.stat().st_size == 0:
+            raise AudioError(f"{path}: is empty (0 bytes)\n    record it again")
+        try:
+            info = soundfile.info(str(self.path))
+        except (soundfile.LibsndfileError, RuntimeError, OSError):
+            raise AudioError(
+                f"{path}: is no sound file that can be read\n    convert it: ffmpeg -i {self.path.name} speech.wav"
+            ) from None
+        if info.samplerate <= 0 or info.channels <= 0 or info.frames <= 0:
+            raise AudioError(f"{path}: holds no sound\n    record it again")
+        self.seconds: float = info.frames / info.samplerate
+        """Length of the recording in s."""
+        if self.seconds > MAX_SECONDS:
+            raise AudioError(
+                f"{path}: lasts {self.seconds / 3600:.1f} hours; at most {MAX_SECONDS / 3600:.0f} are taken\n"
+                "    cut out the part with the commands"
+            )
+        self.rate: int = info.samplerate
+
+    def frames(self) -> Iterator[Frame]:
+        began = time.monotonic()
+        for frame in self._frames():
+            if self._closed:
+                return
+            if self._realtime:
+                wait = began + frame.time - time.monotonic()
+                if wait > 0:
+                    time.sleep(wait)
+            yield frame
+
+    def _frames(self) -> Iterator[Frame]:
+        import soundfile
+
+        resampler = Resampler(self.rate)
+        read = 0
+        try:
+            with soundfile.SoundFile(str(self.path)) as file:
+                expected = file.frames
+                while True:
+                    block = file.read(BLOCK, dtype="float32", always_2d=True)
+                    if not len(block):
+                        break
+                    read += len(block)
+                    yield from resampler.push(block)
+        except (soundfile.LibsndfileError, RuntimeError, OSError) as error:
+            raise AudioError(f"{self.path}: breaks off after {read / self.rate:.1f} s ({error})") from None
+        if read < expected:
+            raise AudioError(
+                f"{self.path}: is cut off: {read / self.rate:.1f} s of {expected / self.rate:.1f} s are there\n"
+                "    copy or record it again"
+            )
+        silence = np.zeros(int(TAIL_SECONDS * self.rate), np.float32)
+        yield from resampler.push(silence, last=True)
+
+    def close(self) -> None:
+        self._closed = True

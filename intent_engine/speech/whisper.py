@@ -1,0 +1,199 @@
+"""Whisper through CTranslate2, its encoder fed only with what was said.
+
+``WhisperModel.transcribe`` of faster-whisper always pads to 30 s; a command has two. The encoder's cost grows with its
+input, so it is given the speech padded to five seconds, and ten only when the first try went wrong.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+import warnings
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from intent_engine.errors import WeightsError
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.weights import Weights, find_weights
+
+__all__ = ["Encoded", "WhisperRecognizer", "fold_loop"]
+
+FRAMES_PER_SECOND = 100
+MIN_SECONDS = 5.0
+"""Shortest encoder input. With three seconds one command in six came back as a loop of itself; five cost 4 ms more."""
+RETRY_SECONDS = 10.0
+MARGIN_SECONDS = 0.5
+"""Silence after the speech in the encoder's input, so that the end is heard as an end."""
+MAX_SECONDS = 28.0
+MIN_SCORE = -1.0
+"""Mean log probability below which a decode is tried again with a longer input (faster-whisper's own threshold)."""
+TOKENS_PER_SECOND = 7
+"""More than anybody speaks; bounds a decode that runs away."""
+
+
+@dataclass(frozen=True, slots=True)
+class Encoded:
+    """A stretch of speech, encoded."""
+
+    features: Any
+    """CTranslate2 storage, ``(1, frames / 2, width)``."""
+    seconds: float
+    """Length of the speech."""
+
+
+class WhisperRecognizer:
+    """Free decoding with a Whisper model. Life cycle: made (model loaded) -> ``transcribe`` ... -> ``close()``.
+
+    Args:
+        model: a name ("tiny.en"), or the path of a CTranslate2 Whisper model.
+        device: "auto" (CUDA if there is one), "cpu" or "cuda".
+        compute_type: "int8" by default on a CPU, "float16" on CUDA.
+        language: fixed language, or None to let a multilingual model detect it.
+        threads: of the CPU; 0 lets CTranslate2 choose.
+
+    Raises:
+        WeightsError: the model cannot be found or loaded.
+    """
+
+    def __init__(
+        self,
+        model: str = "tiny.en",
+        *,
+        device: str = "auto",
+        compute_type: str | None = None,
+        language: str | None = "en",
+        threads: int = 0,
+    ) -> None:
+        # OpenBLAS spins its own threads for the small matrix of the mel step and so slows CTranslate2's; one is
+        # fastest for both. It reads this only when numpy is first loaded, which may be before us: then it is only slower.
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+        self.weights: Weights = find_weights(model)
+        self.language = language
+        self._model, self.device = _load(self.weights, device, compute_type, threads)
+        self.multilingual: bool = bool(self._model.model.is_multilingual)
+        self._tokenizers: dict[str, Any] = {}
+
+    # -- the parts ---------------------------------------------------------------------------------
+
+    def tokenizer(self, language: str | None = None) -> Any:
+        """faster-whisper's tokenizer of a language."""
+        from faster_whisper.tokenizer import Tokenizer
+
+        key = (language or self.language or "en") if self.multilingual else "en"
+        if key not in self._tokenizers:
+            self._tokenizers[key] = Tokenizer(
+                self._model.hf_tokenizer, self.multilingual, task="transcribe", language=key
+            )
+        return self._tokenizers[key]
+
+    def prompt(self, language: str | None = None) -> list[int]:
+        """The tokens before the first word: start, language and task where there are several, no time stamps."""
+        tokenizer = self.tokenizer(language)
+        return [*tokenizer.sot_sequence, tokenizer.no_timestamps]
+
+    def encode(self, samples: Samples, seconds: float = MIN_SECONDS) -> Encoded:
+        """Encode speech, padded to at least ``seconds``."""
+        import ctranslate2
+
+        spoken = samples.size / SAMPLE_RATE
+        wanted = min(max(seconds, spoken + MARGIN_SECONDS), 30.0)
+        mel = self._model.feature_extractor(samples[: int(MAX_SECONDS * SAMPLE_RATE)])
+        frames = int(wanted * FRAMES_PER_SECOND)
+        frames += frames % 2
+        mel = mel[:, :frames]
+        mel = np.pad(mel, ((0, 0), (0, frames - mel.shape[1])))
+        storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(mel[np.newaxis], dtype=np.float32))
+        return Encoded(self._model.model.encode(storage, to_cpu=self.device == "cuda"), spoken)
+
+    @property
+    def engine(self) -> Any:
+        """The CTranslate2 model."""
+        return self._model.model
+
+    def detect(self, encoded: Encoded) -> str:
+        """The language of the speech."""
+        if not self.multilingual:
+            return "en"
+        results = self._model.model.detect_language(encoded.features)
+        return str(results[0][0][0]).strip("<|>")
+
+    # -- the whole ---------------------------------------------------------------------------------
+
+    def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
+        began = time.perf_counter()
+        if samples.size == 0:
+            return Transcript("")
+        encoded = self.encode(samples)
+        language = self.language or self.detect(encoded)
+        text, score, looped = self.greedy(encoded, language)
+        if final and (looped or score < MIN_SCORE):
+            again, better, loops = self.greedy(self.encode(samples, RETRY_SECONDS), language)
+            if not loops and (looped or better > score):
+                text, score = again, better
+        return Transcript(text, score, free_text=text, language=language, decode_seconds=time.perf_counter() - began)
+
+    def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
+        """The likeliest words without steering: (text, mean log probability, whether it went round in a loop)."""
+        tokenizer = self.tokenizer(language)
+        tokens, score = self.greedy_tokens(encoded, language)
+        text = tokenizer.decode([token for token in tokens if token < tokenizer.eot]).strip()
+        folded = fold_loop(text)
+        return folded, score, folded != text
+
+    def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
+        """The likeliest tokens, with their mean log probability."""
+        prompt = self.prompt(language)
+        limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
+        # CTranslate2 halves max_length for Whisper, as OpenAI's code halves its context for prompts.
+        result = self._model.model.generate(
+            encoded.features, [prompt], beam_size=1, max_length=min(2 * (len(prompt) + limit), 448), return_scores=True
+        )[0]
+        return list(result.sequences_ids[0]), float(result.scores[0])
+
+    def close(self) -> None:
+        unload = getattr(self._model.model, "unload_model", None)
+        if unload is not None:
+            unload()
+
+
+def _load(weights: Weights, device: str, compute_type: str | None, threads: int) -> tuple[Any, str]:
+    import ctranslate2
+    from faster_whisper import WhisperModel
+
+    wanted = device
+    if device == "auto":
+        wanted = "cuda" if ctranslate2.get_cuda_device_count() > 0 else "cpu"
+    try:
+        model = WhisperModel(
+            str(weights.path),
+            device=wanted,
+            compute_type=compute_type or ("float16" if wanted == "cuda" else "int8"),
+            cpu_threads=threads,
+        )
+        return model, wanted
+    except (RuntimeError, ValueError) as error:
+        if wanted == "cuda":
+            warnings.warn(f"CUDA cannot be used ({error}); recognising on the CPU", RuntimeWarning, stacklevel=3)
+            return _load(weights, "cpu", None if compute_type == "float16" else compute_type, threads)
+        raise WeightsError(f"model {weights.name} at {weights.path} cannot be loaded: {error}") from None
+
+
+def fold_loop(text: str) -> str:
+    """A sentence said over and over, as Whisper does with short input, once.
+
+    Three times or more is a loop (the last may be cut off); twice is something people say.
+    """
+    words = text.split()
+    plain = [word.strip(".,!?;:\u2026").lower() for word in words]
+    for length in range(1, len(words) // 3 + 1):
+        unit = plain[:length]
+        repeats = 1
+        while plain[repeats * length : (repeats + 1) * length] == unit:
+            repeats += 1
+        rest = plain[repeats * length :]
+        if repeats >= 3 and unit[: len(rest)] == rest:
+            return " ".join(words[:length])
+    return text
