@@ -1,0 +1,162 @@
+"""What a robot may be told: limits, and whether a wish beyond them is refused or cut down to them.
+
+NaN and infinity are refused by every limit set, the empty one included.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+from intent_engine.actions import Action, Move, Navigate, Turn
+
+__all__ = ["Checked", "Limits", "OverLimit"]
+
+
+class OverLimit(StrEnum):
+    """What happens to an action beyond a limit."""
+
+    REFUSE = "refuse"
+    """It is not done, and the goal says which limit it broke."""
+    CLAMP = "clamp"
+    """It is done within the limit, and the goal says what was changed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What :meth:`Limits.check` says."""
+
+    action: Action
+    """The action to do: as it was, or cut down."""
+    refused: str = ""
+    """Why it must not be done; empty if it may."""
+    limit: str = ""
+    """Name of the limit that refused it."""
+    clamped: tuple[str, ...] = ()
+    """One sentence for each value that was cut down."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """A robot's limits; infinite where there is none."""
+
+    linear_velocity: float = math.inf
+    """m/s, forward and backward"""
+    angular_velocity: float = math.inf
+    """rad/s, to either side"""
+    linear_acceleration: float = math.inf
+    """m/s^2, of the ramps up"""
+    angular_acceleration: float = math.inf
+    """rad/s^2, of the ramps up"""
+    linear_deceleration: float | None = None
+    """m/s^2, of the ramps down; None: as the acceleration"""
+    angular_deceleration: float | None = None
+    """rad/s^2, of the ramps down; None: as the acceleration"""
+    distance: float = math.inf
+    """m, longest single move"""
+    angle: float = math.inf
+    """rad, largest single turn"""
+    duration: float = math.inf
+    """s, longest single move or turn"""
+    task_duration: float = 600.0
+    """s, longest navigation, pick, place or handler; then it is cancelled"""
+    over: OverLimit = OverLimit.REFUSE
+    over_each: dict[str, OverLimit] = field(default_factory=dict)
+    """Limit name -> what to do beyond this one, where it differs from ``over``."""
+
+    def __post_init__(self) -> None:
+        for name in (*_NAMES, "linear_deceleration", "angular_deceleration"):
+            value = getattr(self, name)
+            if value is not None and not value > 0:
+                raise ValueError(f"the limit {name} must be positive, not {value}")
+
+    def check(self, action: Action) -> Checked:
+        """What of ``action`` may be done. A velocity that is cut down keeps its distance and takes longer."""
+        for name, value in _numbers(action):
+            if not math.isfinite(value):
+                return Checked(action, f"{action.type}: {name} is {value}, not a number to drive by", "finite")
+        if isinstance(action, Move):
+            return self._move(action)
+        if isinstance(action, Turn):
+            return self._turn(action)
+        return Checked(action)
+
+    def _move(self, move: Move) -> Checked:
+        if move.distance > 0 and move.linear_velocity == 0:
+            return Checked(move, f"move: {move.distance:g} m cannot be covered at 0 m/s", "linear_velocity")
+        notes: list[str] = []
+        speed, distance = abs(move.linear_velocity), move.distance
+        for limit, value, unit in (("linear_velocity", speed, "m/s"), ("distance", distance, "m")):
+            refused = self._over(limit, value, unit, notes)
+            if refused:
+                return Checked(move, refused, limit)
+        speed, distance = min(speed, self.linear_velocity), min(distance, self.distance)
+        duration = distance / speed if speed else 0.0
+        if not notes and math.isclose(duration, move.duration, rel_tol=1e-9):
+            duration = move.duration
+        refused = self._over("duration", duration, "s", notes)
+        if refused:
+            return Checked(move, refused, "duration")
+        if duration > self.duration:
+            duration, distance = self.duration, speed * self.duration
+        velocity = math.copysign(speed, move.linear_velocity)
+        changed = replace(move, linear_velocity=velocity, distance=distance, duration=duration) if notes else move
+        return Checked(changed, clamped=tuple(notes))
+
+    def _turn(self, turn: Turn) -> Checked:
+        if turn.angle != 0 and turn.angular_velocity == 0:
+            return Checked(turn, f"turn: {turn.angle:g} rad cannot be turned at 0 rad/s", "angular_velocity")
+        notes: list[str] = []
+        speed, angle = abs(turn.angular_velocity), abs(turn.angle)
+        for limit, value, unit in (("angular_velocity", speed, "rad/s"), ("angle", angle, "rad")):
+            refused = self._over(limit, value, unit, notes)
+            if refused:
+                return Checked(turn, refused, limit)
+        speed, angle = min(speed, self.angular_velocity), min(angle, self.angle)
+        duration = angle / speed if speed else 0.0
+        refused = self._over("duration", duration, "s", notes)
+        if refused:
+            return Checked(turn, refused, "duration")
+        if duration > self.duration:
+            duration, angle = self.duration, speed * self.duration
+        sign = math.copysign(1.0, turn.angle)
+        changed = replace(turn, angle=sign * angle, angular_velocity=sign * speed, duration=duration) if notes else turn
+        return Checked(changed, clamped=tuple(notes))
+
+    def _over(self, limit: str, value: float, unit: str, notes: list[str]) -> str:
+        bound: float = getattr(self, limit)
+        # A value that was computed from others may be a last bit above the limit it was made for.
+        if value <= bound * (1 + 1e-9):
+            return ""
+        text = f"{limit.replace('_', ' ')} {value:.4g} {unit} is over this robot's limit of {bound:.4g} {unit}"
+        if self.over_each.get(limit, self.over) is OverLimit.REFUSE:
+            return text
+        notes.append(f"{limit.replace('_', ' ')} cut from {value:.4g} to {bound:.4g} {unit}")
+        return ""
+
+
+_NAMES = (
+    "linear_velocity",
+    "angular_velocity",
+    "linear_acceleration",
+    "angular_acceleration",
+    "distance",
+    "angle",
+    "duration",
+    "task_duration",
+)
+
+
+def _numbers(action: Any) -> list[tuple[str, float]]:
+    # Actions refuse NaN when they are made; this is for what was made in some other way.
+    if isinstance(action, Move):
+        names: tuple[str, ...] = ("linear_velocity", "distance", "duration")
+    elif isinstance(action, Turn):
+        names = ("angle", "angular_velocity", "duration")
+    elif isinstance(action, Navigate):
+        names = ("x", "y", "yaw")
+    else:
+        return []
+    return [(name, getattr(action, name)) for name in names]

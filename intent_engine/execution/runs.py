@@ -1,0 +1,366 @@
+"""The ways in which a goal is carried out: a motion, a task of the robot, a handler of the user's, a stop.
+
+A run is begun, stepped and ended by the executor, under its lock. It never decides what comes next.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from intent_engine.errors import IntentEngineError
+from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason
+from intent_engine.execution.motion import Ended, Motion, Travel
+from intent_engine.execution.robots.robot import Robot, Task, TaskState
+
+__all__ = [
+    "Ending",
+    "Handler",
+    "HandlerContext",
+    "HandlerRun",
+    "MotionRun",
+    "Run",
+    "StopRun",
+    "TaskRun",
+    "VelocityLoop",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """How a run came to its end."""
+
+    state: GoalState
+    reason: Reason = Reason.NONE
+    detail: str = ""
+
+
+class VelocityLoop(Protocol):
+    """What writes velocities: a :class:`~.motion.Follower` here, or a process of its own."""
+
+    @property
+    def moving(self) -> bool: ...
+    @property
+    def written(self) -> tuple[float, float]: ...
+    def start(self, motion: Motion, now: float) -> float: ...
+    def brake(self, now: float) -> float: ...
+    def halt(self, now: float, write: bool = True) -> Travel: ...
+    def silence(self) -> None: ...
+    def travel(self, now: float) -> Travel: ...
+    def due(self) -> float | None: ...
+    def step(self, now: float) -> Ended | None: ...
+
+
+class Run(Protocol):
+    """One goal being carried out."""
+
+    goal: Goal
+    needs_rest: bool
+    """Whether the wheels must stand still before it begins."""
+
+    def begin(self, now: float) -> None: ...
+    def step(self, now: float) -> Ending | None: ...
+    def due(self, now: float) -> float | None: ...
+    def suspend(self, now: float, at_once: bool) -> None:
+        """Rest, ready to go on; ``at_once``: the robot has been stopped already."""
+        ...
+
+    def resume(self, now: float) -> None: ...
+    def give_up(self, now: float) -> bool:
+        """Make way for another goal. True: it has; False: it takes a while, and ``step`` says when."""
+        ...
+
+    def feedback(self, now: float) -> Feedback: ...
+
+
+class MotionRun:
+    """A move or turn on the velocity loop."""
+
+    needs_rest = False
+
+    def __init__(self, goal: Goal, motion: Motion | None, loop: VelocityLoop) -> None:
+        self.goal = goal
+        self._motion = motion
+        self._whole = motion
+        self._loop = loop
+        self._before = Travel()
+        """What was covered before the last pause."""
+        self._pausing = False
+        self._deadline = 0.0
+
+    def begin(self, now: float) -> None:
+        if self._motion is not None:
+            planned = self._loop.start(self._motion, now)
+            self._deadline = planned + max(1.0, 0.1 * (planned - now))
+
+    def step(self, now: float) -> Ending | None:
+        if self._motion is None:
+            return Ending(GoalState.SUCCEEDED)
+        ended = self._loop.step(now)
+        if ended is not None:
+            if not self._pausing:
+                self._before = _sum(self._before, ended.travel)
+                self._motion = None
+                return Ending(GoalState.SUCCEEDED)
+            self._pausing = False
+            self._stand(ended.travel)
+            return Ending(GoalState.SUCCEEDED) if self._motion is None else None
+        if self._loop.moving and not self._pausing and now > self._deadline:
+            return Ending(GoalState.ABORTED, Reason.TIMEOUT, "the motion did not end when it should have")
+        return None
+
+    def due(self, now: float) -> float | None:
+        return None if self._motion is not None else now
+
+    def suspend(self, now: float, at_once: bool) -> None:
+        if self._motion is None:
+            return
+        if at_once:
+            self._pausing = False
+            self._stand(self._loop.halt(now, write=False))
+        elif self._loop.moving and not self._pausing:
+            travel = self._loop.travel(now)
+            if travel.braking:
+                return
+            self._before = _sum(self._before, travel)
+            self._motion = self._whole.rest(self._before) if self._whole is not None else None
+            self._pausing = True
+            self._loop.brake(now)
+
+    def resume(self, now: float) -> None:
+        if self._pausing:
+            # Resumed while still braking: what the brake covered is counted, and the rest begins at that speed.
+            self._pausing = False
+            self._stand(self._loop.travel(now))
+        self.begin(now)
+
+    def give_up(self, now: float) -> bool:
+        return True
+
+    def feedback(self, now: float) -> Feedback:
+        whole = self._whole
+        if whole is None:
+            return Feedback(1.0, 0.0, 0.0)
+        here = self._loop.travel(now) if self._loop.moving else Travel()
+        travel = _sum(self._before, here)
+        if self._motion is None:
+            return Feedback(1.0, 0.0, travel.amount)
+        share = abs(travel.amount) / whole.amount
+        return Feedback(min(share, 1.0), here.time_left if self._loop.moving else None, travel.amount)
+
+    def _stand(self, travel: Travel) -> None:
+        self._before = _sum(self._before, travel)
+        self._motion = self._whole.rest(self._before) if self._whole is not None else None
+
+
+class TaskRun:
+    """A navigation, pick or place, which the robot does by itself."""
+
+    needs_rest = True
+    CANCEL_TIMEOUT = 2.0
+    """s to wait for a robot that does not confirm a cancellation, before going on."""
+    POLL = 0.05
+    """s between looks at the task, for robots whose callback comes late or never."""
+
+    def __init__(
+        self, goal: Goal, robot: Robot, begin: Callable[[], Task], poke: Callable[[Task], None], timeout: float
+    ) -> None:
+        self.goal = goal
+        self._robot = robot
+        self._begin = begin
+        self._poke = poke
+        self._timeout = timeout
+        self._task: Task | None = None
+        self._deadline = 0.0
+        self._giving_up = False
+        self._suspended = False
+        self._timed_out = False
+        self._look_at = 0.0
+
+    def begin(self, now: float) -> None:
+        self._deadline = now + self._timeout
+        self._look_at = now + self.POLL
+        self._task = self._begin()
+        self._task.add_done_callback(self._poke)
+
+    def step(self, now: float) -> Ending | None:
+        task = self._task
+        if task is None or self._suspended:
+            return None
+        self._look_at = now + self.POLL
+        state = task.state
+        if state is TaskState.RUNNING:
+            if now < self._deadline:
+                return None
+            if not (self._giving_up or self._timed_out):
+                self._timed_out = True
+                self._deadline = now + self.CANCEL_TIMEOUT
+                self._robot.cancel(task)
+                return None
+            # It does not confirm: stop the robot itself, whatever that ends.
+            self._robot.stop()
+        if self._timed_out:
+            return Ending(GoalState.ABORTED, Reason.TIMEOUT, f"not done within {self._timeout:g} s")
+        if self._giving_up:
+            return Ending(GoalState.CANCELED)
+        if state is TaskState.SUCCEEDED:
+            return Ending(GoalState.SUCCEEDED, detail=task.reason)
+        if state is TaskState.CANCELED:
+            return Ending(GoalState.CANCELED, Reason.CANCELED, task.reason or "the robot cancelled it")
+        return Ending(GoalState.ABORTED, Reason.ROBOT_ERROR, task.reason or "the robot did not say why")
+
+    def due(self, now: float) -> float | None:
+        return None if self._task is None or self._suspended else min(self._deadline, self._look_at)
+
+    def suspend(self, now: float, at_once: bool) -> None:
+        if self._task is not None and not self._giving_up:
+            self._suspended = True
+            if not at_once:
+                self._robot.cancel(self._task)
+            self._task = None
+
+    def resume(self, now: float) -> None:
+        # Robots cannot hold a task: it is given again. Navigation goes on from where the robot stands.
+        if self._suspended:
+            self._suspended = False
+            self.begin(now)
+
+    def give_up(self, now: float) -> bool:
+        if self._task is None:
+            return True
+        self._giving_up = True
+        self._deadline = now + self.CANCEL_TIMEOUT
+        self._robot.cancel(self._task)
+        return self._task.state is not TaskState.RUNNING
+
+    def feedback(self, now: float) -> Feedback:
+        return Feedback(self._task.progress if self._task is not None else None, None)
+
+
+class HandlerContext:
+    """What a handler may ask while it runs."""
+
+    def __init__(self, goal: Goal) -> None:
+        self.goal = goal
+        self.cancelled = threading.Event()
+        """Set when the goal was stopped or replaced; a long handler looks at it, or waits on it, and returns."""
+        self.progress: float | None = None
+        """0 to 1; the handler may set it."""
+
+
+Handler = Callable[..., Any]
+"""``handler(action)`` or ``handler(action, context)``; what it returns goes into the goal's detail, if it is text."""
+
+
+class HandlerRun:
+    """A handler of the user's, in a thread of its own (on a virtual clock: in the thread that moves the clock)."""
+
+    needs_rest = True
+
+    def __init__(
+        self,
+        goal: Goal,
+        handler: Handler,
+        launch: Callable[[Callable[[], None]], None],
+        poke: Callable[[], None],
+        timeout: float,
+    ) -> None:
+        self.goal = goal
+        self._handler = handler
+        self._launch = launch
+        self._poke = poke
+        self._timeout = timeout
+        self._deadline = 0.0
+        self._context = HandlerContext(goal)
+        self._ending: Ending | None = None
+
+    def begin(self, now: float) -> None:
+        self._deadline = now + self._timeout
+        self._launch(self._work)
+
+    def _work(self) -> None:
+        if self._context.cancelled.is_set():
+            return
+        try:
+            result = self._handler(*([self.goal.action, self._context][: _arguments(self._handler)]))
+            self._ending = Ending(GoalState.SUCCEEDED, detail=result if isinstance(result, str) else "")
+        except Exception as error:
+            text = str(error) if isinstance(error, IntentEngineError) else f"{type(error).__name__}: {error}"
+            self._ending = Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, text)
+        self._poke()
+
+    def step(self, now: float) -> Ending | None:
+        if self._ending is None and now >= self._deadline:
+            self._context.cancelled.set()
+            return Ending(GoalState.ABORTED, Reason.TIMEOUT, f"the handler took more than {self._timeout:g} s")
+        return self._ending
+
+    def due(self, now: float) -> float | None:
+        return self._deadline if self._ending is None else now
+
+    def suspend(self, now: float, at_once: bool) -> None:
+        """A handler cannot be held; it goes on, and what comes after it waits."""
+
+    def resume(self, now: float) -> None:
+        pass
+
+    def give_up(self, now: float) -> bool:
+        self._context.cancelled.set()
+        return True
+
+    def feedback(self, now: float) -> Feedback:
+        return Feedback(self._context.progress, None)
+
+
+class StopRun:
+    """A stop inside a spoken sequence ("go forward, stop, turn left"); one that comes first is done by ``submit``."""
+
+    needs_rest = False
+
+    def __init__(self, goal: Goal, stop: Callable[[float], None]) -> None:
+        self.goal = goal
+        self._stop = stop
+
+    def begin(self, now: float) -> None:
+        self._stop(now)
+
+    def step(self, now: float) -> Ending | None:
+        return Ending(GoalState.SUCCEEDED)
+
+    def due(self, now: float) -> float | None:
+        return now
+
+    def suspend(self, now: float, at_once: bool) -> None:
+        pass
+
+    def resume(self, now: float) -> None:
+        pass
+
+    def give_up(self, now: float) -> bool:
+        return True
+
+    def feedback(self, now: float) -> Feedback:
+        return Feedback(None, None)
+
+
+def _arguments(handler: Handler) -> int:
+    """1 or 2: whether the handler wants the context too."""
+    try:
+        parameters = inspect.signature(handler).parameters.values()
+    except (TypeError, ValueError):
+        return 1
+    places = 0
+    for parameter in parameters:
+        if parameter.kind is parameter.VAR_POSITIONAL:
+            return 2
+        if parameter.kind in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD):
+            # A second parameter with a default is the handler's own business, unless it is called context.
+            places += parameter.default is parameter.empty or parameter.name == "context"
+    return min(max(places, 1), 2)
+
+
+def _sum(first: Travel, second: Travel) -> Travel:
+    return Travel(first.amount + second.amount, first.elapsed + second.elapsed, second.time_left)

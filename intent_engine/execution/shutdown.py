@@ -1,0 +1,58 @@
+"""The last zeros of a process: at its normal end, and when it is asked to end."""
+
+from __future__ import annotations
+
+import atexit
+import logging
+import os
+import signal
+import threading
+import weakref
+from types import FrameType
+from typing import Protocol
+
+__all__ = ["register", "unregister"]
+
+log = logging.getLogger(__name__)
+
+
+class _Closable(Protocol):
+    def close(self) -> None: ...
+    def last_zeros(self) -> None: ...
+
+
+# The end of a process is the process's own: one list for all executors in it.
+_open: weakref.WeakSet[_Closable] = weakref.WeakSet()
+
+
+def register(executor: _Closable, sigterm: bool) -> None:
+    """Stop ``executor`` when the process ends; with ``sigterm`` also when it is asked to, if nobody else listens."""
+    _open.add(executor)
+    if (
+        sigterm
+        and threading.current_thread() is threading.main_thread()
+        and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    ):
+        signal.signal(signal.SIGTERM, _terminate)
+
+
+def unregister(executor: _Closable) -> None:
+    _open.discard(executor)
+
+
+@atexit.register
+def _at_exit() -> None:
+    for executor in list(_open):
+        try:
+            executor.close()
+        except Exception:
+            log.exception("an executor could not be closed")
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    for executor in list(_open):
+        executor.last_zeros()
+    _at_exit()
+    # End as a process that was terminated ends, so that who waits for it is told the truth.
+    signal.signal(number, signal.SIG_DFL)
+    os.kill(os.getpid(), number)

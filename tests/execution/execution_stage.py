@@ -1,0 +1,47 @@
+"""A robot that remembers every velocity, on a clock that nobody waits for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.robots.robot import Pose
+from intent_engine.execution.robots.simulated import SimulatedRobot
+
+MAP = {"kitchen": Pose(5.0, 2.0, 0.0), "dock": Pose(10.0, 0.0, -1.57)}
+
+
+@dataclass(frozen=True)
+class Write:
+    time: float
+    linear: float
+    angular: float
+
+
+class RecordingRobot(SimulatedRobot):
+    """The simulated robot, with a list of what was written to it; ``stop`` counts as a zero."""
+
+    def __init__(self, *args, **kwargs) -> None:
+        super().__init__(*args, **kwargs)
+        self.written: list[Write] = []
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        self.written.append(Write(self.clock.now(), linear, angular))
+        super().velocity(linear, angular, valid_for)
+
+    def stop(self) -> None:
+        self.written.append(Write(self.clock.now(), 0.0, 0.0))
+        super().stop()
+
+
+class Stage:
+    """A virtual clock, a recording robot and an executor, wired."""
+
+    def __init__(self, limits: Limits | None = None, **options) -> None:
+        self.clock = VirtualClock()
+        robot_options = {name: options.pop(name) for name in ("objects", "slip", "delay", "seed") if name in options}
+        self.robot = RecordingRobot(self.clock, locations=MAP, **robot_options)
+        self.events: list = []
+        self.executor = Executor(self.robot, limits, on_event=self.events.append, handle_sigterm=False, **options)

@@ -1,0 +1,183 @@
+"""Commands in every order on a virtual clock, and the laws that hold after each of them."""
+
+from __future__ import annotations
+
+import math
+
+from execution_stage import MAP, RecordingRobot
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
+
+from intent_engine.actions import Custom, Move, Navigate, Pick, Stop, Turn
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.events import EventKind
+from intent_engine.execution.executor import Executor, Policy
+from intent_engine.execution.goal import GoalState
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.motion import Keep, Rates
+
+ACCELERATION, TURN_ACCELERATION = 0.8, 1.6
+RATES = Rates(rate=20.0, valid_for=0.3)
+
+moves = st.builds(
+    lambda v, d: Move(v, d, d / abs(v)), st.sampled_from([-0.6, -0.2, 0.3, 0.9]), st.floats(0.0, 2.0, width=32)
+)
+turns = st.builds(
+    lambda w, a: Turn(math.copysign(a, w), w, a / abs(w)), st.sampled_from([-1.0, 0.4, 1.5]), st.floats(0.0, 4.0)
+)
+navigations = st.sampled_from([Navigate(name, p.x, p.y, p.yaw) for name, p in MAP.items()])
+others = st.sampled_from([Pick("cup"), Custom("wave"), Custom("broken"), Custom("unknown"), Stop()])
+actions = st.one_of(moves, turns, navigations, others)
+
+
+class FailingRobot(RecordingRobot):
+    """Raises in the velocity write it is told to fail at."""
+
+    fail_in: int | None = None
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        if self.fail_in is not None and (linear or angular):
+            self.fail_in -= 1
+            if self.fail_in < 0:
+                self.fail_in = None
+                raise OSError("the motor driver is gone")
+        super().velocity(linear, angular, valid_for)
+
+
+class ExecutorMachine(RuleBasedStateMachine):
+    def __init__(self) -> None:
+        super().__init__()
+        self.clock = VirtualClock()
+        self.robot = FailingRobot(self.clock, locations=MAP)
+        self.goals: list = []
+        self.ends: dict[int, int] = {}
+        self.started: list[int] = []
+        self.executor = Executor(
+            self.robot,
+            Limits(linear_acceleration=ACCELERATION, angular_acceleration=TURN_ACCELERATION),
+            on_event=self.hear,
+            rates=RATES,
+            policies={"pick": Policy.QUEUE},
+            handlers={"wave": lambda action: "hello", "broken": self.broken},
+            handle_sigterm=False,
+        )
+        self.still_since: int | None = 0
+        """Index of the first write that must be zero; None while something may move."""
+        self.jumps_allowed = True
+
+    @staticmethod
+    def broken(action: Custom) -> None:
+        raise ValueError("no arm")
+
+    def hear(self, event) -> None:
+        if event.kind is EventKind.GOAL and event.state.ended:
+            self.ends[event.goal.id] = self.ends.get(event.goal.id, 0) + 1
+        if event.kind is EventKind.GOAL and event.state is GoalState.EXECUTING:
+            self.started.append(event.goal.id)
+
+    def may_move(self) -> None:
+        self.still_since = None
+
+    def stopped(self) -> None:
+        self.still_since = len(self.robot.written)
+
+    @rule(
+        listed=st.lists(actions, min_size=1, max_size=4),
+        policy=st.sampled_from([None, *Policy]),
+        keep=st.sampled_from(list(Keep)),
+    )
+    def submit(self, listed, policy, keep) -> None:
+        if not (self.executor.snapshot().held or self.executor.estopped) or isinstance(listed[0], Stop):
+            self.may_move()
+        self.goals += self.executor.submit(listed, policy=policy, keep=keep)
+
+    @rule(seconds=st.one_of(st.floats(0.0, 0.3), st.floats(0.0, 6.0), st.sampled_from([0.05, 0.1, 1.0])))
+    def advance(self, seconds) -> None:
+        self.clock.advance(seconds)
+
+    @rule()
+    def stop(self) -> None:
+        self.executor.stop()
+        self.stopped()
+        assert self.executor.idle
+        assert all(goal.done for goal in self.goals)
+
+    @rule()
+    def estop(self) -> None:
+        self.executor.estop()
+        self.stopped()
+
+    @rule()
+    def reset(self) -> None:
+        self.executor.reset()
+
+    @rule()
+    def hold(self) -> None:
+        self.executor.hold()
+        self.stopped()
+
+    @rule()
+    def release(self) -> None:
+        if self.executor.snapshot().held:
+            self.may_move()
+        self.executor.release()
+
+    @rule()
+    def pause(self) -> None:
+        self.executor.pause()
+
+    @rule()
+    def resume(self) -> None:
+        if self.executor.snapshot().paused and not self.executor.snapshot().held:
+            self.may_move()
+        self.executor.resume()
+
+    @rule(count=st.integers(0, 30))
+    def fail_later(self, count) -> None:
+        self.robot.fail_in = count
+
+    @precondition(lambda self: self.goals)
+    @rule(which=st.integers(0, 5))
+    def cancel_one(self, which) -> None:
+        self.executor.cancel(self.goals[-1 - which % len(self.goals)])
+
+    @invariant()
+    def nothing_moves_after_a_stop(self) -> None:
+        if self.still_since is not None:
+            assert not [w for w in self.robot.written[self.still_since :] if w.linear or w.angular]
+
+    @invariant()
+    def every_goal_ends_once(self) -> None:
+        for goal in self.goals:
+            assert self.ends.get(goal.id, 0) == (1 if goal.done else 0)
+
+    @invariant()
+    def order_is_kept(self) -> None:
+        assert self.started == sorted(self.started)
+
+    @invariant()
+    def acceleration_is_within_its_limit(self) -> None:
+        written = self.robot.written
+        for before, after in zip(written, written[1:], strict=False):
+            if after.linear == 0.0 and after.angular == 0.0:
+                continue  # a stop, a hold and the end of validity are at once, by design
+            gap = max(after.time - before.time, RATES.period) + 1e-9
+            if after.time - before.time > RATES.valid_for:
+                before = type(before)(before.time, 0.0, 0.0)
+            assert abs(after.linear - before.linear) <= ACCELERATION * gap + 1e-9, (before, after)
+            assert abs(after.angular - before.angular) <= TURN_ACCELERATION * gap + 1e-9, (before, after)
+
+    def teardown(self) -> None:
+        self.executor.resume()
+        self.executor.release()
+        self.executor.reset()
+        self.executor.run_until_idle()
+        assert self.executor.idle
+        assert all(goal.done for goal in self.goals)
+        self.executor.close()
+        assert self.robot.speed() == (0.0, 0.0)
+
+
+TestExecutor = ExecutorMachine.TestCase
+TestExecutor.settings = settings(max_examples=150, stateful_step_count=30, deadline=None)
