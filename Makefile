@@ -5,7 +5,7 @@ BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test lint format types check bench clean
+.PHONY: help setup demo test lint format types docs check bench clean
 
 help: ## list the targets
 	@awk 'BEGIN {FS = ":.*## "} /^[a-z0-9-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -18,6 +18,9 @@ $(STAMP): pyproject.toml
 	@touch $@
 
 setup: $(STAMP) ## make .venv and install everything into it
+
+demo: $(STAMP) ## play a spoken session on the simulated robot and draw its way to out/demo.png
+	$(BIN)/intent-engine run examples/demo.flac --plot out/demo.png
 
 test: $(STAMP) ## run the whole test suite
 	$(BIN)/python -m pytest
@@ -33,7 +36,14 @@ format: $(STAMP) ## let ruff rewrite
 types: $(STAMP) ## mypy --strict
 	$(BIN)/mypy
 
-check: lint types test ## what a change must pass
+docs: $(STAMP) ## build the documentation into site/
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
+
+bench: $(STAMP) ## run the benchmarks and write benchmarks/results.json
+	$(BIN)/python -m pip install --quiet -e '.[bench]'
+	$(BIN)/python -m benchmarks
+
+check: lint types test docs ## what a change must pass
 
 clean: ## remove what was built
 	rm -rf $(VENV) out site build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -1,0 +1,35 @@
+"""Run by mkdocs: writes what the program itself knows into the pages, so that they cannot fall behind it."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+VERBS = "<!-- verbs -->"
+"""Where docs/cli.md wants the reference of all verbs."""
+DECISIONS = "<!-- decisions -->"
+"""Where docs/decisions/index.md wants the list of its pages."""
+
+
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
+    """Replace the marks of a page."""
+    if VERBS in markdown:
+        markdown = markdown.replace(VERBS, _verbs())
+    if DECISIONS in markdown:
+        folder = Path(page.file.abs_src_path).parent
+        pages = sorted(path for path in folder.glob("*.md") if path.name != "index.md")
+        markdown = markdown.replace(DECISIONS, "\n".join(f"- [{_title(path)}]({path.name})" for path in pages))
+    return markdown
+
+
+def _verbs() -> str:
+    command = [sys.executable, "-m", "typer", "intent_engine.cli", "utils", "docs", "--name", "intent-engine"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    # The page has its own title, and its verbs stand one level below it.
+    return done.stdout.partition("\n")[2]
+
+
+def _title(path: Path) -> str:
+    return path.read_text("utf-8").partition("\n")[0].lstrip("# ")
