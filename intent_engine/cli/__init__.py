@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from intent_engine.cli.guard import DEBUG
+from intent_engine.cli.listening import run
 from intent_engine.cli.parse import parse
 
 __all__ = ["app", "main"]
@@ -45,7 +46,14 @@ def _common(
         os.environ[DEBUG] = "1"
 
 
+_DRIVE = "Speak to a robot"
 _UNDERSTAND = "Understand text"
+
+app.command(
+    epilog="Examples:\n\nintent-engine run examples/demo.flac\n\n"
+    "intent-engine run --plot way.png recording.wav\n\nintent-engine run --json recording.wav | jq .event",
+    rich_help_panel=_DRIVE,
+)(run)
 
 app.command(
     epilog='Examples:\n\nintent-engine parse "go to the kitchen"\n\n'
