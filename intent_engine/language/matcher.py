@@ -25,6 +25,8 @@ MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
 MAX_SPELLINGS = 64
 """Ways of saying one choice value that are compared with misheard words."""
+NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
+"""How a negated command begins in speech, besides the negation itself."""
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
 
 
@@ -131,6 +133,10 @@ class Matcher:
         self.networks.add_names("fillers", [(words, "") for words in fillers])
         self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
         self.networks.add_names("stop", [(words, "") for words in self.grammar.operators.stop])
+        # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
+        negation = [(words, "") for words in (*self.grammar.operators.negation, *NEGATED.get(self.grammar.language, ()))]
+        self.networks.add_names("negation", negation)
+        begin.edges.append(Edge(middle, call=Call("negation")))
         begin.edges.append(Edge(middle))
         if fillers:
             begin.edges.append(Edge(begin, call=Call("fillers")))

@@ -42,7 +42,8 @@ MODELS: Mapping[str, Packaged] = {
 """Models that can be had as packages. Any other name is looked for in the hub's cache, then downloaded."""
 
 HUB = {name: f"Systran/faster-whisper-{name}" for name in (
-    "tiny", "tiny.en", "base", "base.en", "small", "small.en", "medium", "medium.en", "large-v1", "large-v2", "large-v3",
+    "tiny", "tiny.en", "base", "base.en", "small", "small.en", "medium", "medium.en", "large-v1", "large-v2",
+    "large-v3",
 )}  # fmt: skip
 NEEDED = ("model.bin", "config.json", "tokenizer.json")
 

@@ -68,7 +68,7 @@ class WhisperRecognizer:
         threads: int = 0,
     ) -> None:
         # OpenBLAS spins its own threads for the small matrix of the mel step and so slows CTranslate2's; one is
-        # fastest for both. It reads this only when numpy is first loaded, which may be before us: then it is only slower.
+        # fastest for both. It reads this when numpy is first loaded, which may be before us: then it is slower.
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         self.weights: Weights = find_weights(model)
         self.language = language

@@ -1,0 +1,440 @@
+"""Sound to robot: wires source, voice detector, endpoint, recogniser, engine and executor.
+
+What it does with each frame, in this order: the reflex listens for a stop word and may hold the robot; the endpoint
+decides whether an utterance began, paused or ended; at a pause what was said so far is decoded, to be ready; at the
+end it is understood and carried out. Whatever fails on the way stops the robot and listening goes on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from collections import deque
+from collections.abc import Callable, Collection
+from concurrent.futures import Future
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+
+from intent_engine.actions import Stop
+from intent_engine.engine import IntentEngine, PrefixStatus
+from intent_engine.execution.clock import SteppedClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import Goal
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples
+from intent_engine.speech.decoding import DecodeThread
+from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
+from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.reflex import Reflex
+from intent_engine.speech.voice import SileroVoice, VoiceDetector
+
+__all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
+
+MAX_GAP = 7.0
+"""nats between the free words and the best sentence of the grammar, beyond which something else was said."""
+
+
+class HeardKind(StrEnum):
+    """What a runtime tells."""
+
+    SPEECH = "speech"
+    """Somebody began to speak."""
+    PARTIAL = "partial"
+    """What was said so far, at a pause; may still change."""
+    TRANSCRIPT = "transcript"
+    """What was said."""
+    INTERPRETATION = "interpretation"
+    """What it was understood to mean."""
+    SUBMITTED = "submitted"
+    """Goals were given to the executor."""
+    HOLD = "hold"
+    """The reflex heard a stop word: the robot is held."""
+    RELEASE = "release"
+    """It was none: the robot goes on."""
+    ERROR = "error"
+    """Something failed; the robot was stopped and listening goes on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """One event of a runtime."""
+
+    kind: HeardKind
+    time: float
+    """s since the source began: of the sound that caused it."""
+    transcript: Transcript | None = None
+    interpretation: Interpretation | None = None
+    goals: tuple[Goal, ...] = ()
+    outlook: Outlook = Outlook.UNKNOWN
+    speech_ended: float | None = None
+    """s: the last frame of speech."""
+    detail: str = ""
+
+
+@dataclass(slots=True)
+class Summary:
+    """What a run of a runtime came to."""
+
+    seconds: float = 0.0
+    """Length of the sound."""
+    utterances: int = 0
+    accepted: int = 0
+    errors: int = 0
+
+
+@dataclass(slots=True)
+class _Utterance:
+    """The sound of one utterance, and its decode."""
+
+    frames: list[Samples] = field(default_factory=list)
+    last_voice: float = 0.0
+    job: Future[Transcript] | None = None
+    job_frames: int = 0
+    job_final: bool = False
+    ended: bool = False
+    judged: bool = False
+    result: Transcript | None = None
+
+
+class Runtime:
+    """A whole robot that listens.
+
+    Life cycle: made -> ``run(source)`` (blocks until the source ends or ``close()``) -> ``close()``. Events come in the
+    thread of ``run``. With an executor on a virtual clock a recording is played as fast as possible and always in
+    the same way; else in its own time, with recognition in a thread beside.
+
+    Args:
+        engine: understands.
+        executor: acts. It is not closed with the runtime.
+        recognizer: hears; None: Whisper tiny.en, steered by the engine's grammar.
+        voice: tells speech from silence; None: Silero.
+        reflex: listens for stop words; None: no reflex.
+        settings: waits of the endpoint.
+        on_event: is told everything, in order; what it raises is not caught.
+        speculate: decode at the first silent frame already.
+        patience: s after which a recogniser counts as hung.
+    """
+
+    def __init__(
+        self,
+        engine: IntentEngine,
+        executor: Executor,
+        recognizer: Recognizer | None = None,
+        *,
+        voice: VoiceDetector | None = None,
+        reflex: Reflex | None = None,
+        settings: Settings | None = None,
+        on_event: Callable[[Heard], object] | None = None,
+        speculate: bool = True,
+        patience: float = 10.0,
+    ) -> None:
+        self.engine = engine
+        self.executor = executor
+        if recognizer is None:
+            from intent_engine.speech.steered import SteeredWhisper
+
+            recognizer = SteeredWhisper(engine)
+        self._decoding = DecodeThread(recognizer, patience)
+        self._voice = voice if voice is not None else SileroVoice()
+        self._reflex = reflex
+        self._endpoint = Endpointer(settings)
+        self._on_event = on_event
+        self._speculate = speculate
+        self._stepped = isinstance(executor.clock, SteppedClock)
+        self._closing = threading.Event()
+        self._talk = threading.Event()
+        self._push_to_talk = False
+        self._held = False
+        self._source: AudioSource | None = None
+        self._base = 0.0
+        self._summary = Summary()
+
+    # -- controls ----------------------------------------------------------------------------------
+
+    def push_to_talk(self, on: bool = True) -> None:
+        """Listen only while :meth:`talk` is on."""
+        self._push_to_talk = on
+
+    def talk(self, pressed: bool) -> None:
+        """The key of push-to-talk went down or up. From any thread."""
+        if pressed:
+            self._talk.set()
+        else:
+            self._talk.clear()
+
+    def close(self) -> None:
+        """End :meth:`run` and stop the robot. Idempotent, from any thread."""
+        self._closing.set()
+        source = self._source
+        if source is not None:
+            source.close()
+        self.executor.stop()
+
+    # -- the loop ----------------------------------------------------------------------------------
+
+    def run(self, source: AudioSource) -> Summary:
+        """Listen until the source ends.
+
+        Raises:
+            AudioError: the source cannot be read; the robot is stopped.
+            DeviceError: the device is missing; the robot is stopped.
+        """
+        self._source = source
+        self._summary = Summary()
+        self._base = self.executor.clock.now()
+        self._voice.reset()
+        self._endpoint.reset()
+        recent: deque[Samples] = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
+        utterance: _Utterance | None = None
+        waiting: list[_Utterance] = []
+        finished = False
+        try:
+            for frame in source.frames():
+                if self._closing.is_set():
+                    break
+                self._move_clock(frame.time)
+                utterance = self._frame(frame, recent, utterance, waiting)
+                self._collect(frame.time, utterance, waiting)
+                self._summary.seconds = frame.time
+            if not self._closing.is_set():
+                if utterance is not None:
+                    self._end(utterance, self._summary.seconds, waiting)
+                self._drain(waiting)
+            finished = True
+        finally:
+            self._source = None
+            if not finished or self._closing.is_set():
+                self.executor.stop()
+            elif self._held:
+                self._release(self._summary.seconds, "the sound ended")
+        return self._summary
+
+    def _move_clock(self, time: float) -> None:
+        if self._stepped:
+            self.executor.clock.advance_to(self._base + time)  # type: ignore[attr-defined]
+
+    def _frame(
+        self, frame: Frame, recent: deque[Samples], utterance: _Utterance | None, waiting: list[_Utterance]
+    ) -> _Utterance | None:
+        if self._push_to_talk and not self._talk.is_set():
+            if utterance is not None:
+                self._end(utterance, frame.time, waiting)
+                self._endpoint.reset()
+            return None
+        probability = self._voice.probability(frame.samples)
+        signal = self._endpoint.frame(probability)
+        recent.append(frame.samples)
+        if signal is Signal.STARTED:
+            utterance = _Utterance(list(recent), frame.time)
+            if self._reflex is not None:
+                self._reflex.reset()
+                for samples in utterance.frames:
+                    self._listen(samples, frame.time)
+            self._tell(HeardKind.SPEECH, frame.time)
+            return utterance
+        if utterance is None:
+            return None
+        utterance.frames.append(frame.samples)
+        if signal is not Signal.DROPPED:
+            self._listen(frame.samples, frame.time)
+        if self._endpoint.silence == 0 and self._endpoint.speaking:
+            utterance.last_voice = frame.time
+        if signal is Signal.PAUSED and self._speculate:
+            self._decode(utterance, final=False)
+        elif signal is Signal.RESUMED:
+            utterance.job, utterance.result, utterance.judged = None, None, False
+        elif signal is Signal.DROPPED:
+            if self._held:
+                self._release(frame.time, "too short to be a word")
+            return None
+        elif signal is Signal.ENDED:
+            self._end(utterance, frame.time, waiting)
+            return None
+        return utterance
+
+    # -- decoding ----------------------------------------------------------------------------------
+
+    def _decode(self, utterance: _Utterance, *, final: bool) -> None:
+        if not self._decoding.free:
+            if not self._decoding.hung and not final:
+                return
+            if self._stepped or self._decoding.hung:
+                self._decoding.give_up()
+            elif not final:
+                return
+        utterance.job_frames = len(utterance.frames)
+        utterance.job_final = final
+        utterance.result = None
+        utterance.job = self._decoding.begin(np.concatenate(utterance.frames), final=final)
+        if self._stepped:
+            self._wait(utterance.job)
+
+    def _wait(self, job: Future[Transcript]) -> None:
+        with contextlib.suppress(TimeoutError):  # seen as hung by _ready
+            job.exception(timeout=self._decoding.patience)
+
+    def _end(self, utterance: _Utterance, time: float, waiting: list[_Utterance]) -> None:
+        """The utterance is over; what was decoded at its last pause is good enough, if it was."""
+        utterance.ended = True
+        if utterance.job is None:
+            self._decode(utterance, final=True)
+        waiting.append(utterance)
+        if self._stepped:
+            self._collect(time, None, waiting)
+
+    def _collect(self, time: float, utterance: _Utterance | None, waiting: list[_Utterance]) -> None:
+        """Take up decodes that are ready: judge an utterance under way, act on those that ended."""
+        if utterance is not None and not utterance.judged and self._ready(utterance, time):
+            if utterance.result is not None:
+                self._judge(utterance, time)
+            utterance.judged = True
+        while waiting:
+            first = waiting[0]
+            if first.job is None:
+                if not self._decoding.free and not self._decoding.hung:
+                    return
+                self._decode(first, final=True)
+            if not self._ready(first, time):
+                return
+            waiting.pop(0)
+            if first.result is not None:
+                self._finish(first, time)
+
+    def _ready(self, utterance: _Utterance, time: float) -> bool:
+        job = utterance.job
+        if job is None:
+            return False
+        if not job.done():
+            if not (self._stepped or self._decoding.hung):
+                return False
+            self._decoding.give_up()
+            utterance.job = None if not utterance.ended else job
+            self._failed(time, f"the recogniser did not answer within {self._decoding.patience:g} s")
+            return True
+        error = job.exception()
+        if error is not None:
+            self._failed(time, f"the recogniser failed: {type(error).__name__}: {error}")
+            return True
+        utterance.result = job.result()
+        return True
+
+    def _drain(self, waiting: list[_Utterance]) -> None:
+        """The source has ended: wait for the decodes that are under way."""
+        while waiting:
+            first = waiting[0]
+            if first.job is None:
+                self._decode(first, final=True)
+            if first.job is not None:
+                self._wait(first.job)
+                if not first.job.done():
+                    self._decoding.give_up()
+                    self._failed(self._summary.seconds, "the recogniser did not answer")
+                    waiting.pop(0)
+                    continue
+            self._collect(self._summary.seconds, None, waiting)
+
+    def _judge(self, utterance: _Utterance, time: float) -> None:
+        assert utterance.result is not None
+        outlook = self._outlook(utterance.result)
+        self._endpoint.judge(outlook)
+        self._tell(
+            HeardKind.PARTIAL,
+            time,
+            transcript=utterance.result,
+            outlook=outlook,
+            speech_ended=utterance.last_voice,
+        )
+
+    def _outlook(self, transcript: Transcript) -> Outlook:
+        if not transcript.text or _too_far(transcript):
+            return Outlook.OTHER
+        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True)
+        prefix = self.engine.prefix(transcript.text)
+        if meaning.status is Status.ACCEPTED:
+            if any(isinstance(action, Stop) for action in meaning.actions):
+                return Outlook.COMPLETE
+            return Outlook.EXTENDABLE if prefix.status is PrefixStatus.EXTENDABLE else Outlook.COMPLETE
+        return Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+
+    # -- acting ------------------------------------------------------------------------------------
+
+    def _state(self) -> Collection[str]:
+        linear, angular = self.executor.snapshot().velocity
+        return ("moving",) if linear or angular or not self.executor.idle or self._held else ()
+
+    def _finish(self, utterance: _Utterance, time: float) -> None:
+        transcript = utterance.result
+        assert transcript is not None
+        if not transcript.text.strip():
+            if self._held:
+                self._release(time, "nothing was said")
+            return
+        self._summary.utterances += 1
+        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
+        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True)
+        if meaning.status is Status.ACCEPTED and _too_far(transcript):
+            free = self.engine.parse(transcript.free_text, state=self._state(), spoken=True)
+            if free.actions != meaning.actions:
+                meaning = Interpretation(
+                    transcript.free_text,
+                    Status.REJECTED,
+                    reason="it sounded too different from the nearest command",
+                    alternatives=(transcript.text,),
+                )
+        self._tell(
+            HeardKind.INTERPRETATION,
+            time,
+            transcript=transcript,
+            interpretation=meaning,
+            speech_ended=utterance.last_voice,
+        )
+        stopping = any(isinstance(action, Stop) for action in meaning.actions)
+        if stopping:
+            self._held = False
+            self.executor.stop()
+            self._summary.accepted += 1
+            self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, speech_ended=utterance.last_voice)
+            return
+        if self._held:
+            self._release(time, "no stop was said")
+        if meaning.status is not Status.ACCEPTED or not meaning.actions:
+            return
+        self._summary.accepted += 1
+        goals = self.executor.submit(meaning.actions, spoken_at=self._base + utterance.last_voice)
+        self._tell(
+            HeardKind.SUBMITTED,
+            time,
+            interpretation=meaning,
+            goals=tuple(goals),
+            speech_ended=utterance.last_voice,
+        )
+
+    def _listen(self, samples: Samples, time: float) -> None:
+        if self._reflex is None or self._held:
+            return
+        if self._reflex.heard(samples):
+            self._held = True
+            self.executor.hold()
+            self._tell(HeardKind.HOLD, time)
+
+    def _release(self, time: float, why: str) -> None:
+        self._held = False
+        self.executor.release()
+        self._tell(HeardKind.RELEASE, time, detail=why)
+
+    def _failed(self, time: float, why: str) -> None:
+        self._held = False
+        self._summary.errors += 1
+        self.executor.stop()
+        self._tell(HeardKind.ERROR, time, detail=why)
+
+    def _tell(self, kind: HeardKind, time: float, **details: Any) -> None:
+        if self._on_event is not None:
+            self._on_event(Heard(kind, time, **details))
+
+
+def _too_far(transcript: Transcript) -> bool:
+    return transcript.gap is not None and transcript.gap > MAX_GAP

@@ -1,0 +1,57 @@
+"""Recognition beside the stream: one decode at a time in a thread of its own, so that listening never waits."""
+
+from __future__ import annotations
+
+import threading
+import time
+from concurrent.futures import Future
+
+from intent_engine.speech.audio import Samples
+from intent_engine.speech.recognizer import Recognizer, Transcript
+
+__all__ = ["DecodeThread"]
+
+
+class DecodeThread:
+    """Runs a recogniser. A decode that hangs is given up, and its thread left behind, without harm to the next.
+
+    Args:
+        recognizer: used by one thread at a time.
+        patience: s after which a decode counts as hung.
+    """
+
+    def __init__(self, recognizer: Recognizer, patience: float = 10.0) -> None:
+        self.recognizer = recognizer
+        self.patience = patience
+        self._busy: Future[Transcript] | None = None
+        self._began = 0.0
+
+    @property
+    def hung(self) -> bool:
+        """Whether the decode under way takes longer than it may."""
+        busy = self._busy
+        return busy is not None and not busy.done() and time.monotonic() - self._began > self.patience
+
+    @property
+    def free(self) -> bool:
+        """Whether a decode can begin."""
+        return self._busy is None or self._busy.done()
+
+    def give_up(self) -> None:
+        """Forget the decode under way."""
+        self._busy = None
+
+    def begin(self, samples: Samples, *, final: bool) -> Future[Transcript]:
+        """Start a decode; the future holds the transcript or what the recogniser raised."""
+        future: Future[Transcript] = Future()
+        self._busy = future
+        self._began = time.monotonic()
+
+        def work() -> None:
+            try:
+                future.set_result(self.recognizer.transcribe(samples, final=final))
+            except BaseException as error:  # whatever a recogniser raises must come back to the caller
+                future.set_exception(error)
+
+        threading.Thread(target=work, name="recogniser", daemon=True).start()
+        return future

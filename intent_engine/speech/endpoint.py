@@ -1,0 +1,147 @@
+"""When it is said: from the probability of speech and the grammar's own word on what was said so far.
+
+A fixed pause after the words is either too short for some sentences or too long for all. The grammar knows more: a
+sentence that nothing can follow is over in the first silence; one that could go on is given a moment.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from intent_engine.speech.audio import FRAME_SECONDS
+
+__all__ = ["Endpointer", "Outlook", "Settings", "Signal"]
+
+
+class Outlook(StrEnum):
+    """What the grammar thinks of the words so far."""
+
+    UNKNOWN = "unknown"
+    """Not decoded yet."""
+    COMPLETE = "complete"
+    """A command that nothing can change."""
+    EXTENDABLE = "extendable"
+    """A command that further words could change."""
+    INCOMPLETE = "incomplete"
+    """The beginning of a command."""
+    OTHER = "other"
+    """No command."""
+
+
+class Signal(StrEnum):
+    """What to do after a frame."""
+
+    NONE = "none"
+    STARTED = "started"
+    """Speech has begun; keep its sound."""
+    PAUSED = "paused"
+    """The first silent frame: decode now what was said so far, to be ready."""
+    RESUMED = "resumed"
+    """Speech went on: what was decoded is out of date."""
+    ENDED = "ended"
+    """The utterance is over: act on it."""
+    DROPPED = "dropped"
+    """It was too short to be speech."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Waits and thresholds. Times in s."""
+
+    onset: float = 0.5
+    """Probability of speech that begins an utterance, as Silero's authors set it."""
+    offset: float = 0.35
+    """Probability below which a frame is silent."""
+    onset_frames: int = 2
+    """Frames of speech that begin an utterance."""
+    min_speech: float = 0.12
+    wait_complete: float = 0.064
+    wait_extendable: float = 0.25
+    wait_incomplete: float = 0.7
+    wait_other: float = 0.35
+    wait_unknown: float = 0.5
+    pre_roll: float = 0.3
+    """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
+    max_speech: float = 20.0
+    """An utterance longer than any command is ended."""
+
+    def wait(self, outlook: Outlook) -> float:
+        """Silence after which an utterance with this outlook is over."""
+        return {
+            Outlook.COMPLETE: self.wait_complete,
+            Outlook.EXTENDABLE: self.wait_extendable,
+            Outlook.INCOMPLETE: self.wait_incomplete,
+            Outlook.OTHER: self.wait_other,
+            Outlook.UNKNOWN: self.wait_unknown,
+        }[outlook]
+
+
+class Endpointer:
+    """Frames in, signals out; holds no sound and knows no clock but the frames' own length."""
+
+    def __init__(self, settings: Settings | None = None) -> None:
+        self.settings = settings or Settings()
+        self.reset()
+
+    def reset(self) -> None:
+        """Wait for the next utterance."""
+        self._voiced = 0
+        self._speaking = False
+        self._spoken = 0.0
+        self._silent = 0.0
+        self._whole = 0.0
+        self._outlook = Outlook.UNKNOWN
+
+    @property
+    def speaking(self) -> bool:
+        """Whether an utterance has begun and not ended."""
+        return self._speaking
+
+    @property
+    def silence(self) -> float:
+        """s of silence at the end of the utterance so far."""
+        return self._silent
+
+    def judge(self, outlook: Outlook) -> None:
+        """What the grammar thinks of the words that were decoded at the last pause."""
+        self._outlook = outlook
+
+    def frame(self, probability: float) -> Signal:
+        """Take one frame's probability of speech."""
+        settings = self.settings
+        if not self._speaking:
+            self._voiced = self._voiced + 1 if probability >= settings.onset else 0
+            if self._voiced < settings.onset_frames:
+                return Signal.NONE
+            self._speaking = True
+            self._spoken = self._whole = self._voiced * FRAME_SECONDS
+            self._silent = 0.0
+            self._outlook = Outlook.UNKNOWN
+            return Signal.STARTED
+        self._whole += FRAME_SECONDS
+        if self._whole >= settings.max_speech:
+            self.reset()
+            return Signal.ENDED
+        if probability >= (settings.onset if self._silent else settings.offset):
+            resumed = self._silent > 0
+            self._spoken += FRAME_SECONDS
+            self._silent = 0.0
+            if resumed:
+                self._outlook = Outlook.UNKNOWN
+                return Signal.RESUMED
+            return Signal.NONE
+        first = self._silent == 0
+        self._silent += FRAME_SECONDS
+        if self._spoken < settings.min_speech:
+            if self._silent < settings.wait_unknown:
+                return Signal.NONE
+            self.reset()
+            return Signal.DROPPED
+        if first:
+            return Signal.PAUSED
+        # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
+        if self._silent + FRAME_SECONDS / 2 >= settings.wait(self._outlook):
+            self.reset()
+            return Signal.ENDED
+        return Signal.NONE
