@@ -56,12 +56,15 @@ def _session(engine: IntentEngine, source: AudioSource, clock: Clock, name: str,
     with Executor(robot, clock=clock, on_event=reporter.executed) as executor:
         runtime = Runtime(engine, executor, recognizer, on_event=reporter.heard)
         reporter.start = clock.now()
-        summary = runtime.run(source)
+        try:
+            summary = runtime.run(source)
+        finally:
+            reporter.mute_stops()
         if summary.utterances == 0:
             raise AudioError(
                 f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
                 "    listen to it; if there is speech, it is too quiet or buried in noise"
             )
         executor.wait()
-        reporter.end(summary)
+        reporter.end(summary, clock.now())
     return 0 if summary.accepted and not reporter.failed else EXIT_NOT_ACCEPTED

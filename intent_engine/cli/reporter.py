@@ -43,6 +43,10 @@ class Reporter:
         """Goals that the robot could not do."""
         self._ended = False
 
+    def mute_stops(self) -> None:
+        """From now on a stop of the executor is no news: it is how every session ends."""
+        self._ended = True
+
     # -- what was heard -----------------------------------------------------------------------------------------
 
     def heard(self, event: Heard) -> None:
@@ -83,12 +87,10 @@ class Reporter:
     def executed(self, event: Event) -> None:
         """An event of the executor."""
         with self._lock:
-            if self._ended:
-                return  # the zeros that end every session are no news
             time = event.time - self.start
             if event.kind is EventKind.GOAL and event.goal is not None and event.state is not None:
                 self._goal(time, event, event.goal, event.state)
-            elif event.kind in (EventKind.STOP, EventKind.ESTOP, EventKind.ERROR):
+            elif event.kind in (EventKind.ESTOP, EventKind.ERROR) or (event.kind is EventKind.STOP and not self._ended):
                 pose = self._robot.pose()
                 if self._json:
                     data: dict[str, Any] = {"event": event.kind.value, "time": round(time, 3)}
@@ -117,15 +119,15 @@ class Reporter:
             told = f"{action_text(goal.action)}; " if state is GoalState.REJECTED else ""
             self._line(time, word, f"{told}{why + ', ' if why else ''}{_where(pose)}", style)
 
-    def end(self, summary: Summary) -> None:
-        """The sound has ended and the robot stands still."""
+    def end(self, summary: Summary, time: float) -> None:
+        """The sound has ended and the robot stands still; ``time`` in s on the executor's clock."""
         pose = self._robot.pose()
         with self._lock:
             self._ended = True
             if self._json:
                 data = {
                     "event": "end",
-                    "time": round(summary.seconds, 3),
+                    "time": round(time - self.start, 3),
                     "utterances": summary.utterances,
                     "accepted": summary.accepted,
                     "errors": summary.errors,

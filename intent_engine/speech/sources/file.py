@@ -10,6 +10,7 @@ import numpy as np
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, Resampler
+from intent_engine.speech.sources.whole import check_whole
 
 __all__ = ["FileSource"]
 
@@ -28,7 +29,7 @@ class FileSource:
         realtime: play at the speed of the recording; else as fast as the reader takes it.
 
     Raises:
-        AudioError: the file is missing, empty, no sound file, or longer than four hours.
+        AudioError: the file is missing, empty, cut off, no sound file, or longer than four hours.
     """
 
     def __init__(self, path: str | Path, *, realtime: bool = False) -> None:
@@ -59,6 +60,7 @@ class FileSource:
                 "    cut out the part with the commands"
             )
         self.rate: int = info.samplerate
+        check_whole(self.path)
 
     def frames(self) -> Iterator[Frame]:
         began = time.monotonic()
