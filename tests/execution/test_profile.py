@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 from hypothesis import given
@@ -23,7 +24,7 @@ def samples(profile: Profile, count: int = 60) -> list[float]:
 def assert_lawful(profile: Profile, speed: float, initial: float, up: float, down: float) -> None:
     times = samples(profile)
     top = max(abs(speed), abs(initial)) + 1e-9
-    for begin, end in zip(times, times[1:], strict=False):
+    for begin, end in pairwise(times):
         assert abs(profile.speed(begin)) <= top
         if begin and math.isfinite(max(up, down)):
             change = abs(profile.speed(end - 1e-12) - profile.speed(begin))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 from execution_stage import MAP, RecordingRobot
 from hypothesis import settings
@@ -96,42 +97,61 @@ class ExecutorMachine(RuleBasedStateMachine):
     def advance(self, seconds) -> None:
         self.clock.advance(seconds)
 
+    @rule(motion=st.one_of(moves, turns), seconds=st.floats(0.0, 2.0))
+    def drive(self, motion, seconds) -> None:
+        """The everyday case, often: a motion that replaces whatever there is."""
+        self.submit([motion], None, Keep.DISTANCE)
+        self.clock.advance(seconds)
+
     @rule()
     def stop(self) -> None:
         self.executor.stop()
         self.stopped()
         assert self.executor.idle
         assert all(goal.done for goal in self.goals)
+        now = self.executor.snapshot()
+        assert (now.held, now.paused, now.queued) == (False, False, 0)
+        assert now.velocity == (0.0, 0.0)
 
-    @rule()
-    def estop(self) -> None:
+    @rule(answer=st.sampled_from(["leave", "move", "reset"]))
+    def estop(self, answer) -> None:
         self.executor.estop()
         self.stopped()
+        if answer == "move":
+            self.goals += self.executor.submit(Move(0.3, 1.0, 1.0 / 0.3))
+            assert self.goals[-1].state is GoalState.REJECTED
+        if answer != "leave":
+            self.executor.reset()
 
-    @rule()
-    def reset(self) -> None:
-        self.executor.reset()
-
-    @rule()
-    def hold(self) -> None:
+    @rule(seconds=st.floats(0.0, 3.0), then=st.sampled_from(["stay", "release", "release", "stop"]))
+    def hold(self, seconds, then) -> None:
         self.executor.hold()
         self.stopped()
+        self.clock.advance(seconds)
+        self.nothing_moves_after_a_stop()
+        if then == "stop":
+            self.stop()
+        elif then == "release":
+            self.may_move()
+            self.executor.release()
+
+    @rule(seconds=st.floats(0.0, 3.0), then=st.sampled_from(["stay", "resume", "resume"]))
+    def pause(self, seconds, then) -> None:
+        self.executor.pause()
+        self.clock.advance(seconds)
+        if then == "resume" and not self.executor.snapshot().held:
+            self.may_move()
+        if then == "resume":
+            self.executor.resume()
 
     @rule()
-    def release(self) -> None:
-        if self.executor.snapshot().held:
+    def let_go(self) -> None:
+        now = self.executor.snapshot()
+        if now.held or now.paused:
             self.may_move()
         self.executor.release()
-
-    @rule()
-    def pause(self) -> None:
-        self.executor.pause()
-
-    @rule()
-    def resume(self) -> None:
-        if self.executor.snapshot().paused and not self.executor.snapshot().held:
-            self.may_move()
         self.executor.resume()
+        self.executor.reset()
 
     @rule(count=st.integers(0, 30))
     def fail_later(self, count) -> None:
@@ -159,7 +179,7 @@ class ExecutorMachine(RuleBasedStateMachine):
     @invariant()
     def acceleration_is_within_its_limit(self) -> None:
         written = self.robot.written
-        for before, after in zip(written, written[1:], strict=False):
+        for before, after in pairwise(written):
             if after.linear == 0.0 and after.angular == 0.0:
                 continue  # a stop, a hold and the end of validity are at once, by design
             gap = max(after.time - before.time, RATES.period) + 1e-9
@@ -180,4 +200,4 @@ class ExecutorMachine(RuleBasedStateMachine):
 
 
 TestExecutor = ExecutorMachine.TestCase
-TestExecutor.settings = settings(max_examples=150, stateful_step_count=30, deadline=None)
+TestExecutor.settings = settings(max_examples=300, stateful_step_count=30, deadline=None)

@@ -1,0 +1,174 @@
+"""A robot behind a pipe: one JSON object a line, for any other process in any language.
+
+What goes out::
+
+    {"velocity": {"linear": 0.5, "angular": 0.0, "valid_for": 0.3}, "time": 12.34}
+    {"stop": true, "time": 12.40}
+    {"task": 1, "navigate": {"x": 5.0, "y": 2.0, "yaw": 0.0, "frame": "map"}, "time": 12.5}
+    {"task": 2, "pick": {"object": "cup"}, "time": 20.1}
+    {"task": 3, "place": {"object": null, "location": "table"}, "time": 25.0}
+    {"cancel": 3, "time": 26.0}
+
+What may come back, where a stream for replies was given::
+
+    {"task": 1, "state": "succeeded"}            or "failed", "canceled", "running"
+    {"task": 1, "state": "failed", "reason": "the way is blocked"}
+    {"task": 1, "progress": 0.4}
+    {"pose": {"x": 1.0, "y": 0.0, "yaw": 0.0}}
+
+Times are seconds on this process's monotonic clock. The reader must drop a velocity after ``valid_for`` seconds by
+itself: a pipe cannot tell a silent writer from a dead one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import json
+import logging
+import math
+import os
+import threading
+import time
+from collections.abc import Callable, Iterable
+from typing import IO, Any
+
+from intent_engine.errors import RobotError
+from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
+
+__all__ = ["JsonLinesRobot"]
+
+log = logging.getLogger(__name__)
+
+
+class _RemoteTask:
+    def __init__(self, number: int) -> None:
+        self.number = number
+        self.reason = ""
+        self.progress: float | None = None
+        self.state = TaskState.RUNNING
+        self._callbacks: list[Callable[[Task], None]] = []
+        self._lock = threading.Lock()
+
+    def add_done_callback(self, callback: Callable[[Task], None]) -> None:
+        with self._lock:
+            if self.state is TaskState.RUNNING:
+                self._callbacks.append(callback)
+                return
+        callback(self)
+
+    def end(self, state: TaskState, reason: str) -> None:
+        with self._lock:
+            if self.state is not TaskState.RUNNING:
+                return
+            self.reason, self.state = reason, state
+            callbacks, self._callbacks = self._callbacks, []
+        for callback in callbacks:
+            callback(self)
+
+
+class JsonLinesRobot:
+    """Writes each command as a line of JSON. Thread-safe; a line is written whole or not at all.
+
+    Args:
+        out: file descriptor to write to (1: standard output).
+        replies: lines that come back; None: nobody answers, and a task has succeeded when it is handed over.
+        capabilities: what the process behind the pipe can do.
+    """
+
+    def __init__(
+        self,
+        out: int = 1,
+        replies: IO[str] | None = None,
+        capabilities: Iterable[Capability | str] = tuple(Capability),
+    ) -> None:
+        self._out = out
+        self._capabilities = frozenset(Capability(name) for name in capabilities)
+        self._lock = threading.Lock()
+        self._numbers = itertools.count(1)
+        self._tasks: dict[int, _RemoteTask] = {}
+        self._pose: Pose | None = None
+        self._answers = replies is not None
+        self._closed = False
+        if replies is not None:
+            threading.Thread(target=self._listen, args=(replies,), name="jsonl-replies", daemon=True).start()
+
+    @property
+    def capabilities(self) -> frozenset[Capability]:
+        return self._capabilities
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        if not (math.isfinite(linear) and math.isfinite(angular)):
+            raise RobotError(f"velocity({linear}, {angular}): not numbers to drive by")
+        self._write({"velocity": {"linear": linear, "angular": angular, "valid_for": valid_for}})
+
+    def stop(self) -> None:
+        # A pipe that nobody reads any more: there is nothing left to stop.
+        with contextlib.suppress(RobotError):
+            self._write({"stop": True})
+        for task in list(self._tasks.values()):
+            task.end(TaskState.CANCELED, "stopped")
+
+    def navigate(self, goal: Pose) -> Task:
+        return self._begin("navigate", {"x": goal.x, "y": goal.y, "yaw": goal.yaw, "frame": goal.frame})
+
+    def pick(self, object_name: str) -> Task:
+        return self._begin("pick", {"object": object_name})
+
+    def place(self, object_name: str | None, location: str | None) -> Task:
+        return self._begin("place", {"object": object_name, "location": location})
+
+    def cancel(self, task: Task) -> None:
+        if isinstance(task, _RemoteTask) and task.state is TaskState.RUNNING:
+            self._write({"cancel": task.number})
+            if not self._answers:
+                task.end(TaskState.CANCELED, "cancelled")
+
+    def pose(self) -> Pose | None:
+        return self._pose
+
+    def close(self) -> None:
+        if not self._closed:
+            self.stop()
+            self._closed = True
+
+    def _begin(self, kind: str, what: dict[str, Any]) -> Task:
+        task = _RemoteTask(next(self._numbers))
+        if self._answers:
+            self._tasks[task.number] = task
+        self._write({"task": task.number, kind: what})
+        if not self._answers:
+            task.end(TaskState.SUCCEEDED, "handed over; the other process does not answer")
+        return task
+
+    def _write(self, message: dict[str, Any]) -> None:
+        line = (json.dumps({**message, "time": round(time.monotonic(), 6)}) + "\n").encode()
+        try:
+            with self._lock:
+                while line:
+                    line = line[os.write(self._out, line) :]
+        except OSError as error:
+            raise RobotError(f"the process behind the pipe is gone: {error.strerror}") from None
+
+    def _listen(self, replies: IO[str]) -> None:
+        for line in replies:
+            try:
+                self._hear(json.loads(line))
+            except (ValueError, TypeError, KeyError, AttributeError) as error:
+                log.warning("a reply that cannot be understood (%s): %.200r", error, line)
+        for task in list(self._tasks.values()):
+            task.end(TaskState.FAILED, "the other process ended")
+
+    def _hear(self, message: dict[str, Any]) -> None:
+        if "pose" in message:
+            pose = message["pose"]
+            self._pose = Pose(float(pose["x"]), float(pose["y"]), float(pose["yaw"]), str(pose.get("frame", "map")))
+        if "task" not in message:
+            return
+        task = self._tasks[int(message["task"])]
+        if "progress" in message:
+            task.progress = float(message["progress"])
+        state = TaskState(message.get("state", TaskState.RUNNING))
+        if state is not TaskState.RUNNING:
+            self._tasks.pop(task.number, None)
+            task.end(state, str(message.get("reason", "")))

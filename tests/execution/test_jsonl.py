@@ -1,0 +1,82 @@
+"""The robot behind a pipe."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import pytest
+
+from intent_engine.actions import Move, Navigate
+from intent_engine.errors import RobotError
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.robots.jsonl import JsonLinesRobot
+from intent_engine.execution.robots.robot import TaskState
+
+
+@pytest.fixture
+def pipe():
+    read, write = os.pipe()
+    yield read, write
+    for end in (read, write):
+        try:
+            os.close(end)
+        except OSError:
+            continue
+
+
+def lines(read: int) -> list[dict]:
+    return [json.loads(line) for line in os.read(read, 1 << 20).splitlines()]
+
+
+def test_velocities_and_the_zeros_that_end_them(pipe):
+    read, write = pipe
+    with Executor(JsonLinesRobot(write), clock=VirtualClock(), handle_sigterm=False) as executor:
+        executor.submit(Move(0.5, 0.1, 0.2))
+        executor.run_until_idle()
+        written = [line["velocity"] for line in lines(read)]
+    assert written[0] == {"linear": 0.5, "angular": 0.0, "valid_for": 0.3}
+    assert [line["linear"] for line in written[-3:]] == [0.0] * 3
+
+
+def test_without_replies_a_task_is_handed_over(pipe):
+    read, write = pipe
+    with Executor(JsonLinesRobot(write), clock=VirtualClock(), handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Navigate("kitchen", 5.0, 2.0, 0.5))
+        executor.wait(goal)
+    assert goal.state is GoalState.SUCCEEDED
+    assert "handed over" in goal.detail
+    sent = lines(read)[0]
+    assert (sent["task"], sent["navigate"]) == (1, {"x": 5.0, "y": 2.0, "yaw": 0.5, "frame": "map"})
+
+
+def test_replies_end_tasks_and_tell_the_pose(pipe):
+    _, write = pipe
+    back_read, back_write = os.pipe()
+    with os.fdopen(back_read) as replies, os.fdopen(back_write, "w", buffering=1) as answer:
+        robot = JsonLinesRobot(write, replies)
+        with Executor(robot, handle_sigterm=False) as executor:
+            goals = [executor.submit(Navigate("kitchen", 5.0, 2.0, 0.5))[0]]
+            answer.write("nonsense\n" + json.dumps({"pose": {"x": 1, "y": 2, "yaw": 3}}) + "\n")
+            answer.write(json.dumps({"task": 1, "state": "failed", "reason": "a closed door"}) + "\n")
+            goals[0].result(30)
+            assert (goals[0].reason, goals[0].detail) == (Reason.ROBOT_ERROR, "a closed door")
+            assert robot.pose().y == 2.0
+            task = robot.pick("cup")
+            robot.stop()
+            assert task.state is TaskState.CANCELED
+        answer.close()
+
+
+def test_a_broken_pipe_aborts_the_goal_and_stop_stays_quiet(pipe):
+    read, write = pipe
+    os.close(read)
+    robot = JsonLinesRobot(write)
+    with pytest.raises(RobotError, match="gone"):
+        robot.velocity(0.0, 0.0, 0.3)
+    with Executor(robot, clock=VirtualClock(), handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Move(0.5, 1.0, 2.0))
+        assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
+        executor.stop()
