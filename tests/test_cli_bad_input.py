@@ -1,0 +1,162 @@
+"""What people get wrong: one clear error on standard error, an exit code that says which kind, and no robot moves."""
+
+from __future__ import annotations
+
+import os
+import random
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+RATE = 16_000
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def _speech(seconds: float) -> np.ndarray:
+    samples, _ = soundfile.read(ROOT / "examples" / "demo.flac", stop=int(seconds * RATE), dtype="float32")
+    return samples
+
+
+def _half(path: Path) -> Path:
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) // 2])
+    return path
+
+
+def _write(name: str, samples: np.ndarray, **how: str) -> Callable[[Path], Path]:
+    def make(folder: Path) -> Path:
+        soundfile.write(folder / name, samples, RATE, **how)
+        return folder / name
+
+    return make
+
+
+def _bytes(name: str, data: bytes) -> Callable[[Path], Path]:
+    def make(folder: Path) -> Path:
+        (folder / name).write_bytes(data)
+        return folder / name
+
+    return make
+
+
+def _eight_hours(folder: Path) -> Path:
+    size = 8 * 3600 * RATE * 2
+    head = b"RIFF" + struct.pack("<I", 36 + size) + b"WAVE"
+    head += b"fmt " + struct.pack("<IHHIIHH", 16, 1, 1, RATE, 2 * RATE, 2, 16) + b"data" + struct.pack("<I", size)
+    path = folder / "long.wav"
+    with path.open("wb") as file:
+        file.write(head)
+        file.truncate(len(head) + size)  # sparse: it takes no room
+    return path
+
+
+RECORDINGS = {
+    "missing": (lambda folder: folder / "missing.wav", "no such file"),
+    "folder": (lambda folder: folder, "is a folder"),
+    "empty": (_bytes("empty.wav", b""), "is empty (0 bytes)"),
+    "header only": (_write("none.wav", np.zeros(0)), "holds no sound"),
+    "half a header": (_bytes("head.wav", b"RIFF\x24\x00\x00\x00WAVEfmt "), "no sound file"),
+    "truncated wav": (lambda folder: _half(_write("cut.wav", _speech(8))(folder)), "is cut off: 50%"),
+    "truncated flac": (lambda folder: _half(_write("cut.flac", _speech(8))(folder)), "breaks off"),
+    "silent": (_write("silent.wav", np.zeros(3 * RATE)), "nobody speaks in it"),
+    "not a number": (_write("nan.wav", np.full(2 * RATE, np.nan), subtype="FLOAT"), "nobody speaks in it"),
+    "text": (_bytes("notes.wav", b"go forward two meters\n" * 50), "no sound file"),
+    "picture": (_bytes("noise.flac", b"\x89PNG" + random.Random(1).randbytes(5000)), "no sound file"),
+    "eight hours": (_eight_hours, "lasts 8.0 hours"),
+}
+
+
+@pytest.mark.parametrize("case", RECORDINGS)
+def test_recordings(intent_engine, tmp_path, case):
+    make, says = RECORDINGS[case]
+    done = intent_engine("run", make(tmp_path), cwd=ROOT)
+    _one_error(done, 3, says)
+
+
+GRAMMARS = {
+    "missing": (None, "nowhere.yaml"),
+    "empty": ("", "empty"),
+    "not YAML": ("intents: [unclosed", "broken.yaml:"),
+    "tabs": ("intents:\n\tmove: {}\n", "broken.yaml:2"),
+    "binary": (b"\x00\xff\xfe\x80" * 100, "broken.yaml"),
+    "not a mapping": ("- just\n- a list\n", "broken.yaml"),
+    "unknown key": ("language: en\nintent:\n  go: {sentences: [go]}\n", "did you mean"),
+    "unknown slot": ("language: en\nintents:\n  go: {action: stop, sentences: ['go {plcae}']}\n", "plcae"),
+}
+
+
+@pytest.mark.parametrize("verb", [["parse", "stop"], ["run", "examples/demo.flac"]], ids=["parse", "run"])
+@pytest.mark.parametrize("case", GRAMMARS)
+def test_grammars(intent_engine, tmp_path, verb, case):
+    text, says = GRAMMARS[case]
+    path = _config(tmp_path, text)
+    done = intent_engine(*verb, "--grammar", path)
+    _one_error(done, 2, says)
+
+
+MAPS = {
+    "missing": (None, "nowhere.yaml"),
+    "not YAML": ("locations: {kitchen: ", "broken.yaml:"),
+    "no number": ("frame: map\nlocations:\n  kitchen: {x: five, y: 2.0, yaw: 0.0}\n", "broken.yaml:3"),
+    "not finite": ("frame: map\nlocations:\n  kitchen: {x: .nan, y: 2.0, yaw: 0.0}\n", "broken.yaml:3"),
+    "coordinate missing": ("frame: map\nlocations:\n  kitchen: {x: 5.0, yaw: 0.0}\n", "broken.yaml:3"),
+    "twice the same name": (
+        "frame: map\nlocations:\n  kitchen: {x: 1, y: 2, yaw: 0}\n  hall: {x: 1, y: 3, yaw: 0, aliases: [kitchen]}\n",
+        "kitchen",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", MAPS)
+def test_maps(intent_engine, tmp_path, case):
+    text, says = MAPS[case]
+    done = intent_engine("parse", "--locations", _config(tmp_path, text), "go to the kitchen")
+    _one_error(done, 2, says)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read every file")
+def test_a_grammar_without_permission(intent_engine, tmp_path):
+    path = _config(tmp_path, "language: en\n")
+    path.chmod(0)
+    _one_error(intent_engine("parse", "--grammar", path, "stop"), 2, "permission")
+
+
+def test_a_model_that_is_not_there(intent_engine, tmp_path):
+    _one_error(intent_engine("run", "--model", tmp_path / "none", "examples/demo.flac"), 5, "no model folder")
+
+
+@pytest.mark.parametrize(
+    ("args", "says"),
+    [
+        (["fly"], "No such command 'fly'"),
+        (["parse"], "Missing argument"),
+        (["parse", "--gramar", "x", "stop"], "No such option"),
+        (["parse", "--language", "tlh", "stop"], "no file tlh.yaml in grammars/"),
+    ],
+)
+def test_wrong_options(intent_engine, args, says):
+    done = intent_engine(*args, COLUMNS="200")
+    assert done.returncode == 2
+    assert says in done.stderr
+    assert done.stdout == ""
+
+
+def _config(folder: Path, text: str | bytes | None) -> Path:
+    if text is None:
+        return folder / "nowhere.yaml"
+    path = folder / "broken.yaml"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return path
+
+
+def _one_error(done, code: int, says: str) -> None:
+    assert done.returncode == code, done.stdout + done.stderr
+    assert done.stderr.startswith("error: ")
+    assert done.stderr.count("error: ") == 1
+    assert says in done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stdout == "", "nothing was understood, so nothing was done"
