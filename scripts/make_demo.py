@@ -30,13 +30,13 @@ SESSION: list[tuple[str, float, str]] = [
     ("go forward two meters", 5.0, "move"),
     ("turn left ninety degrees", 4.5, "turn"),
     ("go to the kitchen", 13.0, "navigate"),
-    ("pick up the bottle", 3.0, "pick"),
+    ("pick up the box", 3.0, "pick"),
     ("I was going to go to the bedroom", 2.0, ""),  # talk, not an order: nothing may happen
     ("go to the living room", 12.0, "navigate"),
-    ("put the bottle on the table", 3.0, "place"),
+    ("put the box on the table", 3.0, "place"),
     ("drive backward one meter", 5.0, "move"),
     ("go to the bedroom", 4.0, "navigate"),
-    ("stop", 2.0, "stop"),  # on the way: the robot stays where it is
+    ("stop please", 2.0, "stop"),  # on the way: the robot stays where it is
 ]
 
 
