@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -100,3 +103,33 @@ def test_a_person_drives_the_robot_ten_meters(intent_engine, clip):
     assert done.returncode == 0, done.stdout + done.stderr
     pose = json.loads(done.stdout.splitlines()[-1])["pose"]
     assert (pose["x"], pose["y"]) == (pytest.approx(10.0, abs=1e-6), pytest.approx(0.0, abs=1e-6))
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminated")]
+)
+def test_a_signal_stops_the_robot(number, code, word):
+    """While the robot drives, in real time: it is told as canceled, and nothing is driven after it."""
+    command = [sys.executable, "-u", "-m", "intent_engine.cli", "run", "--realtime", "--json", str(DEMO)]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            if json.loads(line).get("state") == "executing":
+                process.send_signal(number)
+                break
+        rest = [json.loads(line) for line in process.stdout]
+        error = process.stderr.read()
+    assert process.returncode == code, error
+    assert error.startswith(f"error: {word}; the robot is stopped")
+    assert "Traceback" not in error
+    ends = [event for event in rest if event["event"] == "goal"]
+    assert [event["state"] for event in ends][-1] == "canceled"
+    assert ends[-1]["pose"]["x"] < 2.0
+
+
+def test_a_reader_that_goes_away(intent_engine):
+    command = f"{sys.executable} -m intent_engine.cli run --json {DEMO} | head -n 1; echo ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "141"
+    assert "Traceback" not in done.stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 import os
 import sys
 from typing import Annotated
@@ -12,6 +13,7 @@ import typer
 from intent_engine.cli.guard import DEBUG
 from intent_engine.cli.listening import run
 from intent_engine.cli.parse import parse
+from intent_engine.cli.terminal import LogNotes
 
 __all__ = ["app", "main"]
 
@@ -44,6 +46,9 @@ def _common(
 ) -> None:
     if debug:
         os.environ[DEBUG] = "1"
+        logging.basicConfig(level=logging.DEBUG)
+    else:
+        logging.getLogger("intent_engine").addHandler(LogNotes(logging.WARNING))
 
 
 _DRIVE = "Speak to a robot"

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.errors import AudioError
+from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.execution.clock import Clock
+    from intent_engine.execution.robots.robot_file import RobotFile
     from intent_engine.speech.audio import AudioSource
+    from intent_engine.speech.recognizer import Recognizer
 
 __all__ = ["run"]
 
 Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
+
+
+Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
 
 
 @verb
@@ -26,8 +33,10 @@ def run(
     file: Annotated[Path, typer.Argument(help="A recording: WAV or FLAC, any rate, mono or stereo.")],
     grammar: Grammars = None,
     locations: Locations = None,
+    robot: Robots = "simulated",
     language: Language = None,
     model: Model = "tiny.en",
+    free: Free = False,
     realtime: Annotated[
         bool, typer.Option("--realtime", help="Play at the speed of the recording, not as fast as possible.")
     ] = False,
@@ -35,36 +44,70 @@ def run(
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
+    from intent_engine.execution.robots.robot_file import load_robot
     from intent_engine.speech.sources.file import FileSource
 
     source = FileSource(file, realtime=realtime)
-    engine = load_engine(grammar, locations, language)
-    clock: Clock = MonotonicClock() if realtime else VirtualClock()
-    return _session(engine, source, clock, str(file), model=model, as_json=as_json)
+    session = _Session(
+        engine=load_engine(grammar, locations, language),
+        robot=load_robot(find("robots", robot)),
+        clock=MonotonicClock() if realtime else VirtualClock(),
+        model=model,
+        language=language,
+        free=free,
+        as_json=as_json,
+    )
+    return session.play(source, str(file))
 
 
-def _session(engine: IntentEngine, source: AudioSource, clock: Clock, name: str, *, model: str, as_json: bool) -> int:
-    from intent_engine.cli.reporter import Reporter
-    from intent_engine.execution.executor import Executor
-    from intent_engine.execution.robots.simulated import SimulatedRobot
-    from intent_engine.runtime import Runtime
-    from intent_engine.speech.whisper import WhisperRecognizer
+@dataclass(frozen=True)
+class _Session:
+    """A simulated robot that listens to one source."""
 
-    recognizer = WhisperRecognizer(model)
-    robot = SimulatedRobot(clock)
-    reporter = Reporter(robot, as_json=as_json)
-    with Executor(robot, clock=clock, on_event=reporter.executed) as executor:
-        runtime = Runtime(engine, executor, recognizer, on_event=reporter.heard)
-        reporter.start = clock.now()
-        try:
-            summary = runtime.run(source)
-        finally:
-            reporter.mute_stops()
-        if summary.utterances == 0:
-            raise AudioError(
-                f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
-                "    listen to it; if there is speech, it is too quiet or buried in noise"
-            )
-        executor.wait()
-        reporter.end(summary, clock.now())
-    return 0 if summary.accepted and not reporter.failed else EXIT_NOT_ACCEPTED
+    engine: IntentEngine
+    robot: RobotFile
+    clock: Clock
+    model: str
+    language: str | None
+    free: bool
+    as_json: bool
+
+    def play(self, source: AudioSource, name: str) -> int:
+        """Listen until the source ends and the robot has done what it was told; returns the exit code."""
+        from intent_engine.cli.reporter import Reporter
+        from intent_engine.execution.executor import Executor
+        from intent_engine.execution.robots.robot import Pose
+        from intent_engine.runtime import Runtime
+
+        places = {
+            name: Pose(place.x, place.y, place.yaw, place.frame)
+            for name, place in (self.engine.locations or {}).items()
+        }
+        recognizer = self._recognizer()
+        robot = self.robot.simulated(self.clock, places)
+        reporter = Reporter(robot, as_json=self.as_json)
+        options = self.robot.executor_options()
+        with Executor(robot, clock=self.clock, on_event=reporter.executed, **options) as executor:
+            runtime = Runtime(self.engine, executor, recognizer, on_event=reporter.heard)
+            reporter.start = self.clock.now()
+            try:
+                summary = runtime.run(source)
+            finally:
+                reporter.mute_stops()
+            if summary.utterances == 0:
+                raise AudioError(
+                    f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
+                    "    listen to it; if there is speech, it is too quiet or buried in noise"
+                )
+            executor.wait()
+            reporter.end(summary, self.clock.now())
+        return 0 if summary.accepted and not reporter.failed else EXIT_NOT_ACCEPTED
+
+    def _recognizer(self) -> Recognizer:
+        if self.free:
+            from intent_engine.speech.whisper import WhisperRecognizer
+
+            return WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
+        from intent_engine.speech.steered import SteeredWhisper
+
+        return SteeredWhisper(self.engine, self.model, language=self.language)

@@ -13,7 +13,7 @@ from intent_engine.resources import default_locations, find
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["Grammars", "Json", "Language", "Locations", "load_engine"]
+__all__ = ["Grammars", "Json", "Language", "Locations", "Robots", "load_engine"]
 
 Grammars = Annotated[
     list[str] | None,
@@ -26,6 +26,10 @@ Locations = Annotated[
     typer.Option(
         "--locations", "-l", help="Map file, or the name of a shipped one; may be repeated.", show_default="home"
     ),
+]
+Robots = Annotated[
+    str,
+    typer.Option("--robot", "-r", help="Robot file, or the name of a shipped one: limits, rates and capabilities."),
 ]
 Language = Annotated[
     str | None, typer.Option(help="Language of the speech and of the grammar: en, de, es, fr, it.", show_default="en")

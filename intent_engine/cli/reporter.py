@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from typing import Any
 
@@ -63,6 +64,8 @@ class Reporter:
             return  # the goals tell of themselves
         if event.transcript is not None and event.kind in (HeardKind.PARTIAL, HeardKind.TRANSCRIPT):
             data["text"] = event.transcript.text
+            if event.transcript.free_text not in ("", event.transcript.text):
+                data["free_text"] = event.transcript.free_text
             data["decode_seconds"] = round(event.transcript.decode_seconds, 4)
         if event.interpretation is not None:
             data["interpretation"] = event.interpretation.to_json()
@@ -73,10 +76,11 @@ class Reporter:
         json_line(data)
 
     def _heard_text(self, event: Heard) -> None:
-        if event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
-            self._line(event.time, "heard", event.transcript.text, "bold")
-        elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
+        if event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
+            # Its text is what was heard after all: other words than the transcript's, where the grammar had steered
+            # the recogniser too far from the sound.
             found = event.interpretation
+            self._line(event.time, "heard", found.text, "bold")
             word = "understood" if found.status is Status.ACCEPTED else found.status.value
             self._line(None, word, _meaning(found), STYLES[found.status])
         elif event.kind in _TOLD:
@@ -86,7 +90,8 @@ class Reporter:
 
     def executed(self, event: Event) -> None:
         """An event of the executor."""
-        with self._lock:
+        # The executor logs what a listener raises. A reader that went away is met by the session's own next line.
+        with self._lock, contextlib.suppress(BrokenPipeError):
             time = event.time - self.start
             if event.kind is EventKind.GOAL and event.goal is not None and event.state is not None:
                 self._goal(time, event, event.goal, event.state)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import sys
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar
@@ -12,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["error_block", "json_line", "note", "say", "table", "track"]
+__all__ = ["LogNotes", "error_block", "json_line", "note", "say", "table", "track"]
 
 T = TypeVar("T")
 
@@ -53,6 +54,13 @@ def error_block(message: str) -> None:
     console.print(Text.assemble(("error: ", "bold red"), first))
     for line in rest:
         console.print(Text(line))
+
+
+class LogNotes(logging.Handler):
+    """Warnings of the package as one dim line each; their tracebacks are for ``--debug``."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        note(f"{record.levelname.lower()}: {record.getMessage()}")
 
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
