@@ -25,7 +25,7 @@ def test_a_sentence_and_its_action(intent_engine):
     [
         ("go to the kitchen", 0, "accepted"),
         ("don't move forward", 1, "rejected"),
-        ("go to", 1, "incomplete"),
+        ("go to the", 1, "incomplete"),
         ("", 1, "rejected"),
     ],
 )

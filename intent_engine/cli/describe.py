@@ -82,7 +82,7 @@ def interpretation_lines(found: Interpretation) -> Iterator[tuple[str, str | Non
     if found.status is Status.ACCEPTED and found.reason:
         yield f"  note: {found.reason}", "dim"
     if found.alternatives:
-        word = "either" if found.status is Status.AMBIGUOUS else "nearest"
+        word = {Status.AMBIGUOUS: "either", Status.INCOMPLETE: "may go on with"}.get(found.status, "nearest")
         yield f"  {word}: {', '.join(found.alternatives)}", "dim"
     for action in found.actions:
         yield f"  -> {action_text(action)}", None

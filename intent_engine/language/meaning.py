@@ -538,10 +538,9 @@ class Interpreter:
         return Interpretation(text, Status.REJECTED, reason=reason)
 
     def _not_understood(self, text: str, core: Utterance, clause: Clause | None) -> Interpretation:
-        if clause is not None:
-            return self._not_accepted(text, clause)
         words = core.words
-        if not self._holds_operator(words):
+        if not self._holds_operator(words) and not (clause is not None and clause.ambiguous):
+            # Before what a name is not: "go to the" is unfinished, not a place called "the".
             _, reached = self.matcher.prefix(words)
             if reached is not None and not self.matcher.spoken.accepting(reached):
                 following = sorted(self.matcher.spoken.next_words(reached))[:8]
@@ -551,6 +550,8 @@ class Interpreter:
                     reason="the sentence is not finished",
                     alternatives=tuple(following),
                 )
+        if clause is not None:
+            return self._not_accepted(text, clause)
         near = self._nearest.sentences(words)
         return Interpretation(text, Status.REJECTED, reason="not a command of this grammar", alternatives=near)
 
