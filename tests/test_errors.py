@@ -67,20 +67,25 @@ CASES: dict[str, Callable[[], object]] = {
     ),
     "grammar: open bracket": _grammar(WAVE + "      - 'wave [at me'\n"),
     "grammar: YAML's yes": _grammar(WAVE + "      - yes\n"),
-    "grammar: several mistakes at once": _grammar(WAVE + "      - 'wave (at me'\n      - 'wave {who}'\n      - off\n"),
+    "grammar: several mistakes at once": _grammar(WAVE + "      - 'wave {who}'\n      - 'wave [at {whom}'\n      - 'look [at me'\n"),
     "grammar: the same sentence twice": _grammar(
         WAVE + "      - wave\n  greet: {action: {type: custom, name: greet}, sentences: [wave]}\n"
     ),
-    "map: missing": lambda: (_grammar(WAVE + "      - wave\n")(), IntentEngine.from_files("grammar.yaml", locations="no.yaml")),
+    "map: missing": lambda: (
+        _grammar(WAVE + "      - wave\n")(),
+        IntentEngine.from_files("grammar.yaml", locations="no.yaml"),
+    ),
     "map: no number": _map("frame: map\nlocations:\n  kitchen: {x: five, y: 2.0, yaw: 0.0}\n"),
-    "map: said alike": _map("frame: map\nlocations:\n  bay 3: {x: 1, y: 2, yaw: 0}\n  bay three: {x: 1, y: 3, yaw: 0}\n"),
+    "map: said alike": _map(
+        "frame: map\nlocations:\n  bay 3: {x: 1, y: 2, yaw: 0}\n  bay three: {x: 1, y: 3, yaw: 0}\n"
+    ),
     "robot: misspelt limit": _robot("name: r\nlimits: {linear_velocty: 1.0}\n"),
     "robot: unknown capability": _robot("name: r\ncapabilities: [fly]\n"),
     "sound: missing": lambda: FileSource("missing.wav"),
     "sound: empty": _sound("empty.wav", b""),
     "sound: not sound": _sound("notes.wav", b"go forward two meters"),
     "model: no such folder": lambda: find_weights("models/none"),
-}  # fmt: skip
+}
 
 
 def _message(case: Callable[[], object]) -> str:
