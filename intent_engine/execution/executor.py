@@ -147,6 +147,8 @@ class Executor:
         self._feedback_at = math.inf
         self._utterance = 0
         self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
+        if self._stepped is not None and loop is not None:
+            raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
         self._events = Dispatcher(threaded=self._stepped is None)
         if journal is not None:
             self._events.subscribe(journal)

@@ -178,8 +178,14 @@ class Follower:
         assert self._main is not None
         return now + self._main.duration
 
-    def brake(self, now: float) -> float:
-        """Come to rest with the robot's deceleration; returns when that will be."""
+    def brake(self, now: float) -> Travel:
+        """Come to rest with the robot's deceleration. Returns how far the motion had come.
+
+        In its last ramp a motion is left alone (the travel's ``braking`` says so): it cannot end sooner.
+        """
+        travel = self.travel(now)
+        if travel.braking:
+            return travel
         linear, angular = self._present(now)
         self._motion = None
         self._main = brake(linear, self._rate_of[False][1])
@@ -191,7 +197,7 @@ class Follower:
         self._travelled = 0.0
         self._zeros_left = self._rates.zeros
         self._next = now
-        return now + self._main.duration
+        return travel
 
     def halt(self, now: float, write: bool = True) -> Travel:
         """Zero, now. Returns how far the motion had come.

@@ -46,7 +46,7 @@ class VelocityLoop(Protocol):
     @property
     def written(self) -> tuple[float, float]: ...
     def start(self, motion: Motion, now: float) -> float: ...
-    def brake(self, now: float) -> float: ...
+    def brake(self, now: float) -> Travel: ...
     def halt(self, now: float, write: bool = True) -> Travel: ...
     def silence(self) -> None: ...
     def travel(self, now: float) -> Travel: ...
@@ -122,13 +122,12 @@ class MotionRun:
             self._pausing = False
             self._stand(self._loop.halt(now, write=False))
         elif self._loop.moving and not self._pausing:
-            travel = self._loop.travel(now)
+            travel = self._loop.brake(now)
             if travel.braking:
                 return
             self._before = _sum(self._before, travel)
             self._motion = self._whole.rest(self._before) if self._whole is not None else None
             self._pausing = True
-            self._loop.brake(now)
 
     def resume(self, now: float) -> None:
         if self._pausing:

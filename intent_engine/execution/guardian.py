@@ -1,0 +1,361 @@
+"""The parent's side of the velocity process: starts it, gives it orders, and notices when it is gone."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import logging
+import os
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from intent_engine.errors import RobotError
+from intent_engine.execution.goal import Reason
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.motion import Ended, Motion, Rates, Travel
+
+__all__ = ["Guardian", "VelocityLoopError"]
+
+log = logging.getLogger(__name__)
+
+
+class VelocityLoopError(RobotError):
+    """The process that owns the velocity died, fell silent, or stopped the robot because this program was silent."""
+
+    goal_reason = Reason.VELOCITY_LOOP
+
+
+class Guardian:
+    """A velocity loop in a process of its own, for ``Executor(robot, loop=Guardian(...))``.
+
+    The process makes its own connection to the robot's velocity, so it is told how: ``sink`` names a callable, as
+    ``package.module:name``, whose result has ``velocity``, ``stop`` and ``close``; ``options`` are its keyword
+    arguments, of JSON types. The executor's own robot is for everything else, and for stopping when the process is
+    gone. It must be a robot in the world: a simulated one lives in the parent, and needs no guardian.
+
+    Life cycle: made (the process runs) -> used by one executor -> ``close``, which the executor calls.
+
+    Args:
+        sink: what the process drives, e.g. ``intent_engine.execution.robots.jsonl:JsonLinesRobot``.
+        options: its arguments.
+        limits: accelerations of the ramps.
+        rates: rate and validity of the writes.
+        priority: of SCHED_FIFO, 1 to 99, where the system allows it; 0: ordinary scheduling.
+        pass_fds: descriptors that the sink needs.
+
+    Raises:
+        RobotError: the process could not be started; the message has what it said.
+    """
+
+    ANSWER_TIMEOUT = 0.1
+    """s for the answer to a halt; after it the process is killed and the robot stopped by its own stop."""
+    SILENCE = 0.25
+    """s without a word during a motion, after which the process is taken for frozen. One that dies is noticed at
+    once, by the end of its socket."""
+
+    def __init__(
+        self,
+        sink: str,
+        options: Mapping[str, Any] | None = None,
+        *,
+        limits: Limits | None = None,
+        rates: Rates | None = None,
+        priority: int = 20,
+        pass_fds: tuple[int, ...] = (),
+    ) -> None:
+        self._sink, self._options = sink, dict(options or {})
+        self._limits, self._rates = limits or Limits(), rates or Rates()
+        self._priority, self._pass_fds = priority, pass_fds
+        self._poke: Callable[[], None] = lambda: None
+        self._stop_robot: Callable[[], None] = lambda: None
+        self._heard = threading.Condition()
+        """Guards what the listening thread writes."""
+        self._numbers = 0
+        self._current = 0
+        """Number of the order whose end is waited for; what is said about an earlier one is old."""
+        self._closed = self._moving = self._lost = self._fifo = False
+        self._error = ""
+        """Why the process can no longer be used."""
+        self._problem = ""
+        """Why the motion ended early."""
+        self._ended: Ended | None = None
+        self._written = (0.0, 0.0)
+        self._travel, self._travel_at = Travel(), 0.0
+        self._answers: dict[int, Travel] = {}
+        self._heard_at = self._began = time.monotonic()
+        self._beat = self._rates.valid_for / 4.0
+        """s between two signs of life"""
+        self._beat_at = 0.0
+        self._ready = threading.Event()
+        self._process, self._line = self._launch()
+
+    # -- for the executor --------------------------------------------------------------------------------------------
+
+    def attach(self, poke: Callable[[], None], stop_robot: Callable[[], None]) -> None:
+        """Give it what it calls when something happened, and the robot's own stop."""
+        self._poke, self._stop_robot = poke, stop_robot
+
+    @property
+    def moving(self) -> bool:
+        return self._moving
+
+    @property
+    def written(self) -> tuple[float, float]:
+        return self._written if self._moving else (0.0, 0.0)
+
+    @property
+    def pid(self) -> int:
+        """Of the process."""
+        return self._process.pid
+
+    @property
+    def real_time(self) -> bool:
+        """Whether the system gave it SCHED_FIFO."""
+        return self._fifo
+
+    def start(self, motion: Motion, now: float) -> float:
+        self._check()
+        number = self._begin()
+        self._order(do="start", id=number, motion=motion.to_json())
+        self._beat_at = now + self._beat
+        # The process plans by its own clock and present velocity; this is for the time-out of the goal only.
+        ramps = abs(motion.speed) / (
+            self._limits.angular_acceleration if motion.turning else self._limits.linear_acceleration
+        )
+        return now + motion.duration + 4.0 * ramps
+
+    def brake(self, now: float) -> Travel:
+        self._check()
+        return self._ask("brake")
+
+    def halt(self, now: float, write: bool = True) -> Travel:
+        if self._error:
+            self._moving = False
+            return self._travel
+        travel = self._ask("halt")
+        self._moving = False
+        return travel
+
+    def silence(self) -> None:
+        if not self._error:
+            self._order(do="silence")
+
+    def travel(self, now: float) -> Travel:
+        if not self._moving:
+            return Travel()
+        ahead = min(max(now - self._travel_at, 0.0), self._rates.valid_for)
+        speed = self._written[0] or self._written[1]
+        there = self._travel
+        return Travel(
+            there.amount + speed * ahead, there.elapsed + ahead, max(there.time_left - ahead, 0.0), there.braking
+        )
+
+    def due(self) -> float | None:
+        if self._error and self._moving:
+            return 0.0
+        return self._beat_at if self._moving else None
+
+    def step(self, now: float) -> Ended | None:
+        with self._heard:
+            ended, self._ended = self._ended, None
+            problem, self._problem = self._problem, ""
+            if ended is not None or problem:
+                self._moving = False
+        if self._error and self._moving:
+            self._moving = False
+            self._check()
+        if problem:
+            raise VelocityLoopError(problem) if self._lost else RobotError(problem)
+        if ended is not None:
+            return ended
+        if self._moving:
+            if now - self._heard_at > self.SILENCE and now - self._began > self.SILENCE:
+                self._give_up(f"the velocity process said nothing for {self.SILENCE * 1000:.0f} ms and was killed")
+                self._moving = False
+                self._check()
+            if now >= self._beat_at:
+                self._beat_at = now + self._beat
+                self._order(do="alive")
+        return None
+
+    def restart(self) -> None:
+        """Start the process again, if it is gone."""
+        if not self._error:
+            return
+        self._line.close()
+        self._moving = self._lost = False
+        self._error = self._problem = ""
+        self._ended = None
+        self._answers.clear()
+        self._process, self._line = self._launch()
+
+    def _launch(self) -> tuple[subprocess.Popen[bytes], socket.socket]:
+        self._ready.clear()
+        ours, theirs = socket.socketpair()
+        settings = {
+            "sink": self._sink,
+            "options": self._options,
+            "line": theirs.fileno(),
+            "parent": os.getpid(),
+            "limits": {name: getattr(self._limits, name) for name in _RAMPS if getattr(self._limits, name) is not None},
+            "rates": asdict(self._rates),
+            "priority": self._priority,
+        }
+        process = subprocess.Popen(
+            [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
+            stdin=subprocess.DEVNULL,
+            pass_fds=(theirs.fileno(), *self._pass_fds),
+        )
+        theirs.close()
+        threading.Thread(target=self._listen, args=(ours,), name="velocity-process", daemon=True).start()
+        self._ready.wait(20.0)
+        if self._error or not self._ready.is_set():
+            process.kill()
+            process.wait()
+            ours.close()
+            raise RobotError(
+                f"the velocity process did not start ({self._sink}); what it said is on standard error. "
+                "To drive without it, give the executor no loop"
+            )
+        return process, ours
+
+    def close(self) -> None:
+        """Zero, and end the process. Idempotent."""
+        if self._closed:
+            return
+        self._closed = True
+        with contextlib.suppress(OSError):
+            self._order(do="close")
+        try:
+            self._process.wait(1.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._line.close()
+
+    # -- inside ------------------------------------------------------------------------------------------------------
+
+    def _begin(self) -> int:
+        with self._heard:
+            self._numbers += 1
+            self._current = self._numbers
+            self._ended, self._problem = None, ""
+            self._moving = True
+            self._travel, self._written = Travel(), (0.0, 0.0)
+            self._began = self._travel_at = time.monotonic()
+            return self._numbers
+
+    def _check(self) -> None:
+        if self._error:
+            raise VelocityLoopError(self._error)
+
+    def _order(self, **order: Any) -> None:
+        try:
+            self._line.sendall(json.dumps(order).encode() + b"\n")
+        except OSError:
+            self._dead("the velocity process is gone")
+
+    def _ask(self, what: str) -> Travel:
+        """Give an order and wait for its answer; no answer is the end of the process."""
+        with self._heard:
+            self._numbers += 1
+            number = self._numbers
+            was_moving = self._moving
+            if what == "halt":
+                # Whatever is said about the motion before this is old.
+                self._current, self._ended, self._problem = number, None, ""
+        self._order(do=what, id=number)
+        deadline = time.monotonic() + self.ANSWER_TIMEOUT
+        with self._heard:
+            while number not in self._answers and not self._error:
+                if not self._heard.wait(deadline - time.monotonic()) and time.monotonic() >= deadline:
+                    break
+            travel = self._answers.pop(number, None)
+            if travel is not None and what == "brake" and not travel.braking:
+                self._moving = was_moving
+                self._travel, self._travel_at = Travel(), time.monotonic()
+        if travel is None:
+            self._give_up(f"the velocity process did not answer within {self.ANSWER_TIMEOUT * 1000:.0f} ms")
+            self._moving = False
+            self._check()
+            raise AssertionError
+        return travel
+
+    def _listen(self, line: socket.socket) -> None:
+        received = b""
+        while True:
+            try:
+                data = line.recv(65536)
+            except OSError:
+                data = b""
+            if not data:
+                if not self._ready.is_set():
+                    self._error = "the velocity process ended before it was ready"
+                    self._ready.set()
+                elif line is self._line and not self._closed:
+                    self._dead("the velocity process ended")
+                return
+            *lines, received = (received + data).split(b"\n")
+            for text in lines:
+                self._hear(json.loads(text))
+
+    def _hear(self, message: dict[str, Any]) -> None:
+        poke = False
+        with self._heard:
+            self._heard_at = time.monotonic()
+            travel = Travel(*message["travel"]) if "travel" in message else Travel()
+            if "ready" in message:
+                self._fifo = bool(message["fifo"])
+                self._ready.set()
+            elif "done" in message:
+                self._answers[message["done"]] = travel
+                if not travel.braking:
+                    # The motion is now the brake, whose end comes under this number.
+                    self._current = max(self._current, message["done"])
+                self._heard.notify_all()
+            elif message.get("ended") == self._current:
+                self._ended, poke = Ended(message["at"], travel, message["late"]), True
+            elif message.get("alive") == self._current:
+                self._travel, self._travel_at = travel, message["at"]
+                self._written = (message["written"][0], message["written"][1])
+            elif message.get("lost", message.get("failed")) == self._current:
+                self._problem, self._lost, poke = message["error"], "lost" in message, True
+        if poke:
+            self._poke()
+
+    def _dead(self, why: str, kill: bool = False) -> None:
+        """The process is gone, or must be: stop the robot by its own stop, from this very thread, and say so."""
+        with self._heard:
+            if self._error:
+                return
+            code = self._process.poll()
+            self._error = why if code is None else f"{why} ({_exit(code)})"
+            self._heard.notify_all()
+        if self._closed:
+            return
+        log.error("%s; the robot is stopped", self._error)
+        if kill:
+            self._process.kill()
+        self._stop_robot()
+        if kill:
+            # A killed process may still have been in a write; the stop that counts is the one after its end.
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(0.1)
+            self._stop_robot()
+        self._poke()
+
+    def _give_up(self, why: str) -> None:
+        self._dead(why, kill=True)
+
+
+_RAMPS = ("linear_acceleration", "linear_deceleration", "angular_acceleration", "angular_deceleration")
+
+
+def _exit(code: int) -> str:
+    return f"signal {-code}" if code < 0 else f"exit code {code}"

@@ -1,0 +1,224 @@
+"""The velocity process, really started, killed and frozen. Times are the drill's and the benchmark's to judge."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from collections.abc import Callable
+from itertools import pairwise
+
+import pytest
+
+from intent_engine.actions import Move, Turn
+from intent_engine.errors import RobotError
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.guardian import Guardian
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.robots.jsonl import JsonLinesRobot
+from intent_engine.execution.robots.simulated import SimulatedRobot
+
+SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
+LIMITS = Limits(linear_acceleration=2.0, angular_acceleration=4.0)
+LONG = Move(0.5, 50.0, 100.0)
+
+
+class Wire:
+    """What robots in any process wrote, in order."""
+
+    def __init__(self) -> None:
+        read, self.write = os.pipe()
+        os.set_inheritable(self.write, True)
+        self.lines: list[dict] = []
+        self.thread = threading.Thread(target=self.read, args=(read,), daemon=True)
+        self.thread.start()
+
+    def read(self, read: int) -> None:
+        with os.fdopen(read) as lines:
+            self.lines += []
+            for line in lines:
+                self.lines.append(json.loads(line))
+
+    def velocities(self) -> list[tuple[float, float]]:
+        return [(m["velocity"]["linear"], m["velocity"]["angular"]) for m in list(self.lines) if "velocity" in m]
+
+    def moving(self) -> bool:
+        return bool(self.velocities()) and any(self.velocities()[-1])
+
+    def stopped(self) -> bool:
+        return bool(self.lines) and ("stop" in self.lines[-1] or not any(self.velocities()[-1]))
+
+
+def until(condition: Callable[[], bool]) -> None:
+    """Wait for something that must happen; the limit is only there to end a broken test."""
+    end = time.monotonic() + 30.0
+    while not condition():
+        assert time.monotonic() < end, "it never happened"
+        time.sleep(0.002)
+
+
+@pytest.fixture
+def wire():
+    made = Wire()
+    yield made
+    os.close(made.write)
+    made.thread.join(10.0)
+
+
+@pytest.fixture
+def guarded(wire):
+    guardian = Guardian(SINK, {"out": wire.write}, limits=LIMITS, pass_fds=(wire.write,))
+    with Executor(JsonLinesRobot(wire.write), LIMITS, loop=guardian, handle_sigterm=False) as executor:
+        yield executor
+
+
+def distance(wire: Wire) -> float:
+    points = [(m["time"], m["velocity"]["linear"]) for m in wire.lines if "velocity" in m]
+    return sum(v * (later - at) for (at, v), (later, _) in pairwise(points))
+
+
+def test_it_drives_the_distance_and_ends_in_zeros(guarded, wire):
+    goals = guarded.submit([Move(0.5, 0.2, 0.4), Turn(0.3, 1.0, 0.3)])
+    assert guarded.wait(goals, 30.0)
+    assert [goal.state for goal in goals] == [GoalState.SUCCEEDED] * 2
+    assert goals[0].feedback.travelled == pytest.approx(0.2, abs=0.02)
+    until(lambda: wire.velocities()[-3:] == [(0.0, 0.0)] * 3)
+
+
+def test_hold_pause_and_replacement_keep_the_distance(guarded, wire):
+    (goal,) = guarded.submit(Move(0.5, 0.6, 1.2))
+    until(wire.moving)
+    guarded.hold()
+    held = len(wire.velocities())
+    until(wire.stopped)
+    guarded.release()
+    until(lambda: any(any(v) for v in wire.velocities()[held:]))
+    guarded.pause()
+    until(wire.stopped)
+    guarded.resume()
+    goal.result(30.0)
+    assert goal.feedback.travelled == pytest.approx(0.6, abs=0.03)
+    assert distance(wire) == pytest.approx(0.6, abs=0.06)
+
+
+def test_nothing_follows_a_stop(guarded, wire):
+    for _ in range(20):
+        (goal,) = guarded.submit(LONG)
+        until(wire.moving)
+        guarded.stop()
+        at = time.monotonic()
+        assert goal.reason is Reason.STOP
+        time.sleep(0.06)
+        late = [m for m in list(wire.lines) if m["time"] > at and any(m.get("velocity", {"linear": 0}).values())]
+        assert [m for m in late if m["velocity"]["linear"]] == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "frozen"])
+def test_a_lost_loop_is_noticed_and_the_robot_stopped_by_its_own_stop(guarded, wire, number):
+    (goal,) = guarded.submit(LONG)
+    until(wire.moving)
+    os.kill(guarded._loop.pid, number)
+    goal.result(30.0)
+    assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.VELOCITY_LOOP)
+    until(lambda: "stop" in wire.lines[-1])
+    (refused,) = guarded.submit(LONG)
+    assert (refused.state, refused.reason) == (GoalState.REJECTED, Reason.VELOCITY_LOOP)
+    guarded.reset()
+    (again,) = guarded.submit(Move(0.5, 0.05, 0.1))
+    assert again.result(30.0).succeeded
+
+
+def test_stopping_a_frozen_loop_kills_it(guarded, wire):
+    (goal,) = guarded.submit(LONG)
+    until(wire.moving)
+    pid = guarded._loop.pid
+    os.kill(pid, signal.SIGSTOP)
+    guarded.stop()
+    assert goal.done
+    until(lambda: "stop" in wire.lines[-1])
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+PARENT = textwrap.dedent(
+    """
+    import time
+    from intent_engine.actions import Move
+    from intent_engine.execution.executor import Executor
+    from intent_engine.execution.guardian import Guardian
+    from intent_engine.execution.robots.jsonl import JsonLinesRobot
+
+    guardian = Guardian({sink!r}, {{"out": {write}}}, pass_fds=({write},))
+    executor = Executor(JsonLinesRobot({write}), loop=guardian)
+    executor.submit(Move(0.5, 50.0, 100.0))
+    print(guardian.pid, flush=True)
+    {end}
+    """
+)
+
+
+def parent(wire: Wire, end: str = "time.sleep(600)") -> subprocess.Popen:
+    code = PARENT.format(sink=SINK, write=wire.write, end=end)
+    return subprocess.Popen([sys.executable, "-c", code], pass_fds=(wire.write,), stdout=subprocess.PIPE, text=True)
+
+
+def ended(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return True
+    return False
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["KILL", "TERM", "INT"])
+def test_a_killed_program_leaves_zeros_and_no_process(wire, number):
+    with parent(wire) as process:
+        pid = int(process.stdout.readline())
+        until(wire.moving)
+        process.send_signal(number)
+        assert process.wait(30) in (-number, 1, 130)
+        until(lambda: ended(pid))
+    assert wire.velocities()[-2:] == [(0.0, 0.0)] * 2
+
+
+def test_a_frozen_program_does_not_drive_on_and_hears_of_it_when_it_wakes(wire):
+    with parent(wire, "print(executor.snapshot().goal.result(60).reason, flush=True)") as process:
+        process.stdout.readline()
+        until(wire.moving)
+        process.send_signal(signal.SIGSTOP)
+        until(wire.stopped)
+        frozen = len(wire.lines)
+        time.sleep(0.2)
+        assert not [m for m in wire.lines[frozen:] if any(v for v in (m.get("velocity", {}).get("linear"),))]
+        process.send_signal(signal.SIGCONT)
+        assert process.stdout.readline().strip() == Reason.VELOCITY_LOOP.value
+        process.wait(30)
+    assert wire.stopped()
+
+
+def test_leaving_the_program_leaves_zeros(wire):
+    with parent(wire, "time.sleep(0.3)") as process:
+        pid = int(process.stdout.readline())
+        assert process.wait(30) == 0
+        until(lambda: ended(pid))
+    assert wire.stopped()
+
+
+def test_a_sink_that_cannot_be_made_is_told(capfd):
+    with pytest.raises(RobotError, match="did not start"):
+        Guardian("intent_engine.execution.robots.jsonl:NoSuchRobot")
+    assert "NoSuchRobot" in capfd.readouterr().err
+
+
+def test_a_guardian_cannot_follow_a_virtual_clock(wire):
+    guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
+    with pytest.raises(ValueError, match="virtual clock"):
+        Executor(SimulatedRobot(), clock=VirtualClock(), loop=guardian)
+    guardian.close()
