@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.robots.robot import Capability, Pose, Robot
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.interpretation import Interpretation, Status
+    from intent_engine.runtime import Runtime
 
 __all__ = [
     "Action",
@@ -39,6 +40,7 @@ __all__ = [
     "PrefixStatus",
     "Reason",
     "Robot",
+    "Runtime",
     "SimulatedRobot",
     "Status",
     "Stop",
@@ -59,6 +61,7 @@ _HOMES = {
     "execution.goal": ("Goal", "GoalState", "Reason"),
     "execution.robots.robot": ("Robot", "Capability", "Pose"),
     "execution.robots.simulated": ("SimulatedRobot",),
+    "runtime": ("Runtime",),
 }  # fmt: skip
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
