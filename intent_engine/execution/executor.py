@@ -608,7 +608,7 @@ class Executor:
         try:
             gone = run.give_up(now)
             if isinstance(run, MotionRun) and brake and self._loop.moving:
-                self._loop.brake(now)
+                run.leave(self._loop.brake(now))
         except Exception as error:
             self._robot_failed(run, error, now)
             return
@@ -660,7 +660,9 @@ class Executor:
         self._stop_robot()
         run, self._run = self._run, None
         try:
-            self._loop.halt(now, write=False)
+            travel = self._loop.halt(now, write=False)
+            if isinstance(run, MotionRun):
+                run.leave(travel)
         except Exception as error:
             self._loop_failed(error, now)
         self._held_since, self._paused = None, False
@@ -721,7 +723,9 @@ class Executor:
         self._stop_robot()
         reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
         try:
-            self._loop.halt(now, write=False)
+            travel = self._loop.halt(now, write=False)
+            if isinstance(run, MotionRun):
+                run.leave(travel)
         except Exception as second:
             reason = getattr(second, "goal_reason", reason)
         if reason is Reason.VELOCITY_LOOP:

@@ -88,7 +88,7 @@ class MotionRun:
         self._loop = loop
         self._before = Travel()
         """What was covered before the last pause."""
-        self._pausing = False
+        self._pausing = self._left = False
         self._deadline = 0.0
 
     def begin(self, now: float) -> None:
@@ -139,11 +139,16 @@ class MotionRun:
     def give_up(self, now: float) -> bool:
         return True
 
+    def leave(self, travel: Travel) -> None:
+        """The wheels are no longer this goal's; ``travel`` is the last that it covered."""
+        if not self._left:
+            self._left, self._before = True, _sum(self._before, travel)
+
     def feedback(self, now: float) -> Feedback:
         whole = self._whole
         if whole is None:
             return Feedback(1.0, 0.0, 0.0)
-        here = self._loop.travel(now) if self._loop.moving else Travel()
+        here = self._loop.travel(now) if self._loop.moving and not self._left else Travel()
         travel = _sum(self._before, here)
         if self._motion is None:
             return Feedback(1.0, 0.0, travel.amount)

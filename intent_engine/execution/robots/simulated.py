@@ -13,12 +13,13 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
 
-__all__ = ["SimulatedRobot", "TracePoint"]
+__all__ = ["SimulatedRobot", "TracePoint", "path_points"]
 
 log = logging.getLogger(__name__)
 
@@ -452,6 +453,24 @@ class SimulatedRobot:
 
     def _distance(self, place: Pose) -> float:
         return math.hypot(place.x - self._pose.x, place.y - self._pose.y)
+
+
+def path_points(trace: Iterable[TracePoint], end: Pose) -> list[Pose]:
+    """The path as poses that straight lines may join: curves are cut into pieces of at most 0.1 rad."""
+    marks = list(trace)
+    if not marks:
+        return [end]
+    points = [marks[0].pose]
+    for mark, following in pairwise([*marks, None]):
+        assert mark is not None
+        goal = following.pose if following is not None else end
+        turned = goal.yaw - mark.pose.yaw
+        if mark.linear and mark.angular and abs(turned) > 0.1:
+            length = turned / mark.angular
+            steps = math.ceil(abs(turned) / 0.1)
+            points += [_arc(mark.pose, mark.linear, mark.angular, length * i / steps) for i in range(1, steps)]
+        points.append(goal)
+    return points
 
 
 def _call(callbacks: list[Callable[[], None]]) -> None:
