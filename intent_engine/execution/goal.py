@@ -84,7 +84,9 @@ class Reason(StrEnum):
     HOLD_EXPIRED = "hold_expired"
     """The robot was held and nobody released it."""
     VELOCITY_LOOP = "velocity_loop"
-    """The process that owns the velocity died or fell silent."""
+    """The process that owns the velocity died or fell silent; no motion until :meth:`Executor.reset`."""
+    WATCHDOG = "watchdog"
+    """This program was silent for longer than a velocity is valid, and the velocity loop stopped the robot."""
     CLOSED = "closed"
 
 

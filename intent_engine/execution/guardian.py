@@ -20,15 +20,21 @@ from intent_engine.execution.goal import Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Ended, Motion, Rates, Travel
 
-__all__ = ["Guardian", "VelocityLoopError"]
+__all__ = ["Guardian", "VelocityLoopError", "WatchdogError"]
 
 log = logging.getLogger(__name__)
 
 
 class VelocityLoopError(RobotError):
-    """The process that owns the velocity died, fell silent, or stopped the robot because this program was silent."""
+    """The process that owns the velocity died or fell silent."""
 
     goal_reason = Reason.VELOCITY_LOOP
+
+
+class WatchdogError(RobotError):
+    """The process stopped the robot, because this program was silent for too long."""
+
+    goal_reason = Reason.WATCHDOG
 
 
 class Guardian:
@@ -88,7 +94,8 @@ class Guardian:
         self._written = (0.0, 0.0)
         self._travel, self._travel_at = Travel(), 0.0
         self._answers: dict[int, Travel] = {}
-        self._heard_at = self._began = time.monotonic()
+        self._heard_at = time.monotonic()
+        self._silent_since = self._looked_at = self._heard_at
         self._beat = self._rates.valid_for / 4.0
         """s between two signs of life"""
         self._beat_at = 0.0
@@ -171,11 +178,15 @@ class Guardian:
             self._moving = False
             self._check()
         if problem:
-            raise VelocityLoopError(problem) if self._lost else RobotError(problem)
+            raise WatchdogError(problem) if self._lost else RobotError(problem)
         if ended is not None:
             return ended
+        looked_at, self._looked_at = self._looked_at, now
         if self._moving:
-            if now - self._heard_at > self.SILENCE and now - self._began > self.SILENCE:
+            if now - looked_at > self.SILENCE / 2.0:
+                # It was this program that was away: let the listening thread read first what came meanwhile.
+                self._silent_since = now
+            if now - max(self._heard_at, self._silent_since) > self.SILENCE:
                 self._give_up(f"the velocity process said nothing for {self.SILENCE * 1000:.0f} ms and was killed")
                 self._moving = False
                 self._check()
@@ -248,7 +259,7 @@ class Guardian:
             self._ended, self._problem = None, ""
             self._moving = True
             self._travel, self._written = Travel(), (0.0, 0.0)
-            self._began = self._travel_at = time.monotonic()
+            self._silent_since = self._looked_at = self._travel_at = time.monotonic()
             return self._numbers
 
     def _check(self) -> None:
