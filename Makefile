@@ -20,7 +20,7 @@ $(STAMP): pyproject.toml
 setup: $(STAMP) ## make .venv and install everything into it
 
 demo: $(STAMP) ## play a spoken session on the simulated robot and draw its way to out/demo.png
-	$(BIN)/intent-engine run examples/demo.flac --plot out/demo.png
+	$(BIN)/intent-engine run examples/demo.flac --map --plot out/demo.png
 
 test: $(STAMP) ## run the whole test suite
 	$(BIN)/python -m pytest

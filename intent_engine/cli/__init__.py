@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from intent_engine.cli.drill import drill
 from intent_engine.cli.guard import DEBUG
 from intent_engine.cli.listening import run
 from intent_engine.cli.parse import parse
@@ -65,6 +66,14 @@ app.command(
     'intent-engine parse --json "turn left ninety degrees"\n\nintent-engine parse - < sentences.txt',
     rich_help_panel=_UNDERSTAND,
 )(parse)
+
+_TRUST = "Measure and trust"
+
+app.command(
+    epilog="Examples:\n\nintent-engine drill\n\nintent-engine drill --quick --robot turtlebot3\n\n"
+    "intent-engine drill --json | jq .passed",
+    rich_help_panel=_TRUST,
+)(drill)
 
 
 def main() -> None:

@@ -10,6 +10,7 @@ import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.terminal import note, say
 from intent_engine.errors import AudioError
 from intent_engine.resources import find
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.execution.clock import Clock
     from intent_engine.execution.robots.robot_file import RobotFile
+    from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.recognizer import Recognizer
 
@@ -26,6 +28,11 @@ Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name
 
 
 Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
+Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
+Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
+JournalFile = Annotated[
+    Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
+]
 
 
 @verb
@@ -41,6 +48,9 @@ def run(
         bool, typer.Option("--realtime", help="Play at the speed of the recording, not as fast as possible.")
     ] = False,
     as_json: Json = False,
+    plot: Plot = None,
+    draw: Draw = False,
+    journal: JournalFile = None,
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
@@ -56,6 +66,9 @@ def run(
         language=language,
         free=free,
         as_json=as_json,
+        plot=plot,
+        draw=draw,
+        journal=journal,
     )
     return session.play(source, str(file))
 
@@ -71,6 +84,9 @@ class _Session:
     language: str | None
     free: bool
     as_json: bool
+    plot: Path | None = None
+    draw: bool = False
+    journal: Path | None = None
 
     def play(self, source: AudioSource, name: str) -> int:
         """Listen until the source ends and the robot has done what it was told; returns the exit code."""
@@ -87,6 +103,10 @@ class _Session:
         robot = self.robot.simulated(self.clock, places)
         reporter = Reporter(robot, as_json=self.as_json)
         options = self.robot.executor_options()
+        if self.journal is not None:
+            from intent_engine.execution.journal import Journal
+
+            options["journal"] = Journal(self.journal)
         with Executor(robot, clock=self.clock, on_event=reporter.executed, **options) as executor:
             runtime = Runtime(self.engine, executor, recognizer, on_event=reporter.heard)
             reporter.start = self.clock.now()
@@ -101,7 +121,21 @@ class _Session:
                 )
             executor.wait()
             reporter.end(summary, self.clock.now())
+        self._draw(robot)
         return 0 if summary.accepted and not reporter.failed else EXIT_NOT_ACCEPTED
+
+    def _draw(self, robot: SimulatedRobot) -> None:
+        if self.draw and not self.as_json:
+            from intent_engine.execution.robots.path_view import path_text
+
+            say()
+            say(path_text(robot))
+        if self.plot is not None:
+            from intent_engine.execution.robots.path_view import plot_path
+
+            self.plot.parent.mkdir(parents=True, exist_ok=True)
+            plot_path(robot, self.plot, title="The way of the robot")
+            note(f"the way of the robot is drawn in {self.plot}")
 
     def _recognizer(self) -> Recognizer:
         if self.free:

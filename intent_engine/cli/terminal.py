@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import logging
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, TypeVar
 
+from rich import box
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["LogNotes", "error_block", "json_line", "note", "say", "table", "track"]
+__all__ = ["LogNotes", "error_block", "json_line", "note", "say", "table", "track", "working"]
 
 T = TypeVar("T")
 
@@ -66,7 +68,7 @@ class LogNotes(logging.Handler):
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """A table on standard output; columns of numbers stand to the right."""
     body = [[str(cell) for cell in row] for row in rows]
-    grid = Table(title=title or None, title_justify="left", show_edge=False, pad_edge=False)
+    grid = Table(title=title or None, title_justify="left", show_edge=False, pad_edge=False, box=box.SIMPLE_HEAD)
     for index, name in enumerate(columns):
         numeric = bool(body) and all(_is_number(row[index]) for row in body)
         grid.add_column(name, justify="right" if numeric else "left", overflow="fold")
@@ -80,10 +82,21 @@ def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) 
 
 def _is_number(cell: str) -> bool:
     try:
-        float(cell.rstrip("%").strip() or "0")
+        float(cell.removesuffix("%").removesuffix("ms").strip() or "0")
     except ValueError:
         return False
     return True
+
+
+@contextlib.contextmanager
+def working(what: str) -> Iterator[Callable[[str], None]]:
+    """A spinner on standard error where that is a terminal; call what it gives with what has just been done."""
+    if not sys.stderr.isatty():
+        yield lambda text: None
+        return
+    console = _err()
+    with console.status(what) as status:
+        yield lambda text: status.update(f"{what} ({text})")
 
 
 def track(items: Sequence[T], what: str) -> Iterable[T]:
