@@ -30,7 +30,7 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.robot_file import RobotFile
 from intent_engine.execution.robots.simulated import SimulatedRobot
 
-__all__ = ["DrillReport", "Trial", "busy", "drill"]
+__all__ = ["DrillReport", "Trial", "busy", "drill", "loop_killed", "program_lost"]
 
 JSONL_SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
 
@@ -117,9 +117,9 @@ def drill(
     with busy(processes=os.cpu_count() or 1, threads=2):
         add(_stop_under_load(file, runs))
         add(_flood(file, 500 if quick else 2000))
-        add(_parent("killed", signal.SIGKILL, file, guardian_runs))
-        add(_parent("frozen", signal.SIGSTOP, file, guardian_runs))
-        trial, real_time = _loop_killed(file, guardian_runs)
+        add(program_lost("killed", signal.SIGKILL, file, guardian_runs))
+        add(program_lost("frozen", signal.SIGSTOP, file, guardian_runs))
+        trial, real_time = loop_killed(file, guardian_runs)
         add(trial)
     add(_robot_raises(file, runs))
     add(_robot_hangs(file, runs))
@@ -378,7 +378,8 @@ def _parent_main(write: int, motion: list[Any], limits: dict[str, Any], rates: d
     time.sleep(600.0)
 
 
-def _parent(what: str, number: signal.Signals, file: RobotFile, runs: int) -> Trial:
+def program_lost(what: str, number: signal.Signals, file: RobotFile, runs: int) -> Trial:
+    """Kill or freeze a program that drives, and time the guardian's zero; ``what`` is ``killed`` or ``frozen``."""
     from intent_engine.actions import to_json
 
     limits = {name: value for name, value in asdict(file.limits).items() if name not in ("over", "over_each")}
@@ -425,7 +426,8 @@ def _parent(what: str, number: signal.Signals, file: RobotFile, runs: int) -> Tr
     return _result(f"program {what}", promise, limit, times, faults)
 
 
-def _loop_killed(file: RobotFile, runs: int) -> tuple[Trial, bool]:
+def loop_killed(file: RobotFile, runs: int) -> tuple[Trial, bool]:
+    """Kill the guardian and time the program's own stop; also whether the guardian had SCHED_FIFO."""
     wire = _Wire()
     times, faults = [], []
     with _guarded(file, wire.write) as executor:
