@@ -19,7 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.language.names import NameIndex, name_words
+from intent_engine.language.name_words import name_words
+from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import plain_words, tokenize
 from intent_engine.language.schema_problems import schema_problems
 from intent_engine.language.yaml_source import YamlPath, YamlSource, parse_yaml, read_yaml

@@ -1,8 +1,8 @@
 """A list of names, found again from what was heard: exactly, by number, by sound, by spelling.
 
-Names that differ in a number are different names, however alike they are spelled: "bay 3" is never "bay 13". A name
-that was only nearly said needs a score, word by word, and a margin to the second best; a wrong place costs more
-than a question.
+Names that differ in a number or a letter are different names, however alike they are spelled: "bay 3" is never
+"bay 13". A name that was only nearly said needs words that may be taken for each other, a score, and a margin to the
+second best; a wrong place costs more than a question.
 """
 
 from __future__ import annotations
@@ -10,100 +10,63 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from typing import Literal
 
-from intent_engine.language.normalize import tokenize
-from intent_engine.language.numbers import english
-from intent_engine.language.numbers.numerals import is_numeral, numeral_value
+from intent_engine.language.name_words import (
+    ARTICLES,
+    heard_otherwise,
+    is_identifier,
+    name_words,
+    raw_words,
+    without_article,
+)
 
 __all__ = ["Match", "NameIndex"]
 
-ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "this", "that"))
 MIN_SCORE = 0.84
 """Mean likeness of the words, weighted by length."""
-MIN_SCORE_SHORT = 0.90
-"""The same for a single word of at most four letters: one letter is a quarter of it."""
-MIN_WORD = 0.75
-"""Likeness of the worst word: "dining room" is not "living room" though most letters agree."""
 MIN_MARGIN = 0.05
-"""To the best other name."""
-SPELLING_WEIGHT = 0.6
-"""Share of spelling in a word's likeness; the rest is sound. Chosen on misheard and absent names: docs/locations.md."""
-NUMBER_ALIKES = {
-    "to": "2", "too": "2", "tu": "2", "for": "4", "fore": "4", "tree": "3", "free": "3", "won": "1", "wan": "1",
-    "ate": "8",
-    "sex": "6", "sicks": "6", "tin": "10", "hate": "8", "fife": "5", "nein": "9",
-}  # fmt: skip
-"""What recognisers write for a number at the end of a name."""
-SHORTLIST = 12
+"""To the best other name. Aliases of one name are no rivals."""
+ALIKE_WEIGHT = 0.95
+"""Weight of a score found after a word was taken for a number or letter that sounds alike."""
+SHORTLIST = 24
+"""Names that are compared word by word."""
+SHORTLIST_RATIO = 60.0
+"""Least likeness of their letters, in percent."""
+SUGGESTION_SCAN = 20_000
+"""Names looked at for a suggestion; those of the most similar length come first."""
+MAX_GROUPS = 10_000
+"""Sets of numbers whose names are kept arranged."""
+
+Words = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Match:
     """What a name resolves to."""
 
-    status: str
-    """``exact``, ``fuzzy``, ``ambiguous`` or ``unknown``."""
+    status: Literal["exact", "fuzzy", "ambiguous", "unknown"]
+    """Only ``exact`` and ``fuzzy`` name something."""
     name: str | None
     """The canonical name, if exact or fuzzy."""
     score: float = 0.0
-    """0 to 1."""
+    """0 to 1, of the best candidate."""
     margin: float = 0.0
     """To the best other name."""
     candidates: tuple[tuple[str, float], ...] = ()
-    """Up to three names, best first."""
-    how: str = ""
-    """``exact``, ``number``, ``sound`` or ``spelling``."""
+    """Up to three (name, score), best first; for an unknown name the nearest, to suggest."""
+    how: Literal["", "exact", "number", "sound", "spelling"] = ""
+    """By what it was found: the words, the value of its number, sound alone, or spelling and sound."""
 
 
-@lru_cache(maxsize=65536)
-def sound(word: str) -> str:
-    """A phonetic key (Metaphone, Philips 1990); the word itself if it has none."""
-    import jellyfish
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A candidate of the search."""
 
-    return jellyfish.metaphone(word) or word
-
-
-@lru_cache(maxsize=65536)
-def likeness(said: str, known: str) -> float:
-    """How alike two words are, 0 to 1, in spelling and in sound."""
-    from rapidfuzz import fuzz
-
-    if said == known:
-        return 1.0
-    if is_numeral(said) or is_numeral(known):
-        return 0.0
-    spelling = fuzz.ratio(said, known) / 100
-    heard = fuzz.ratio(sound(said), sound(known)) / 100
-    if said[0] != known[0] and sound(said)[:1] != sound(known)[:1]:
-        heard *= 0.5  # a first sound is seldom misheard; "fridge" is not "bridge"
-    return SPELLING_WEIGHT * spelling + (1 - SPELLING_WEIGHT) * heard
-
-
-def name_words(text: str | Sequence[str]) -> tuple[str, ...]:
-    """A name's words without articles, its numbers in digits."""
-    words = [token.word for token in tokenize(text)] if isinstance(text, str) else list(text)
-    kept = [word for word in words if word not in ARTICLES] or words
-    result: list[str] = []
-    at = 0
-    while at < len(kept):
-        found = english.cardinal(kept, at) if kept[at] in english.NUMBER_WORDS or kept[at][0].isdigit() else None
-        if found is not None and found[0] == int(found[0]) and found[1] > at:
-            result.append(str(int(found[0])))
-            at = found[1]
-        elif is_numeral(kept[at]):
-            value = numeral_value(kept[at])
-            result.append(kept[at] if value is None else f"{value:g}")
-            at += 1
-        else:
-            if kept[at] not in ("number", "no", "nr"):
-                result.append(kept[at])
-            at += 1
-    return tuple(result) or tuple(kept)
-
-
-def _numbers(words: Iterable[str]) -> tuple[str, ...]:
-    return tuple(word for word in words if is_numeral(word))
+    name: str
+    score: float
+    passes: bool
+    how: Literal["sound", "spelling"]
 
 
 class NameIndex:
@@ -114,129 +77,236 @@ class NameIndex:
     """
 
     def __init__(self, entries: Iterable[tuple[str, str]]) -> None:
-        self._entries = entries
+        self._entries: Iterable[tuple[str, str]] = entries
         self._lock = threading.Lock()
-        self._ready = False
+        self._tables: _Tables | None = None
 
-    def _prepare(self) -> None:
-        with self._lock:
-            if self._ready:
-                return
-            self._exact: dict[tuple[str, ...], str] = {}
-            self._groups: dict[tuple[str, ...], dict[int, tuple[list[str], list[tuple[tuple[str, ...], str]]]]] = {}
-            seen = set()
-            for spoken, name in self._entries:
-                words = name_words(spoken)
-                if not words or (words, name) in seen:
-                    continue
-                seen.add((words, name))
-                self._exact.setdefault(words, name)
-                letters = "".join(word for word in words if not is_numeral(word))
-                texts, rows = self._groups.setdefault(_numbers(words), {}).setdefault(len(letters), ([], []))
-                texts.append(letters)
-                rows.append((words, name))
-            self._entries = ()
-            self._ready = True
+    def prepare(self) -> None:
+        """Make it ready now, so that the first question is as quick as the others."""
+        self._ready()
+
+    def _ready(self) -> _Tables:
+        tables = self._tables
+        if tables is None:
+            with self._lock:
+                if self._tables is None:
+                    self._tables = _Tables(self._entries)
+                    self._entries = ()
+                tables = self._tables
+        return tables
 
     def resolve(self, words: str | Sequence[str]) -> Match:
-        """The name that was meant. Never raises; the same words give the same answer."""
-        if not self._ready:
-            self._prepare()
-        said = name_words(words)
+        """The name that was meant. Never raises; the same words give the same answer.
+
+        Args:
+            words: what was heard, as text or as normalised words.
+        """
+        tables = self._ready()
+        heard = raw_words(words) if isinstance(words, str) else tuple(word for word in words if word)
+        said = name_words(heard)
         if not said:
             return Match("unknown", None)
-        name = self._exact.get(said)
-        if name is not None:
-            given = [token.word for token in tokenize(words)] if isinstance(words, str) else list(words)
-            how = "exact" if not _numbers(said) or set(given) >= set(said) else "number"
-            return Match("exact", name, 1.0, 1.0, ((name, 1.0),), how)
-        heard = self._as_number(said)
-        name = self._exact.get(heard) if heard is not None else None
-        if name is not None:
-            return Match("fuzzy", name, 0.95, 0.95, ((name, 0.95),), "sound")
-        ranked = self._ranked(said)
-        if heard is not None:
-            ranked = _merged(ranked, self._ranked(heard))
-        return self._judged(said, ranked)
+        names = tables.names_of(said)
+        if names:
+            return _exactly(names, heard, said)
+        return _judged(self._search(tables, heard, said)) or self._unknown(tables, without_article(said))
 
-    def _as_number(self, said: tuple[str, ...]) -> tuple[str, ...] | None:
-        """ "bay tree" as "bay 3": a word that sounds like a number, at the end of a name of several words."""
-        if len(said) < 2 or said[-1] not in NUMBER_ALIKES:
-            return None
-        return (*said[:-1], NUMBER_ALIKES[said[-1]])
+    def _search(self, tables: _Tables, heard: Sequence[str], said: tuple[str, ...]) -> list[_Found]:
+        """Every name that is near, best first."""
+        best: dict[str, _Found] = {}
 
-    def _shortlist(self, said: tuple[str, ...]) -> list[tuple[tuple[str, ...], str]]:
-        from rapidfuzz import fuzz, process
+        def offer(found: _Found) -> None:
+            other = best.get(found.name)
+            if other is None or (found.score, found.passes) > (other.score, other.passes):
+                best[found.name] = found
 
-        letters = "".join(word for word in said if not is_numeral(word))
-        buckets = self._groups.get(_numbers(said), {})
-        slack = max(2, len(letters) // 4)
-        found: list[tuple[float, tuple[tuple[str, ...], str]]] = []
-        for length in range(len(letters) - slack, len(letters) + slack + 1):
-            bucket = buckets.get(length)
-            if bucket is None:
-                continue
-            texts, rows = bucket
-            for _, score, place in process.extract(
-                letters, texts, scorer=fuzz.ratio, limit=SHORTLIST, score_cutoff=60.0
-            ):
-                found.append((score, rows[place]))
-        found.sort(key=lambda row: (-row[0], row[1]))
-        return [row for _, row in found[:SHORTLIST]]
+        for found in tables.near(without_article(said)):
+            offer(found)
+        for alike in heard_otherwise(heard):
+            for name in tables.names_of(alike):
+                offer(_Found(name, ALIKE_WEIGHT, True, "sound"))
+            for found in tables.near(without_article(alike)):
+                offer(_Found(found.name, found.score * ALIKE_WEIGHT, found.passes, found.how))
+        return sorted(best.values(), key=lambda found: (-found.score, found.name))
 
-    def _ranked(self, said: tuple[str, ...]) -> list[tuple[str, float, float]]:
-        """(name, score, worst word) of the nearest names with the same numbers, best first."""
-        best: dict[str, tuple[float, float]] = {}
-        for words, name in self._shortlist(said):
-            score, worst = _compare(said, words)
-            if name not in best or score > best[name][0]:
-                best[name] = (score, worst)
-        ranked = [(name, score, worst) for name, (score, worst) in best.items()]
-        ranked.sort(key=lambda row: (-row[1], row[0]))
-        return ranked
+    @staticmethod
+    def _unknown(tables: _Tables, said: tuple[str, ...]) -> Match:
+        """ "bay" where there are numbered bays is a question; all else is unknown, with the nearest names."""
+        if not any(is_identifier(word) for word in said):
+            numbered = tables.numbered(said)
+            if numbered:
+                candidates = tuple((name, MIN_SCORE) for name in numbered[:3])
+                return Match("ambiguous", None, MIN_SCORE, 0.0, candidates)
+        candidates = tables.nearest(said)
+        score = candidates[0][1] if candidates else 0.0
+        return Match("unknown", None, score, 0.0, candidates)
 
-    def _judged(self, said: tuple[str, ...], ranked: list[tuple[str, float, float]]) -> Match:
-        candidates = tuple((name, round(score, 3)) for name, score, _ in ranked[:3])
-        if not ranked:
-            return Match("unknown", None, candidates=self._anywhere(said))
-        name, score, worst = ranked[0]
-        margin = score - (ranked[1][1] if len(ranked) > 1 else 0.0)
-        short = len(said) == 1 and len(said[0]) <= 4
-        if score < (MIN_SCORE_SHORT if short else MIN_SCORE) or worst < MIN_WORD:
-            return Match("unknown", None, score, margin, candidates)
-        if margin < MIN_MARGIN:
-            return Match("ambiguous", None, score, margin, candidates)
-        how = "sound" if [sound(word) for word in said] == [sound(word) for word in name.split()] else "spelling"
-        return Match("fuzzy", name, score, margin, candidates, how)
 
-    def _anywhere(self, said: tuple[str, ...]) -> tuple[tuple[str, float], ...]:
-        """The three nearest names whatever their numbers, to suggest."""
+def _exactly(names: tuple[str, ...], heard: Sequence[str], said: tuple[str, ...]) -> Match:
+    if len(names) > 1:
+        return Match("ambiguous", None, 1.0, 0.0, tuple((name, 1.0) for name in names[:3]), "exact")
+    by_value = not set(heard).issuperset(said)
+    return Match("exact", names[0], 1.0, 1.0, ((names[0], 1.0),), "number" if by_value else "exact")
+
+
+def _judged(ranked: list[_Found]) -> Match | None:
+    """The verdict on what was found; None if nothing is near enough to be asked about."""
+    if not ranked:
+        return None
+    best = ranked[0]
+    candidates = tuple((found.name, round(found.score, 3)) for found in ranked[:3])
+    margin = best.score - (ranked[1].score if len(ranked) > 1 else 0.0)
+    if best.score < MIN_SCORE or not best.passes:
+        return Match("unknown", None, best.score, margin, candidates) if len(candidates) == 3 else None
+    if margin < MIN_MARGIN:
+        return Match("ambiguous", None, best.score, margin, candidates, best.how)
+    return Match("fuzzy", best.name, best.score, margin, candidates, best.how)
+
+
+class _Tables:
+    """The names, arranged to be found."""
+
+    def __init__(self, entries: Iterable[tuple[str, str]]) -> None:
+        exact: dict[Words, tuple[str, ...]] = {}
+        for spoken, name in entries:
+            words = name_words(spoken)
+            if words:
+                names = exact.get(words)
+                if names is None:
+                    exact[words] = (name,)
+                elif name not in names:
+                    exact[words] = tuple(sorted((*names, name)))
+        self._exact = exact
+        self._bare: dict[Words, tuple[str, ...]] = {}
+        """Names without the article in front."""
+        self._by_identifiers: dict[tuple[str, ...], list[Words]] = {}
+        self._by_letters: dict[str, list[Words]] = {}
+        self._groups: dict[tuple[str, ...], _Group] = {}
+        """Made when first asked for."""
+        for words in sorted(exact):  # sorted, so that the order of the file decides nothing
+            if words[0] in ARTICLES:
+                bare = without_article(words)
+                if bare != words:
+                    self._bare[bare] = tuple(sorted({*self._bare.get(bare, ()), *exact[words]}))
+            identifiers, letters = _split(words)
+            self._by_identifiers.setdefault(identifiers, []).append(words)
+            self._by_letters.setdefault(letters, []).append(words)
+        self._all = _Group(self._by_letters)
+
+    def names_of(self, words: Words) -> tuple[str, ...]:
+        """The names that are said with exactly these words, or with these but for an article."""
+        found = self._exact.get(words)
+        if found is None:
+            bare = without_article(words)
+            found = self._exact.get(bare) or self._bare.get(bare) or ()
+        return found
+
+    def near(self, said: Words) -> list[_Found]:
+        """Names with the same identifiers whose words are alike."""
+        from intent_engine.language.likeness import compare, sound
+
+        identifiers, letters = _split(said)
+        if not letters:
+            return []
+        found: list[_Found] = []
+        for words in self._group(identifiers).shortlist(letters):
+            like = compare(said, words)
+            same = len(said) == len(words) and all(sound(a) == sound(b) for a, b in zip(said, words, strict=True))
+            how: Literal["sound", "spelling"] = "sound" if same else "spelling"
+            found.extend(_Found(name, like.score, like.passes, how) for name in self._exact[words])
+        return found
+
+    def _group(self, identifiers: tuple[str, ...]) -> _Group:
+        group = self._groups.get(identifiers)
+        if group is None:
+            by_letters: dict[str, list[Words]] = {}
+            for words in self._by_identifiers.get(identifiers, ()):
+                by_letters.setdefault(_split(words)[1], []).append(words)
+            group = _Group(by_letters)
+            if len(self._groups) < MAX_GROUPS:
+                self._groups[identifiers] = group
+        return group
+
+    def numbered(self, said: Words) -> list[str]:
+        """The names that are these words and a number or letter, in order."""
+        forms = [
+            words
+            for words in self._by_letters.get("".join(said), ())
+            if len(words) > len(said) and tuple(word for word in words if not is_identifier(word)) == said
+        ]
+        return list(dict.fromkeys(name for words in sorted(forms, key=_natural) for name in self._exact[words]))
+
+    def nearest(self, said: Words) -> tuple[tuple[str, float], ...]:
+        """Up to three names that are written most like it, whatever their numbers, to suggest."""
         from rapidfuzz import fuzz, process
 
         text = " ".join(said)
-        names = {" ".join(words): name for words, name in self._exact.items()}
+        identifiers, letters = _split(said)
+        if letters:
+            forms = self._all.nearest(letters)
+        else:
+            forms = self._by_identifiers.get(identifiers, [])[:SUGGESTION_SCAN] or list(self._exact)[:SUGGESTION_SCAN]
+        spoken = {" ".join(words): words for words in forms}
+        rows = process.extract(text, list(spoken), scorer=fuzz.ratio, limit=SHORTLIST)
+        rows.sort(key=lambda row: (-row[1], _natural(spoken[row[0]])))
         best: dict[str, float] = {}
-        for found, score, _ in process.extract(text, names.keys(), scorer=fuzz.ratio, limit=9, score_cutoff=35.0):
-            best.setdefault(names[found], round(score / 100, 3))
-        return tuple(list(best.items())[:3])
+        for found, score, _ in rows:
+            for name in self._exact[spoken[found]]:
+                best.setdefault(name, round(score / 100, 3))
+        return tuple(best.items())[:3]
 
 
-def _compare(said: tuple[str, ...], known: tuple[str, ...]) -> tuple[float, float]:
-    """Likeness of two names, and of their worst word. Words split or joined otherwise are compared as one."""
-    if len(said) == len(known):
-        likes = [likeness(one, other) for one, other in zip(said, known, strict=True)]
-        weights = [max(len(word), 2) for word in known]
-        mean = sum(like * weight for like, weight in zip(likes, weights, strict=True)) / sum(weights)
-        return mean, min(likes)
-    whole = likeness("".join(said), "".join(known))
-    return whole - 0.02, whole
+class _Group:
+    """Names by the number of their letters."""
+
+    __slots__ = ("_by_length", "_forms")
+
+    def __init__(self, forms: dict[str, list[Words]]) -> None:
+        self._forms = forms
+        self._by_length: dict[int, list[str]] = {}
+        for letters in forms:
+            self._by_length.setdefault(len(letters), []).append(letters)
+
+    def shortlist(self, letters: str) -> list[Words]:
+        """The forms whose letters, without spaces, are most alike."""
+        from rapidfuzz import fuzz, process
+
+        slack = max(2, len(letters) // 4)
+        found: list[tuple[float, str]] = []
+        for length in range(len(letters) - slack, len(letters) + slack + 1):
+            texts = self._by_length.get(length)
+            if texts:
+                rows = process.extract(letters, texts, scorer=fuzz.ratio, limit=SHORTLIST, score_cutoff=SHORTLIST_RATIO)
+                found.extend((-score, text) for text, score, _ in rows)
+        found.sort()
+        return [words for _, text in found[:SHORTLIST] for words in self._forms[text]]
+
+    def nearest(self, letters: str) -> list[Words]:
+        """Forms whose letters are the most alike of those of similar length, however little."""
+        from rapidfuzz import fuzz, process
+
+        texts: list[str] = []
+        for length in sorted(self._by_length, key=lambda length: (abs(length - len(letters)), length)):
+            texts.extend(self._by_length[length][: SUGGESTION_SCAN - len(texts)])
+            if len(texts) >= SUGGESTION_SCAN:
+                break
+        found = process.extract(letters, texts, scorer=fuzz.ratio, limit=SHORTLIST, score_cutoff=SHORTLIST_RATIO)
+        if len(found) < 3:
+            found = process.extract(letters, texts, scorer=fuzz.ratio, limit=SHORTLIST)
+        forms: list[Words] = []
+        for text, _, _ in sorted(found, key=lambda row: (-row[1], row[0])):
+            forms.extend(self._forms[text][: SUGGESTION_SCAN - len(forms)])
+        return forms
 
 
-def _merged(
-    first: list[tuple[str, float, float]], second: list[tuple[str, float, float]]
-) -> list[tuple[str, float, float]]:
-    best: dict[str, tuple[float, float]] = {}
-    for name, score, worst in (*first, *((name, score * 0.97, worst) for name, score, worst in second)):
-        if name not in best or score > best[name][0]:
-            best[name] = (score, worst)
-    return sorted(((name, *rest) for name, rest in best.items()), key=lambda row: (-row[1], row[0]))
+def _split(words: Words) -> tuple[tuple[str, ...], str]:
+    """The identifiers of a name, and its letters without spaces; of both, an article in front is no part."""
+    words = without_article(words)
+    identifiers = tuple(word for word in words if len(word) == 1 or not word.isalpha())
+    letters = "".join(words) if not identifiers else "".join(word for word in words if word not in identifiers)
+    return identifiers, letters
+
+
+def _natural(words: Words) -> tuple[tuple[int, float, str], ...]:
+    """A key that sorts bay 2 before bay 10."""
+    return tuple((0, float(word), "") if word.isdigit() and len(word) < 300 else (1, 0.0, word) for word in words)
