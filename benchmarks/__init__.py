@@ -1,0 +1,1 @@
+"""What the engine costs and keeps, beside its peers. Run ``python -m benchmarks``."""

@@ -1,0 +1,175 @@
+"""Run the benchmarks, merge their rows into ``results.json``, and write ``docs/benchmarks.md`` from it.
+
+Every module of this folder with a function ``run(quick: bool) -> list[dict]`` is a benchmark. A row has these keys:
+
+``figure``      what was measured, in words
+``value``       the number (the smaller the better, unless the words say otherwise)
+``unit``        its unit
+``peer``        what it is compared with, measured in the same run; None if there is nothing
+``peer_value``  the peer's number, in the same unit
+``ratio``       ``peer_value / value``: how many times better than the peer
+``spread``      [low, high] of the value over the runs, or None
+``runs``        how many
+``command``     how to repeat it
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import importlib.util
+import json
+import os
+import platform
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+RESULTS = HERE / "results.json"
+PAGE = HERE.parent / "docs" / "benchmarks.md"
+KEYS = ("figure", "value", "unit", "peer", "peer_value", "ratio", "spread", "runs", "command")
+
+HEAD = """# Benchmarks
+
+Written by `make bench` from `benchmarks/results.json`; do not edit. Each figure stands beside its peer, measured in the
+same run on the same machine, because a ratio travels further than a time. *Better* is peer divided by value.
+"""
+
+
+def modules() -> list[str]:
+    """Names of the benchmarks, in alphabetical order."""
+    names = sorted(path.stem for path in HERE.glob("*.py") if not path.stem.startswith("_"))
+    return [name for name in names if "def run(" in (HERE / f"{name}.py").read_text("utf-8")]
+
+
+def machine() -> dict[str, Any]:
+    """What the figures were measured on, as far as it matters."""
+    model = ""
+    info = Path("/proc/cpuinfo")
+    if info.exists():
+        lines = [
+            line.split(":", 1)[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")
+        ]
+        model = lines[0] if lines else ""
+    return {
+        "processor": model or platform.processor(),
+        "cores": os.cpu_count(),
+        "system": platform.system(),
+        "python": platform.python_version(),
+    }
+
+
+def checked(name: str, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The rows, if each has what it needs.
+
+    Raises:
+        ValueError: a row is wrong; the module's mistake.
+    """
+    for row in rows:
+        wrong = set(row) ^ set(KEYS)
+        if wrong:
+            raise ValueError(f"{name}: a row has wrong keys {sorted(wrong)}: {row.get('figure')}")
+    day = time.strftime("%Y-%m-%d", time.gmtime())
+    return [{"module": name, **row, "measured": day, "machine": machine()} for row in rows]
+
+
+def merge(old: dict[str, Any], name: str, rows: list[dict[str, Any]], quick: bool) -> dict[str, Any]:
+    """Replace the rows of one module and leave those of the others."""
+    kept = [row for row in old.get("rows", []) if row["module"] != name]
+    merged = sorted([*kept, *({**row, "quick": quick} for row in rows)], key=lambda row: str(row["module"]))
+    return {"rows": merged}
+
+
+def number(value: Any) -> str:
+    """A number with three digits that mean something."""
+    if value is None:
+        return ""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return f"{value:,.0f}" if float(value).is_integer() or abs(value) >= 1000 else f"{value:.3g}"
+    return str(value)
+
+
+def spread(row: dict[str, Any]) -> str:
+    return " .. ".join(number(value) for value in row["spread"]) if row["spread"] else ""
+
+
+def cells(row: dict[str, Any]) -> list[str]:
+    """A row of the table."""
+    return [
+        row["figure"],
+        f"{number(row['value'])} {row['unit']}".strip(),
+        spread(row),
+        row["peer"] or "",
+        f"{number(row['peer_value'])} {row['unit']}".strip() if row["peer_value"] is not None else "",
+        f"{number(row['ratio'])}x" if row["ratio"] is not None else "",
+        number(row["runs"]),
+    ]
+
+
+COLUMNS = ("what", "value", "spread", "peer", "peer's value", "better", "runs")
+
+
+def page(results: dict[str, Any]) -> str:
+    """``docs/benchmarks.md``."""
+    parts = [HEAD]
+    for name in dict.fromkeys(row["module"] for row in results["rows"]):
+        rows = [row for row in results["rows"] if row["module"] == name]
+        on = rows[0]["machine"]
+        quick = " Quick runs: few samples." if any(row["quick"] for row in rows) else ""
+        parts.append(f"\n## {name.replace('_', ' ').capitalize()}\n\n")
+        parts.append(
+            f"Measured {rows[0]['measured']} on {on['cores']} cores ({on['processor']}), {on['system']}, "
+            f"Python {on['python']}.{quick}\n\n"
+        )
+        parts.append("| " + " | ".join(COLUMNS) + " |\n|" + "---|" * len(COLUMNS) + "\n")
+        parts += ["| " + " | ".join(cell.replace("|", "\\|") for cell in cells(row)) + " |\n" for row in rows]
+        commands = list(dict.fromkeys(row["command"] for row in rows if row["command"]))
+        parts.append("\nRepeat: " + ", ".join(f"`{command}`" for command in commands) + "\n")
+    return "".join(parts)
+
+
+def show(rows: list[dict[str, Any]]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    grid = Table(show_edge=False, pad_edge=False)
+    for index, name in enumerate(COLUMNS):
+        grid.add_column(name, justify="left" if index in (0, 3) else "right", overflow="fold")
+    for row in rows:
+        grid.add_row(*cells(row))
+    console = Console(highlight=False)
+    (console if console.is_terminal else Console(highlight=False, width=180)).print(grid)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description="Run the benchmarks.")
+    parser.add_argument("--only", action="append", metavar="NAME", help=f"one of: {', '.join(modules())}; repeatable")
+    parser.add_argument("--quick", action="store_true", help="few runs: to see that it works, not to quote")
+    parser.add_argument("--page", action="store_true", help="only write docs/benchmarks.md from results.json")
+    options = parser.parse_args()
+    results: dict[str, Any] = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {"rows": []}
+    names = [] if options.page else options.only or modules()
+    failed = []
+    for name in names:
+        if name not in modules():
+            parser.error(f"there is no benchmark {name!r}; there are: {', '.join(modules())}")
+        print(f"{name} ...", file=sys.stderr, flush=True)
+        try:
+            rows = checked(name, importlib.import_module(f"benchmarks.{name}").run(options.quick))
+        except Exception as error:
+            # One that cannot run (a peer that is not installed) must not cost the others their hour.
+            failed.append(name)
+            print(f"{name}: {type(error).__name__}: {error}", file=sys.stderr)
+            continue
+        show(rows)
+        results = merge(results, name, rows, options.quick)
+        RESULTS.write_text(json.dumps(results, indent=1) + "\n", "utf-8")
+    PAGE.parent.mkdir(exist_ok=True)
+    PAGE.write_text(page(results), "utf-8")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
