@@ -6,6 +6,7 @@ the repository that the package is run from.
 
 from __future__ import annotations
 
+import os
 from importlib import resources
 from pathlib import Path
 
@@ -32,7 +33,7 @@ def find(kind: str, name: str) -> Path:
         ConfigError: there is none; the message lists those that there are.
     """
     given = Path(name)
-    if given.suffix or len(given.parts) > 1 or given.exists():
+    if given.suffix or os.sep in name or "/" in name or given.is_file():
         return given
     for folder in _folders(kind):
         path = folder / f"{name}{_SUFFIX}"

@@ -1,0 +1,101 @@
+"""The frame of the command line: help, version, colours, faults of our own."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from importlib.metadata import version
+
+import pytest
+from typer.main import get_command
+from typer.testing import CliRunner
+
+from intent_engine.cli import app, guard
+
+VERBS = sorted(get_command(app).commands)  # type: ignore[attr-defined]
+
+
+def test_version(intent_engine):
+    done = intent_engine("--version")
+    assert (done.returncode, done.stdout) == (0, f"intent-engine {version('intent-engine')}\n")
+
+
+def test_without_a_verb_it_shows_the_help(intent_engine):
+    done = intent_engine(COLUMNS="120")
+    assert all(verb in done.stdout for verb in VERBS)
+    assert "Exit codes" in done.stdout
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_every_verb_has_help_with_examples_that_name_its_options(verb):
+    result = CliRunner().invoke(app, [verb, "--help"], env={"COLUMNS": "200", "NO_COLOR": "1", "TERM": "dumb"})
+    assert result.exit_code == 0
+    assert "Examples" in result.output
+    examples = [line for line in result.output.splitlines() if re.match(r"\s*intent-engine ", line)]
+    assert len(examples) >= 2
+    options = set(re.findall(r"(--[a-z][a-z-]+)", result.output))
+    for example in examples:
+        command, *_ = example.split("|")
+        assert f"intent-engine {verb}" in command
+        assert set(re.findall(r"(--[a-z][a-z-]+)", command)) <= options
+
+
+def test_colours_are_for_terminals_that_want_them(monkeypatch, capsys):
+    from intent_engine.cli import terminal
+
+    monkeypatch.setenv("FORCE_COLOR", "1")  # rich takes this for a terminal
+    monkeypatch.setenv("TERM", "xterm-256color")
+    terminal.say("done", "green")
+    assert capsys.readouterr().out == "\x1b[32mdone\x1b[0m\n"
+    monkeypatch.setenv("NO_COLOR", "1")
+    terminal.say("done", "green")
+    assert "\x1b[32m" not in capsys.readouterr().out
+
+
+def test_what_people_said_is_never_markup(capsys):
+    from intent_engine.cli import terminal
+
+    terminal.say("[bold]go[/bold] [/nonsense]")
+    assert capsys.readouterr().out == "[bold]go[/bold] [/nonsense]\n"
+
+
+@pytest.fixture
+def faulty(monkeypatch):
+    """A fault of ours, deep inside a verb."""
+
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("one over nothing")
+
+    # The package's attribute of this name is the verb; the module is found by its full name.
+    monkeypatch.setattr(sys.modules["intent_engine.cli.parse"], "load_engine", broken)
+    monkeypatch.setattr(sys, "argv", ["intent-engine", "parse", "go to the kitchen"])
+    monkeypatch.delenv(guard.DEBUG, raising=False)
+    yield
+    os.environ.pop(guard.DEBUG, None)
+
+
+@pytest.mark.usefixtures("faulty")
+def test_a_fault_of_ours_is_told_without_a_traceback():
+    result = CliRunner().invoke(app, ["parse", "go to the kitchen"])
+    assert result.exit_code == 70
+    assert result.stdout == ""
+    assert result.stderr.startswith("error: intent-engine failed in a way it should not: ZeroDivisionError: one over")
+    assert "Traceback" not in result.stderr
+    assert "intent-engine --debug parse 'go to the kitchen'" in result.stderr
+
+
+@pytest.mark.usefixtures("faulty")
+def test_debug_shows_where():
+    result = CliRunner().invoke(app, ["--debug", "parse", "go to the kitchen"])
+    assert result.exit_code == 70
+    assert "Traceback" in result.stderr
+
+
+def test_numbers_stand_to_the_right(capsys):
+    from intent_engine.cli import terminal
+
+    terminal.table("Figures", ("what", "time"), [("one", "1.0 ms"), ("two", "10.0 ms")])
+    lines = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
+    one, two = (next(line for line in lines if line.lstrip().startswith(name)) for name in ("one", "two"))
+    assert len(one) == len(two)

@@ -1,0 +1,45 @@
+"""Which file is meant by a bare name: a user's own first, then the one that comes with the engine."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from intent_engine import resources
+from intent_engine.errors import ConfigError
+
+
+def test_a_copy_in_the_folder_one_stands_in_wins(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert resources.default_grammar().is_absolute()
+    (tmp_path / "grammars").mkdir()
+    (tmp_path / "grammars" / "en.yaml").write_text("language: en\n", "utf-8")
+    assert resources.default_grammar() == Path("grammars/en.yaml")
+
+
+@pytest.mark.parametrize("given", ["grammars/mine.yaml", "mine.yaml", "/somewhere/mine.yml", "./mine"])
+def test_a_path_is_a_path_even_if_nothing_is_there(given):
+    assert resources.find("grammars", given) == Path(given)
+
+
+def test_the_installed_package_comes_before_the_repository(tmp_path, monkeypatch):
+    package = tmp_path / "site-packages" / "intent_engine"
+    installed = package / "share" / "locations" / "home.yaml"
+    installed.parent.mkdir(parents=True)
+    installed.write_text("frame: map\n", "utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(resources.resources, "files", lambda name: package)
+    assert resources.default_locations() == installed
+    with pytest.raises(ConfigError, match=r"no file en\.yaml in grammars/"):
+        resources.default_grammar()
+
+
+def test_everything_that_is_looked_for_is_put_into_the_wheel(root):
+    project = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))
+    included = project["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"]
+    for path in (resources.default_grammar(), resources.default_locations(), resources.default_robot()):
+        kind = path.parent.name
+        assert included[kind] == f"intent_engine/share/{kind}"
+        assert (root / kind / path.name).is_file()
