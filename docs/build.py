@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +12,17 @@ VERBS = "<!-- verbs -->"
 """Where docs/cli.md wants the reference of all verbs."""
 DECISIONS = "<!-- decisions -->"
 """Where docs/decisions/index.md wants the list of its pages."""
+
+
+def on_config(config: Any) -> Any:
+    """Put every page of this folder that the navigation does not name into its section of guides."""
+    named = set(re.findall(r"[\w/-]+\.md", str(config["nav"])))
+    folder = Path(config["docs_dir"])
+    guides = [path.name for path in sorted(folder.glob("*.md")) if path.name not in named]
+    for section in config["nav"]:
+        if "Guides" in section:
+            section["Guides"] = guides
+    return config
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:

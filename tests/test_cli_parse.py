@@ -93,3 +93,27 @@ def test_text_needs_no_audio():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "others"),
+    [
+        ("go to the", {"kitchen", "bedroom", "dock"}, {"forward"}),
+        ("go to the ki", {"kitchen"}, {"bedroom"}),
+        ("turn", {"left", "right", "around"}, {"kitchen"}),
+    ],
+)
+def test_complete_lists_the_words_that_may_follow(intent_engine, text, words, others):
+    done = intent_engine("complete", text)
+    listed = set(done.stdout.split())
+    assert done.returncode == 0
+    assert words <= listed
+    assert not others & listed
+    as_json = json.loads(intent_engine("complete", "--json", text).stdout)
+    assert set(as_json["next_words"]) == listed
+
+
+def test_complete_knows_when_nothing_can_follow(intent_engine):
+    done = intent_engine("complete", "fly to the moon")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "no sentence begins so" in done.stderr

@@ -67,7 +67,9 @@ CASES: dict[str, Callable[[], object]] = {
     ),
     "grammar: open bracket": _grammar(WAVE + "      - 'wave [at me'\n"),
     "grammar: YAML's yes": _grammar(WAVE + "      - yes\n"),
-    "grammar: several mistakes at once": _grammar(WAVE + "      - 'wave {who}'\n      - 'wave [at {whom}'\n      - 'look [at me'\n"),
+    "grammar: several mistakes at once": _grammar(
+        WAVE + "      - 'wave {who}'\n      - 'wave [at {whom}'\n      - 'look [at me'\n"
+    ),
     "grammar: the same sentence twice": _grammar(
         WAVE + "      - wave\n  greet: {action: {type: custom, name: greet}, sentences: [wave]}\n"
     ),

@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from intent_engine.cli.complete import complete
 from intent_engine.cli.drill import drill
 from intent_engine.cli.guard import DEBUG
 from intent_engine.cli.listening import run
@@ -66,6 +67,11 @@ app.command(
     'intent-engine parse --json "turn left ninety degrees"\n\nintent-engine parse - < sentences.txt',
     rich_help_panel=_UNDERSTAND,
 )(parse)
+
+app.command(
+    epilog='Examples:\n\nintent-engine complete "go to the"\n\nintent-engine complete --json "turn left n"',
+    rich_help_panel=_UNDERSTAND,
+)(complete)
 
 _TRUST = "Measure and trust"
 
