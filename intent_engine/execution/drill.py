@@ -431,7 +431,7 @@ def loop_killed(file: RobotFile, runs: int) -> tuple[Trial, bool]:
     wire = _Wire()
     times, faults = [], []
     with _guarded(file, wire.write) as executor:
-        guardian: Any = executor._loop
+        guardian: Any = executor.loop
         real_time = bool(guardian.real_time)
         for _ in range(runs):
             wire.log.clear()

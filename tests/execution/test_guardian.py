@@ -124,7 +124,7 @@ def test_nothing_follows_a_stop(guarded, wire):
 def test_a_lost_loop_is_noticed_and_the_robot_stopped_by_its_own_stop(guarded, wire, number):
     (goal,) = guarded.submit(LONG)
     until(wire.moving)
-    os.kill(guarded._loop.pid, number)
+    os.kill(guarded.loop.pid, number)
     goal.result(30.0)
     assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.VELOCITY_LOOP)
     until(lambda: "stop" in wire.lines[-1])
@@ -138,7 +138,7 @@ def test_a_lost_loop_is_noticed_and_the_robot_stopped_by_its_own_stop(guarded, w
 def test_stopping_a_frozen_loop_kills_it(guarded, wire):
     (goal,) = guarded.submit(LONG)
     until(wire.moving)
-    pid = guarded._loop.pid
+    pid = guarded.loop.pid
     os.kill(pid, signal.SIGSTOP)
     guarded.stop()
     assert goal.done

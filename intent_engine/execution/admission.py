@@ -1,0 +1,99 @@
+"""What may be done at all: whether this robot can, is allowed to, and whether it is still wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+from typing import Any
+
+from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.execution.goal import Goal, GoalState, Reason
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.robots.robot import Capability, Robot
+from intent_engine.execution.runs import Ending, Handler
+
+__all__ = ["Admission", "Policy"]
+
+_NEEDS: dict[type[Any], Capability] = {
+    Move: Capability.MOVE,
+    Turn: Capability.TURN,
+    Navigate: Capability.NAVIGATE,
+    Pick: Capability.PICK,
+    Place: Capability.PLACE,
+}
+
+
+class Policy(StrEnum):
+    """What a new command does when another one is being carried out."""
+
+    REPLACE = "replace"
+    """It takes its place at once (the default)."""
+    QUEUE = "queue"
+    """It waits its turn."""
+    REFUSE = "refuse"
+    """It is rejected."""
+
+
+class Admission:
+    """The rules by which a goal is accepted; it holds no state of what is going on."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        limits: Limits,
+        handlers: Mapping[str, Handler],
+        policies: Mapping[str, Policy | str],
+        expire_after: float,
+    ) -> None:
+        self.robot = robot
+        self.limits = limits
+        self.handlers: dict[str, Handler] = dict(handlers)
+        self.policies = {name: Policy(policy) for name, policy in policies.items()}
+        self.expire_after = expire_after
+
+    def policy(self, action: Action) -> Policy:
+        """What an action does when it comes while another is carried out."""
+        name = action.name if isinstance(action, Custom) else action.type
+        return self.policies.get(name, self.policies.get(action.type, Policy.REPLACE))
+
+    def handler(self, action: Action) -> Handler | None:
+        """Who carries the action out, if it is not the robot."""
+        if isinstance(action, Custom):
+            return self.handlers.get(action.name) or self.handlers.get("custom")
+        need = _NEEDS.get(type(action))
+        if need is not None and need in self.robot.capabilities:
+            return None
+        return self.handlers.get(action.type)
+
+    def drives(self, action: Action) -> bool:
+        """Whether it is a motion on the velocity loop."""
+        return isinstance(action, (Move, Turn)) and self.handler(action) is None
+
+    def expired(self, goal: Goal, now: float) -> Ending | None:
+        """The words ended too long ago."""
+        spoken = goal.times.spoken
+        if spoken is None or now - spoken <= self.expire_after:
+            return None
+        return _no(Reason.EXPIRED, f"the words ended {now - spoken:.1f} s ago; the limit is {self.expire_after:g} s")
+
+    def impossible(self, goal: Goal) -> Ending | None:
+        """This robot cannot do it, or must not. An action beyond a limit that clamps is cut down in the goal."""
+        action = goal.action
+        if isinstance(action, Stop) or self.handler(action) is not None:
+            return None
+        need = _NEEDS.get(type(action))
+        if need is None:
+            name = action.name if isinstance(action, Custom) else action.type
+            return _no(Reason.NO_HANDLER, f"nothing is registered for {name!r}: executor.register({name!r}, ...)")
+        if need not in self.robot.capabilities:
+            return _no(Reason.CAPABILITY, f"this robot cannot {need.value}")
+        checked = self.limits.check(action)
+        if checked.refused:
+            return _no(Reason.LIMIT, checked.refused)
+        goal.action = checked.action
+        goal.detail = "; ".join(checked.clamped)
+        return None
+
+
+def _no(reason: Reason, detail: str) -> Ending:
+    return Ending(GoalState.REJECTED, reason, detail)

@@ -1,0 +1,402 @@
+"""The rules of the executor: which goal is next, which makes way, and what a stop, a hold or a failure ends.
+
+A conductor has no lock, no thread and no clock: it is told the time, and the executor calls it under its lock.
+"""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from intent_engine.actions import Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.execution.admission import Admission, Policy
+from intent_engine.execution.events import EventKind
+from intent_engine.execution.gate import Gate
+from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason, move_goal
+from intent_engine.execution.motion import Keep, Motion
+from intent_engine.execution.robots.robot import Pose, Robot
+from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, StopRun, TaskRun, VelocityLoop
+
+__all__ = ["Conductor", "Host"]
+
+log = logging.getLogger(__name__)
+
+
+class Tell(Protocol):
+    """Lets the listeners know, later and outside the lock."""
+
+    def __call__(
+        self,
+        kind: EventKind,
+        goal: Goal | None = None,
+        *,
+        reason: Reason = Reason.NONE,
+        detail: str = "",
+        feedback: Feedback | None = None,
+    ) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Host:
+    """What a conductor needs of who runs it."""
+
+    tell: Tell
+    launch: Callable[[Callable[[], None]], None]
+    """Does the work of a handler, outside the lock."""
+    poke: Callable[[], None]
+    """Makes it look again soon; from any thread."""
+    ended: Callable[[], None]
+    """Wakes those who wait for the end of a goal."""
+
+
+class Conductor:
+    """Carries out one goal at a time on one robot."""
+
+    FEEDBACK_PERIOD = 0.1
+    """s between two feedback events of a goal."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        admission: Admission,
+        loop: VelocityLoop,
+        gate: Gate,
+        host: Host,
+        hold_limit: float,
+        queue_limit: int,
+        valid_for: float,
+    ) -> None:
+        self._robot = robot
+        self._admission = admission
+        self._loop = loop
+        self._gate = gate
+        self._host = host
+        self._hold_limit, self._queue_limit = hold_limit, queue_limit
+        self._valid_for = valid_for
+        self._queue: deque[Goal] = deque()
+        self._keep: dict[int, Keep] = {}
+        self._run: Run | None = None
+        self._held_since: float | None = None
+        self._feedback_at = math.inf
+        self.paused = self.estopped = self.closed = False
+        self.fault = ""
+        """Why the velocity loop must not be used."""
+
+    @property
+    def idle(self) -> bool:
+        return self._run is None and not self._queue
+
+    @property
+    def held(self) -> bool:
+        return self._held_since is not None
+
+    @property
+    def running(self) -> Goal | None:
+        return self._run.goal if self._run is not None else None
+
+    @property
+    def queued(self) -> int:
+        return len(self._queue)
+
+    # -- time --------------------------------------------------------------------------------------------------------
+
+    def due(self, now: float) -> float | None:
+        """When :meth:`advance` has something to do."""
+        times: list[float] = []
+        run, resting = self._run, self.held or self.paused
+        if self._held_since is not None:
+            times.append(self._held_since + self._hold_limit)
+        if run is not None:
+            run_due = run.due(now)
+            if run_due is not None and not (resting and isinstance(run, MotionRun)):
+                times.append(run_due)
+            if not resting:
+                times.append(self._feedback_at)
+        loop_due = self._loop.due()
+        if loop_due is not None:
+            times.append(loop_due)
+        first = min(times, default=math.inf)
+        return None if math.isinf(first) else max(first, now)
+
+    def advance(self, now: float) -> None:
+        """Do all that is due. Nothing that a robot raises leaves here."""
+        if self._held_since is not None and now >= self._held_since + self._hold_limit:
+            self.stop(Reason.HOLD_EXPIRED, EventKind.STOP, now)
+        while True:
+            run = self._run
+            try:
+                if run is None:
+                    self._loop.step(now)
+                    if not self._begin_next(now):
+                        break
+                    continue
+                ending = run.step(now)
+            except Exception as error:
+                self._robot_failed(run, error, now)
+                continue
+            if ending is None:
+                break
+            self._run = None
+            self._end(run.goal, ending, now, run)
+        if self._run is not None and now >= self._feedback_at:
+            self._give_feedback(self._run, now)
+
+    # -- commands ----------------------------------------------------------------------------------------------------
+
+    def take(self, goals: list[Goal], keeps: list[Keep], policy: Policy | None, now: float) -> None:
+        """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
+        for goal, keep in zip(goals, keeps, strict=True):
+            self._keep[goal.id] = keep
+            self._host.tell(EventKind.GOAL, goal)
+        waiting = goals
+        if isinstance(goals[0].action, Stop):
+            # Whatever may be wrong with the rest of the sentence, the stop has happened.
+            for state in (GoalState.ACCEPTED, GoalState.EXECUTING):
+                self._move(goals[0], state, now)
+            self._end(goals[0], Ending(GoalState.SUCCEEDED), now)
+            waiting = goals[1:]
+        if not waiting:
+            return
+        policy = policy or self._admission.policy(goals[0].action)
+        refusals = [self._refusal(goal, now) for goal in waiting]
+        if not any(refusals) and (full := self._no_room(len(waiting), policy)) is not None:
+            refusals = [full] * len(waiting)
+        refused = next((ending for ending in refusals if ending is not None), None)
+        if refused is not None:
+            whole = f"another step of the same command was refused: {refused.detail or refused.reason.value}"
+            for goal, ending in zip(waiting, refusals, strict=True):
+                self._end(goal, ending or Ending(GoalState.REJECTED, Reason.EARLIER_FAILED, whole), now)
+            return
+        if policy is Policy.REPLACE:
+            self._make_way(waiting[0], now)
+        for goal in waiting:
+            self._move(goal, GoalState.ACCEPTED, now)
+            self._queue.append(goal)
+
+    def cancel(self, goal: Goal, now: float) -> None:
+        """End one goal and what was said with it after it."""
+        if goal in self._queue:
+            self._queue.remove(goal)
+            self._end(goal, Ending(GoalState.CANCELED, Reason.CANCELED), now)
+        elif self._run is not None and self._run.goal is goal:
+            self._give_up(self._run, Reason.CANCELED, now)
+
+    def hold(self, now: float) -> None:
+        """Rest at once; the robot itself has been stopped."""
+        self._held_since = now
+        self._suspend(now, at_once=True)
+
+    def release(self, now: float) -> None:
+        self._held_since = None
+        self._go_on(now)
+
+    def pause(self, now: float) -> None:
+        """Come to rest, gently."""
+        self.paused = True
+        if not self.held:
+            self._suspend(now, at_once=False)
+
+    def resume(self, now: float) -> None:
+        self.paused = False
+        self._go_on(now)
+
+    def stop(self, reason: Reason, kind: EventKind, now: float) -> None:
+        """Zero, and the end of everything."""
+        self._gate.shut()
+        self.stop_robot()
+        run, self._run = self._run, None
+        self._halt_loop(run, now)
+        self._held_since, self.paused = None, False
+        if run is not None:
+            if isinstance(run, HandlerRun):
+                run.give_up(now)
+            # A goal that was making way already keeps its own reason.
+            was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
+            self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
+        while self._queue:
+            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+        self._host.tell(kind, reason=reason)
+
+    def stop_robot(self) -> None:
+        """The robot's own stop, whatever it raises. Needs no lock."""
+        try:
+            self._robot.stop()
+        except Exception as error:
+            # The protocol forbids it; and still the velocity is tried.
+            log.exception("the robot raised in stop()")
+            try:
+                self._robot.velocity(0.0, 0.0, self._valid_for)
+            except Exception:
+                log.exception("the robot raised in velocity(0, 0)")
+            self._host.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
+
+    def pose(self) -> Pose | None:
+        try:
+            return self._robot.pose()
+        except Exception:
+            log.exception("the robot raised in pose()")
+            return None
+
+    # -- from goal to goal -------------------------------------------------------------------------------------------
+
+    def _refusal(self, goal: Goal, now: float) -> Ending | None:
+        if self.closed:
+            return Ending(GoalState.REJECTED, Reason.CLOSED, "the executor is closed")
+        if self.estopped:
+            return Ending(GoalState.REJECTED, Reason.ESTOP, "emergency stop; reset() lets the robot move again")
+        if self.fault and self._admission.drives(goal.action):
+            return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self.fault}; reset() starts it again")
+        return self._admission.expired(goal, now) or self._admission.impossible(goal)
+
+    def _no_room(self, count: int, policy: Policy) -> Ending | None:
+        if policy is Policy.REFUSE and not self.idle:
+            return Ending(GoalState.REJECTED, Reason.BUSY, "something else is being done")
+        if count + (len(self._queue) if policy is Policy.QUEUE else 0) > self._queue_limit:
+            return Ending(GoalState.REJECTED, Reason.BUSY, f"more than {self._queue_limit} goals would wait")
+        return None
+
+    def _make_run(self, goal: Goal) -> Run:
+        action, robot = goal.action, self._robot
+        timeout = self._admission.limits.task_duration
+        handler = self._admission.handler(action)
+        if handler is not None:
+            return HandlerRun(goal, handler, self._host.launch, self._host.poke, timeout)
+        if isinstance(action, Stop):
+            return StopRun(goal, self._stop_wheels)
+        if isinstance(action, (Move, Turn)):
+            return MotionRun(goal, Motion.of(action, self._keep[goal.id]), self._loop)
+
+        def begin() -> Any:
+            if isinstance(action, Navigate):
+                return robot.navigate(Pose(action.x, action.y, action.yaw, action.frame))
+            if isinstance(action, Pick):
+                return robot.pick(action.object)
+            assert isinstance(action, Place)
+            return robot.place(action.object, action.location)
+
+        return TaskRun(goal, robot, begin, lambda task: self._host.poke(), timeout)
+
+    def _begin_next(self, now: float) -> bool:
+        """Begin the next goal of the queue, if it may begin now."""
+        if not self._queue or self.held or self.paused or self.closed:
+            return False
+        run = self._make_run(self._queue[0])
+        if run.needs_rest:
+            if self._loop.moving:
+                return False
+            self._loop.silence()
+        goal = self._queue.popleft()
+        self._run = run
+        self._gate.open()
+        self._move(goal, GoalState.EXECUTING, now)
+        self._feedback_at = now + self.FEEDBACK_PERIOD
+        run.begin(now)
+        return True
+
+    def _make_way(self, goal: Goal, now: float) -> None:
+        """Let a newer utterance take the place of everything; a motion is braked unless another one follows it."""
+        while self._queue:
+            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, Reason.PREEMPTED), now)
+        if self._run is not None:
+            self._give_up(self._run, Reason.PREEMPTED, now, brake=not self._admission.drives(goal.action))
+
+    def _give_up(self, run: Run, reason: Reason, now: float, brake: bool = True) -> None:
+        if run.goal.state is GoalState.CANCELING:
+            return
+        try:
+            gone = run.give_up(now)
+            if isinstance(run, MotionRun) and brake and self._loop.moving:
+                run.leave(self._loop.brake(now))
+        except Exception as error:
+            self._robot_failed(run, error, now)
+            return
+        if gone:
+            self._run = None
+            self._end(run.goal, Ending(GoalState.CANCELED, reason), now, run)
+        else:
+            self._move(run.goal, GoalState.CANCELING, now, reason)
+
+    def _end(self, goal: Goal, ending: Ending, now: float, run: Run | None = None) -> None:
+        if run is not None:
+            try:
+                goal.feedback = replace(run.feedback(now), pose=self.pose(), time_left=0.0)
+            except Exception:
+                log.exception("no last feedback of goal %d", goal.id)
+        self._keep.pop(goal.id, None)
+        self._move(goal, ending.state, now, ending.reason, ending.detail)
+        self._host.ended()
+        if ending.state in (GoalState.ABORTED, GoalState.CANCELED):
+            # What was said in one breath is done in order or not at all.
+            while self._queue and self._queue[0].utterance == goal.utterance:
+                reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
+                self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+
+    def _move(self, goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
+        move_goal(goal, state, now, reason, detail)
+        self._host.tell(EventKind.GOAL, goal)
+
+    def _give_feedback(self, run: Run, now: float) -> None:
+        self._feedback_at = now + self.FEEDBACK_PERIOD
+        try:
+            feedback = replace(run.feedback(now), pose=self.pose())
+        except Exception:
+            log.exception("no feedback of goal %d", run.goal.id)
+            return
+        run.goal.feedback = feedback
+        self._host.tell(EventKind.FEEDBACK, run.goal, feedback=feedback)
+
+    # -- rest and failure --------------------------------------------------------------------------------------------
+
+    def _suspend(self, now: float, at_once: bool) -> None:
+        run = self._run
+        try:
+            if run is not None:
+                run.suspend(now, at_once)
+            if at_once and self._loop.moving:
+                self._loop.halt(now, write=False)
+        except Exception as error:
+            self._robot_failed(run, error, now)
+
+    def _go_on(self, now: float) -> None:
+        if self.held or self.paused or self.closed:
+            return
+        self._gate.open()
+        if self._run is not None:
+            self._feedback_at = now + self.FEEDBACK_PERIOD
+            try:
+                self._run.resume(now)
+            except Exception as error:
+                self._robot_failed(self._run, error, now)
+        self.advance(now)
+
+    def _stop_wheels(self, now: float) -> None:
+        self.stop_robot()
+        self._loop.halt(now, write=False)
+
+    def _robot_failed(self, run: Run | None, error: Exception, now: float) -> None:
+        """A robot raised, or the velocity loop is lost: zero, and the goal is aborted."""
+        self._gate.shut()
+        self.stop_robot()
+        reason: Reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
+        if reason is Reason.VELOCITY_LOOP:
+            self.fault = str(error)
+        self._halt_loop(run, now)
+        if run is None or self._run is not run:
+            self._host.tell(EventKind.ERROR, detail=str(error), reason=reason)
+            return
+        self._run = None
+        state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
+        self._end(run.goal, Ending(state, reason, str(error) or type(error).__name__), now, run)
+
+    def _halt_loop(self, run: Run | None, now: float) -> None:
+        try:
+            travel = self._loop.halt(now, write=False)
+            if isinstance(run, MotionRun):
+                run.leave(travel)
+        except Exception as error:
+            self.fault = str(error)
+            self._host.tell(EventKind.ERROR, detail=self.fault, reason=Reason.VELOCITY_LOOP)
