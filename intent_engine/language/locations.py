@@ -1,16 +1,13 @@
 """Map files: names of places, with pose, frame, aliases and tags.
 
-Three forms are read: our own YAML (``frame:``, ``locations:``), a Nav2 waypoint YAML (``waypoints:``) and a plain CSV
-(``name,x,y,yaw,frame,aliases,tags``).
+Three forms are read: our own YAML (``frame:``, ``locations:``), the waypoint files around Nav2 (``waypoints:``) and CSV
+(``name,x,y,yaw,frame,aliases,tags``). All go through the same checks, and every problem of every file is told at once.
 """
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -19,31 +16,16 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.language.name_words import name_words
+from intent_engine.language.map_draft import DEFAULT_FRAME, Draft, Location, Row, Teller, checked
+from intent_engine.language.map_rows import read_rows
+from intent_engine.language.name_words import name_words, raw_words
 from intent_engine.language.names import NameIndex
-from intent_engine.language.normalize import plain_words, tokenize
 from intent_engine.language.schema_problems import schema_problems
-from intent_engine.language.yaml_source import YamlPath, YamlSource, parse_yaml, read_yaml
+from intent_engine.language.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
 
-__all__ = ["Location", "LocationMap", "load"]
+__all__ = ["Location", "LocationMap", "from_text", "load"]
 
-DEFAULT_FRAME = "map"
-
-
-@dataclass(frozen=True, slots=True)
-class Location:
-    """A named pose."""
-
-    name: str
-    x: float
-    """m, in ``frame``"""
-    y: float
-    """m, in ``frame``"""
-    yaw: float = 0.0
-    """rad, in ``frame``"""
-    frame: str = DEFAULT_FRAME
-    aliases: tuple[str, ...] = ()
-    tags: tuple[str, ...] = ()
+_WHOLE_TURN = 2 * math.pi + 1e-3
 
 
 @dataclass(frozen=True)
@@ -52,30 +34,17 @@ class LocationMap(Mapping[str, Location]):
 
     places: Mapping[str, Location] = field(default_factory=dict)
     frame: str = DEFAULT_FRAME
+    """Of the places that name none."""
     files: tuple[str, ...] = ()
 
     @classmethod
     def from_mapping(cls, places: Mapping[str, Any], frame: str = DEFAULT_FRAME) -> LocationMap:
-        """A map from a dictionary: name -> ``(x, y)``, ``(x, y, yaw)`` or ``{x, y, yaw, aliases, tags}``.
+        """A map from a dictionary: name -> ``(x, y)``, ``(x, y, yaw)``, ``{x, y, yaw, aliases, tags}`` or a `Location`.
 
         Raises:
-            ConfigError: a pose is not finite numbers, or two names sound the same.
+            ConfigError: with everything that is wrong: a pose that is not finite numbers, names that are said alike.
         """
-        found: dict[str, Location] = {}
-        problems: list[Problem] = []
-        for name, pose in places.items():
-            try:
-                if isinstance(pose, Location):
-                    found[name] = pose
-                elif isinstance(pose, Mapping):
-                    found[name] = _location(name, pose, frame)
-                else:
-                    x, y, *rest = pose
-                    found[name] = _location(name, {"x": x, "y": y, "yaw": rest[0] if rest else 0.0}, frame)
-            except (TypeError, ValueError, KeyError) as error:
-                problems.append(Problem(f"place {name!r}: {error}", hint="give (x, y, yaw) in m and rad"))
-        for _, message in _twice(found):
-            problems.append(Problem(message))
+        found, problems = checked([Draft([_given(name, pose) for name, pose in places.items()], frame)])
         if problems:
             raise ConfigError(problems)
         return cls(found, frame)
@@ -90,54 +59,28 @@ class LocationMap(Mapping[str, Location]):
         return len(self.places)
 
     def names(self) -> Iterator[tuple[tuple[str, ...], str]]:
-        """Normalised words of every name and alias, with the place's name."""
-        for name, place in self.places.items():
-            for spoken in (name, *place.aliases):
-                words = _spoken_words(spoken)
-                if words:
-                    yield words, name
+        """The words of every name and alias as they are said, with the place's name."""
+        for spoken, name in self._spoken():
+            words = raw_words(spoken)
+            if words[0] == "the" and len(words) > 1:
+                words = words[1:]
+            yield words, name
 
     @cached_property
     def index(self) -> NameIndex:
         """For names that are only nearly said."""
-        return NameIndex([(spoken, name) for name, place in self.places.items() for spoken in (name, *place.aliases)])
+        return NameIndex(self._spoken())
 
+    def _spoken(self) -> Iterator[tuple[str, str]]:
+        for name, place in self.places.items():
+            yield name, name
+            for alias in place.aliases:
+                yield alias, name
 
-def _spoken_words(text: str) -> tuple[str, ...]:
-    words = plain_words(text)
-    if words is None:
-        words = [token.word for token in tokenize(text.replace("_", " "))]
-    if len(words) > 1 and words[0] in ("the", "a", "an"):
-        words = words[1:]
-    return tuple(words)
-
-
-def _location(name: str, pose: Mapping[str, Any], frame: str) -> Location:
-    values = []
-    for key in ("x", "y", "yaw"):
-        value = pose.get(key, 0.0) if key == "yaw" else pose[key]
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
-            raise ValueError(f"{key} must be a finite number, not {value!r}")
-        values.append(float(value))
-    aliases = pose.get("aliases", ())
-    x, y, yaw = values
-    return Location(name, x, y, yaw, str(pose.get("frame", frame)), tuple(aliases), tuple(pose.get("tags", ())))
-
-
-def _twice(places: Mapping[str, Location]) -> Iterator[tuple[str, str]]:
-    """Names or aliases that are said with the same words but are different places."""
-    said: dict[tuple[str, ...], str] = {}
-    for name, place in places.items():
-        for spoken in (name, *place.aliases):
-            words = _spoken_words(spoken)
-            if not words:
-                yield name, f"{spoken!r} has no word that can be said"
-                continue
-            if any(word.isdigit() for word in words) or len(words) > 1:
-                words = name_words(words)
-            other = said.setdefault(words, name)
-            if other != name:
-                yield name, f"{spoken!r} is said like a name of {other!r}; nobody could tell them apart"
+    @cached_property
+    def warnings(self) -> tuple[Problem, ...]:
+        """What is allowed, but hardly meant."""
+        return tuple(_doubts(self))
 
 
 def load(paths: str | Path | Sequence[str | Path]) -> LocationMap:
@@ -146,57 +89,129 @@ def load(paths: str | Path | Sequence[str | Path]) -> LocationMap:
     Raises:
         ConfigError: with every problem of every file.
     """
-    names = [paths] if isinstance(paths, (str, Path)) else list(paths)
-    places: dict[str, Location] = {}
-    problems: list[Problem] = []
-    frame: str | None = None
-    for name in names:
-        found, its_frame, wrong = _load_file(Path(name))
-        problems.extend(wrong)
-        frame = frame or its_frame
-        for place in found.values():
-            if place.name in places:
-                problems.append(Problem(f"place {place.name!r} is also in another map file", str(name)))
-            places[place.name] = place
+    files = [Path(paths)] if isinstance(paths, (str, Path)) else [Path(path) for path in paths]
+    names = tuple(str(path) for path in files)
+    quick = _quickly(files[0]) if len(files) == 1 else None
+    if quick is not None:
+        return LocationMap(*quick, names)
+    drafts = [_carefully(path) for path in files]
+    places, problems = checked(drafts)
     if problems:
         raise ConfigError(problems)
-    return LocationMap(places, frame or DEFAULT_FRAME, tuple(str(name) for name in names))
+    return LocationMap(places, drafts[0].frame if drafts else DEFAULT_FRAME, names)
 
 
-def _load_file(path: Path) -> tuple[dict[str, Location], str, list[Problem]]:
-    if path.suffix.lower() == ".csv":
-        return _load_csv(path)
-    quick = _quickly(path)
-    if quick is not None:
-        places, frame = quick
-        if not any(True for _ in _twice(places)):
-            return places, frame, []
-    source = read_yaml(path)
-    if source.data is None:
-        return {}, DEFAULT_FRAME, source.problems
-    if isinstance(source.data, dict) and "waypoints" in source.data:
-        return _waypoints(source)
-    source.problems.extend(schema_problems(source, _schema()))
-    places, frame = {}, DEFAULT_FRAME
-    if not source.problems:
-        frame = source.data.get("frame", DEFAULT_FRAME)
-        for name, pose in source.data["locations"].items():
-            _add(source, ("locations", name), name, pose, frame, places)
-        for name, message in _twice(places):
-            source.problem(("locations", name), message, "rename one or remove the alias", key=True)
-    return places, frame, source.problems
+def from_text(text: str, name: str = "<text>") -> LocationMap:
+    """A map from YAML text, for tests and embedding.
+
+    Raises:
+        ConfigError: with everything that is wrong.
+    """
+    draft = _draft(parse_yaml(text, YamlSource(name)))
+    places, problems = checked([draft])
+    if problems:
+        raise ConfigError(problems)
+    return LocationMap(places, draft.frame)
 
 
-def _add(
-    source: YamlSource, path: YamlPath, name: str, pose: Mapping[str, Any], frame: str, places: dict[str, Location]
-) -> None:
-    raw = source.raw.get((*path, "\0key"))
-    if raw is not None and raw.lower() in ("yes", "no", "on", "off", "true", "false", "null"):
-        source.problem(path, f"YAML reads the name {raw} as a value, not a word", f'quote it: "{raw}"', key=True)
+# -- reading --------------------------------------------------------------------------------------------------
+
+
+def _quickly(path: Path) -> tuple[dict[str, Location], str] | None:
+    """The places and the frame of a plainly written YAML map without a fault; None for any other file."""
     try:
-        places[name] = _location(name, pose, frame)
-    except (ValueError, KeyError, TypeError) as error:
-        source.problem(path, f"place {name!r}: {error}", "poses are finite numbers in m and rad")
+        if path.suffix.lower() == ".csv" or path.stat().st_size > MAX_BYTES:
+            return None
+        found = read_rows(path.read_text("utf-8"))
+    except (OSError, UnicodeDecodeError):
+        return None
+    if found is None:
+        return None
+    rows, frame = found[0], found[1] or DEFAULT_FRAME
+    places: dict[str, Location] = {}
+    said: dict[tuple[str, ...], str] = {}
+    for name, fields in rows:
+        aliases = tuple(fields.get("aliases", ()))
+        for spoken in (name, *aliases):
+            if said.setdefault(name_words(spoken), name) != name:
+                return None
+        x, y, yaw = fields["x"], fields["y"], fields.get("yaw", 0.0)
+        if not math.isfinite(x + y + yaw):
+            return None
+        places[name] = Location(name, x, y, yaw, fields.get("frame", frame), aliases, tuple(fields.get("tags", ())))
+    return (places, frame) if () not in said else None
+
+
+def _carefully(path: Path) -> Draft:
+    if path.suffix.lower() != ".csv":
+        return _draft(read_yaml(path))
+    from intent_engine.language.map_table import read_table
+
+    try:
+        text = path.read_text("utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        return Draft(problems=read_yaml(path).problems or [Problem("cannot be read as UTF-8 text", str(path))])
+    return read_table(path, text)
+
+
+def _draft(source: YamlSource) -> Draft:
+    if isinstance(source.data, dict) and "waypoints" in source.data and "locations" not in source.data:
+        from intent_engine.language.waypoints import read_waypoints
+
+        return read_waypoints(source)
+    if source.data is None:
+        return Draft(problems=source.problems or [Problem("is empty", source.file, hint="begin with locations:")])
+    source.problems.extend(schema_problems(source, _schema()))
+    if not isinstance(source.data, dict) or not isinstance(source.data.get("locations"), dict):
+        return Draft(problems=source.problems)
+    frame = source.data.get("frame", DEFAULT_FRAME)
+    draft = Draft(frame=frame if isinstance(frame, str) else DEFAULT_FRAME, problems=source.problems)
+    wrong = {problem.line for problem in source.problems}
+    rows = []
+    for name, pose in source.data["locations"].items():
+        path: YamlPath = ("locations", name)
+        raw = source.raw.get((*path, "\0key"))
+        if raw is not None:
+            message = f"YAML reads the name {raw or 'of nothing'} as a value, not a word"
+            source.problem(path, message, f'quote it: "{raw}"' if raw else "give it a name", key=True)
+        elif isinstance(pose, dict) and not wrong.intersection(_lines(source, path, pose)):
+            rows.append(Row(name, pose, _teller(source, path)))
+    draft.rows = rows
+    return draft
+
+
+def _lines(source: YamlSource, path: YamlPath, pose: dict[str, Any]) -> Iterator[int]:
+    """The lines of one place, counted from 1."""
+    yield source.place(path, key=True).line
+    for key in pose:
+        yield source.place((*path, key)).line
+
+
+def _given(name: object, pose: Any) -> Row:
+    """A place of a dictionary."""
+
+    def tell(key: str, message: str, hint: str | None) -> Problem:
+        return Problem(message, hint=hint)
+
+    values: Any
+    if isinstance(pose, Location):
+        values = {key: getattr(pose, key) for key in ("x", "y", "yaw", "frame", "aliases", "tags")}
+    elif isinstance(pose, Mapping):
+        values = pose
+    elif isinstance(pose, Sequence) and not isinstance(pose, str) and len(pose) in (2, 3):
+        values = {"x": pose[0], "y": pose[1], "yaw": pose[2] if len(pose) == 3 else 0.0}
+    else:
+        values = {"x": pose, "y": pose}  # the check then says what a pose is
+    return Row(name if isinstance(name, str) else "", values, tell)
+
+
+def _teller(source: YamlSource, path: YamlPath) -> Teller:
+    def tell(key: str, message: str, hint: str | None) -> Problem:
+        known = (*path, key) in source.marks
+        place = source.place((*path, key) if key and known else path, key=not key)
+        return Problem(message, source.file, place.line, place.column, place.source, hint)
+
+    return tell
 
 
 @cache
@@ -206,154 +221,31 @@ def _schema() -> dict[str, Any]:
     return loaded
 
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-_ROW = re.compile(
-    rf"  ([A-Za-z][A-Za-z0-9 _-]*): \{{x: ({_NUMBER}), y: ({_NUMBER})(?:, yaw: ({_NUMBER}))?"
-    r"(?:, aliases: \[([A-Za-z0-9 _,-]*)\])?(?:, tags: \[([A-Za-z0-9 _,-]*)\])?\}"
-)
-_WORDS_OF_YAML = frozenset(("yes", "no", "on", "off", "true", "false", "null", "y", "n"))
+# -- doubts ---------------------------------------------------------------------------------------------------
 
 
-def _quickly(path: Path) -> tuple[dict[str, Location], str] | None:
-    """A large map whose every place is one plain line, read without a YAML parser; None for any other file.
+def _doubts(places: LocationMap) -> Iterator[Problem]:
+    """Names that will hardly ever be understood as a place, and angles that look like degrees."""
+    from intent_engine.language.grammar_file import default_operators, phrase
 
-    A YAML parser takes 40 us a place, so 10,000 places would take longer than all the rest of a start.
-    """
-    try:
-        text = path.read_text("utf-8")
-    except (OSError, UnicodeDecodeError):
-        return None
-    frame = DEFAULT_FRAME
-    places: dict[str, Location] = {}
-    below = False
-    for line in text.splitlines():
-        if below:
-            match = _ROW.fullmatch(line)
-            if match is None:
-                if not line.strip() or line.lstrip().startswith("#"):
-                    continue
-                return None
-            name, x, y, yaw, aliases, tags = match.groups()
-            spoken = [name, *_items(aliases)]
-            if name in places or not _WORDS_OF_YAML.isdisjoint(word.lower() for word in spoken):
-                return None
-            if any(not word[:1].isalpha() for word in spoken):
-                return None
-            places[name] = Location(
-                name, float(x), float(y), float(yaw or 0.0), frame, tuple(spoken[1:]), tuple(_items(tags))
-            )
-        elif line == "locations:":
-            below = True
-        elif line.startswith("frame: ") and re.fullmatch(r"frame: [A-Za-z][A-Za-z0-9_/]*", line):
-            frame = line[7:]
-        elif line.strip() and not line.startswith("#"):
-            return None
-    return (places, frame) if places else None
-
-
-def _items(text: str | None) -> list[str]:
-    return [item.strip() for item in text.split(",")] if text else []
-
-
-def _waypoints(source: YamlSource) -> tuple[dict[str, Location], str, list[Problem]]:
-    """Nav2 waypoint files: a list or mapping of poses, with yaw or a quaternion."""
-    rows = source.data["waypoints"]
-    frame = str(source.data.get("frame_id", source.data.get("frame", DEFAULT_FRAME)))
-    places: dict[str, Location] = {}
-    items: list[tuple[Any, Any]]
-    if isinstance(rows, dict):
-        items = list(rows.items())
-    elif isinstance(rows, list):
-        items = [
-            (row.get("name", f"waypoint {i + 1}") if isinstance(row, dict) else i, row) for i, row in enumerate(rows)
-        ]
-    else:
-        source.problem(("waypoints",), "waypoints must be a list or a mapping of poses")
-        return {}, frame, source.problems
-    for place, (name, row) in enumerate(items):
-        path: YamlPath = ("waypoints", name if isinstance(rows, dict) else place)
-        try:
-            x, y, yaw, its_frame = _pose(row, frame)
-            _add(source, path, str(name), {"x": x, "y": y, "yaw": yaw, "frame": its_frame}, frame, places)
-        except (KeyError, TypeError, ValueError, IndexError):
-            source.problem(
-                path, f"waypoint {name!r} has no pose that can be read", "position: {x, y}, orientation: {z, w}"
-            )
-    for _, message in _twice(places):
-        source.problem(("waypoints",), message)
-    return places, frame, source.problems
-
-
-def _pose(row: Any, frame: str) -> tuple[float, float, float, str]:
-    if isinstance(row, (list, tuple)):
-        return float(row[0]), float(row[1]), float(row[2]) if len(row) > 2 else 0.0, frame
-    frame = str(row.get("frame_id", row.get("header", {}).get("frame_id", frame)))
-    pose = row.get("pose", row)
-    if isinstance(pose, (list, tuple)):
-        return float(pose[0]), float(pose[1]), float(pose[2]) if len(pose) > 2 else 0.0, frame
-    pose = pose.get("pose", pose)
-    position = pose.get("position", pose)
-    if isinstance(position, (list, tuple)):
-        position = {"x": position[0], "y": position[1]}
-    orientation = pose.get("orientation")
-    yaw = float(pose.get("yaw", row.get("yaw", 0.0)))
-    if isinstance(orientation, (list, tuple)):
-        orientation = dict(zip(("x", "y", "z", "w"), orientation, strict=False))
-    if isinstance(orientation, dict):
-        ox, oy = float(orientation.get("x", 0.0)), float(orientation.get("y", 0.0))
-        oz, ow = float(orientation.get("z", 0.0)), float(orientation.get("w", 1.0))
-        yaw = math.atan2(2 * (ow * oz + ox * oy), 1 - 2 * (oy * oy + oz * oz))
-    elif orientation is not None:
-        yaw = float(orientation)
-    return float(position["x"]), float(position["y"]), yaw, frame
-
-
-def _load_csv(path: Path) -> tuple[dict[str, Location], str, list[Problem]]:
-    source = YamlSource(str(path))
-    try:
-        text = path.read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError):
-        return {}, DEFAULT_FRAME, read_yaml(path).problems or [Problem("cannot be read as UTF-8 text", str(path))]
-    source.lines = text.splitlines()
-    places: dict[str, Location] = {}
-    problems: list[Problem] = []
-    reader = csv.DictReader(io.StringIO(text))
-    missing = {"name", "x", "y"} - set(reader.fieldnames or ())
-    if missing:
-        hint = "the first line must be: name,x,y,yaw,frame,aliases,tags (yaw and what follows may be left out)"
-        return (
-            {},
-            DEFAULT_FRAME,
-            [Problem(f"has no column {' or '.join(sorted(missing))}", str(path), 1, 1, None, hint)],
-        )
-    for row in reader:
-        line = reader.line_num
-        shown = source.lines[line - 1] if line <= len(source.lines) else None
-        try:
-            name = (row["name"] or "").strip()
-            pose = {
-                "x": float(row["x"]),
-                "y": float(row["y"]),
-                "yaw": float(row.get("yaw") or 0.0),
-                "frame": (row.get("frame") or DEFAULT_FRAME).strip(),
-                "aliases": [item.strip() for item in (row.get("aliases") or "").split(";") if item.strip()],
-                "tags": [item.strip() for item in (row.get("tags") or "").split(";") if item.strip()],
-            }
-            if not name:
-                raise ValueError("the name is empty")
-            if name in places:
-                raise ValueError(f"place {name!r} stands twice")
-            places[name] = _location(name, pose, DEFAULT_FRAME)
-        except (ValueError, TypeError) as error:
-            problems.append(Problem(str(error), str(path), line, 1, shown, "numbers are in m and rad"))
-    problems.extend(Problem(message, str(path)) for _, message in _twice(places))
-    return places, DEFAULT_FRAME, problems
-
-
-def from_text(text: str, name: str = "<text>") -> LocationMap:
-    """A map from YAML text, for tests and embedding."""
-    source = parse_yaml(text, YamlSource(name))
-    problems = source.problems or schema_problems(source, _schema())
-    if problems:
-        raise ConfigError(problems)
-    return LocationMap.from_mapping(source.data["locations"], source.data.get("frame", DEFAULT_FRAME))
+    operators = default_operators("en")
+    kinds = {
+        "stop": "stops the robot",
+        "negation": "says no",
+        "cancel": "takes an order back",
+        "correction": "corrects",
+    }
+    meaning = {phrase(text): why for kind, why in kinds.items() for text in operators.get(kind, ())}
+    file = places.files[0] if len(places.files) == 1 else None
+    for name, place in places.items():
+        for spoken in (name, *place.aliases):
+            why = meaning.get(raw_words(spoken))
+            if why is not None:
+                hint = "give the place another name; this one will be taken for the order"
+                yield Problem(f"{spoken!r}, a name of {name!r}, {why} when it is said", file, hint=hint)
+            elif all(word.isdigit() for word in name_words(spoken)):
+                hint = 'a number alone is easily taken for a distance; say what it is, as "bay 3"'
+                yield Problem(f"{spoken!r}, a name of {name!r}, is only a number", file, hint=hint)
+        if abs(place.yaw) > _WHOLE_TURN:
+            hint = f"yaw is in rad; {place.yaw:g} degrees are {math.radians(place.yaw):.4f} rad"
+            yield Problem(f"yaw of {name!r} is more than a whole turn: {place.yaw:g}", file, hint=hint)

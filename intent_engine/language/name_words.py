@@ -69,9 +69,12 @@ def raw_words(text: str) -> tuple[str, ...]:
 def name_words(name: str | Sequence[str]) -> tuple[str, ...]:
     """The words that names are compared by; an article in front stays (see :func:`without_article`)."""
     if isinstance(name, str):
-        words = raw_words(name)
-        if _SPECIAL.isdisjoint(words) and _PLAIN.fullmatch(name) is not None:
-            return words
+        if _PLAIN.fullmatch(name) is not None:
+            words = tuple(name.split(" "))
+            if _SPECIAL.isdisjoint(words):
+                return words
+        else:
+            words = raw_words(name)
     else:
         words = tuple(name)
         if _SPECIAL.isdisjoint(words) and "".join(words).isalpha():

@@ -46,7 +46,7 @@ class Match:
     """What a name resolves to."""
 
     status: Literal["exact", "fuzzy", "ambiguous", "unknown"]
-    """Only ``exact`` and ``fuzzy`` name something."""
+    """Only ``exact`` and ``fuzzy`` name something; ``ambiguous`` is worth a question."""
     name: str | None
     """The canonical name, if exact or fuzzy."""
     score: float = 0.0
@@ -54,7 +54,7 @@ class Match:
     margin: float = 0.0
     """To the best other name."""
     candidates: tuple[tuple[str, float], ...] = ()
-    """Up to three (name, score), best first; for an unknown name the nearest, to suggest."""
+    """Up to three (name, score), best first; ambiguous: those to ask about; unknown: the nearest, to suggest."""
     how: Literal["", "exact", "number", "sound", "spelling"] = ""
     """By what it was found: the words, the value of its number, sound alone, or spelling and sound."""
 
@@ -151,16 +151,17 @@ def _exactly(names: tuple[str, ...], heard: Sequence[str], said: tuple[str, ...]
 
 def _judged(ranked: list[_Found]) -> Match | None:
     """The verdict on what was found; None if nothing is near enough to be asked about."""
-    if not ranked:
+    if not ranked or ranked[0].score < MIN_SCORE:
         return None
     best = ranked[0]
-    candidates = tuple((found.name, round(found.score, 3)) for found in ranked[:3])
     margin = best.score - (ranked[1].score if len(ranked) > 1 else 0.0)
-    if best.score < MIN_SCORE or not best.passes:
-        return Match("unknown", None, best.score, margin, candidates) if len(candidates) == 3 else None
-    if margin < MIN_MARGIN:
-        return Match("ambiguous", None, best.score, margin, candidates, best.how)
-    return Match("fuzzy", best.name, best.score, margin, candidates, best.how)
+    near = [found for found in ranked[:3] if found.score >= best.score - MIN_MARGIN]
+    if best.passes and len(near) == 1:
+        candidates = tuple((found.name, round(found.score, 3)) for found in ranked[:3])
+        return Match("fuzzy", best.name, best.score, margin, candidates, best.how)
+    return Match(
+        "ambiguous", None, best.score, margin, tuple((found.name, round(found.score, 3)) for found in near), best.how
+    )
 
 
 class _Tables:
