@@ -2,8 +2,10 @@
 
 It prints::
 
+    person: go to the
+    robot:  Where to?
     person: go to bay
-    robot:  Go on? the sentence is not finished
+    robot:  Which one: bay 1 or bay 2?
     person: go to the baggage claim
     robot:  Sorry, no place is called 'baggage claim'. Did you mean charging station or packing table?
     person: go to bay nine
@@ -24,7 +26,7 @@ def answer(found: Interpretation) -> str:
         case Status.ACCEPTED:
             return f"On my way to {found.slots['place']}."
         case Status.INCOMPLETE:
-            return f"Go on? {found.reason}"
+            return "Where to?"
         case Status.AMBIGUOUS:
             return f"Which one: {options}?"
         case Status.REJECTED if found.reason.startswith("no place"):
@@ -33,6 +35,6 @@ def answer(found: Interpretation) -> str:
             return "Sorry, I did not understand."
 
 
-for text in ("go to bay", "go to the baggage claim", "go to bay nine", "make me a sandwich"):
+for text in ("go to the", "go to bay", "go to the baggage claim", "go to bay nine", "make me a sandwich"):
     print(f"person: {text}")
     print(f"robot:  {answer(engine.parse(text))}")
