@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+import reprlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -16,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.language.map_draft import DEFAULT_FRAME, Draft, Location, Row, Teller, checked
+from intent_engine.language.map_draft import DEFAULT_FRAME, FIELDS, Draft, Location, Row, Teller, checked
 from intent_engine.language.map_rows import read_rows
 from intent_engine.language.name_words import name_words, raw_words
 from intent_engine.language.names import NameIndex
@@ -44,7 +45,7 @@ class LocationMap(Mapping[str, Location]):
         Raises:
             ConfigError: with everything that is wrong: a pose that is not finite numbers, names that are said alike.
         """
-        found, problems = checked([Draft([_given(name, pose) for name, pose in places.items()], frame)])
+        found, problems = checked([_dictionary(places, frame)])
         if problems:
             raise ConfigError(problems)
         return cls(found, frame)
@@ -160,7 +161,8 @@ def _draft(source: YamlSource) -> Draft:
 
         return read_waypoints(source)
     if source.data is None:
-        return Draft(problems=source.problems or [Problem("is empty", source.file, hint="begin with locations:")])
+        empty = Problem("is empty", source.file, hint="the shortest map: 'locations: {kitchen: {x: 5.0, y: 2.0}}'")
+        return Draft(problems=[empty if problem.message == "is empty" else problem for problem in source.problems])
     source.problems.extend(schema_problems(source, _schema()))
     if not isinstance(source.data, dict) or not isinstance(source.data.get("locations"), dict):
         return Draft(problems=source.problems)
@@ -187,22 +189,27 @@ def _lines(source: YamlSource, path: YamlPath, pose: dict[str, Any]) -> Iterator
         yield source.place((*path, key)).line
 
 
-def _given(name: object, pose: Any) -> Row:
-    """A place of a dictionary."""
-
-    def tell(key: str, message: str, hint: str | None) -> Problem:
-        return Problem(message, hint=hint)
-
-    values: Any
-    if isinstance(pose, Location):
-        values = {key: getattr(pose, key) for key in ("x", "y", "yaw", "frame", "aliases", "tags")}
-    elif isinstance(pose, Mapping):
-        values = pose
-    elif isinstance(pose, Sequence) and not isinstance(pose, str) and len(pose) in (2, 3):
-        values = {"x": pose[0], "y": pose[1], "yaw": pose[2] if len(pose) == 3 else 0.0}
-    else:
-        values = {"x": pose, "y": pose}  # the check then says what a pose is
-    return Row(name if isinstance(name, str) else "", values, tell)
+def _dictionary(given: Mapping[str, Any], frame: str) -> Draft:
+    """A dictionary of places as it was given."""
+    draft = Draft(frame=frame)
+    rows = []
+    for name, pose in given.items():
+        values: Any = None
+        if isinstance(pose, Location):
+            values = {key: getattr(pose, key) for key in FIELDS}
+        elif isinstance(pose, Mapping):
+            values = pose
+        elif isinstance(pose, Sequence) and not isinstance(pose, str) and len(pose) in (2, 3):
+            values = dict(zip(("x", "y", "yaw"), pose, strict=False))
+        if not isinstance(name, str):
+            draft.problems.append(Problem(f"the name {name!r} is not text", hint=f'quote it: "{name}"'))
+        elif values is None:
+            message = f"place {name!r} must be a pose, not {reprlib.repr(pose)}"
+            draft.problems.append(Problem(message, hint="give (x, y) or (x, y, yaw), in m and rad"))
+        else:
+            rows.append(Row(name, values, lambda _, message, hint: Problem(message, hint=hint)))
+    draft.rows = rows
+    return draft
 
 
 def _teller(source: YamlSource, path: YamlPath) -> Teller:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import reprlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Any
 
 from intent_engine.errors import Problem
@@ -70,13 +72,12 @@ def checked(drafts: Sequence[Draft]) -> tuple[dict[str, Location], list[Problem]
             if row.name in places:
                 problems.append(row.tell("", f"place {row.name!r} stands twice", "rename one, or merge them"))
                 continue
-            before = len(problems)
             place = _place(row, draft.frame, problems)
             if place is not None:
                 places[row.name] = place
                 problems.extend(clashes(place, said, row.tell))
-            elif len(problems) == before:
-                problems.append(row.tell("", f"place {row.name!r} cannot be read", None))
+    order = {file: place for place, file in enumerate(dict.fromkeys(problem.file for problem in problems))}
+    problems.sort(key=lambda problem: (order[problem.file], problem.line or 0, problem.column or 0))
     return places, problems
 
 
@@ -100,7 +101,7 @@ def _place(row: Row, frame: str, problems: list[Problem]) -> Location | None:
     for key in values:
         if key not in FIELDS:
             hint = did_you_mean(str(key), FIELDS) or f"known here: {', '.join(FIELDS)}"
-            problems.append(row.tell(str(key), f"unknown key {str(key)!r}", hint))
+            problems.append(row.tell(str(key), f"place {row.name!r} has an unknown key {str(key)!r}", hint))
     pose = []
     for key in ("x", "y", "yaw"):
         value = values.get(key, 0.0 if key == "yaw" else None)
@@ -109,7 +110,7 @@ def _place(row: Row, frame: str, problems: list[Problem]) -> Location | None:
             continue
         number = _finite(value)
         if number is None:
-            message = f"{key} of {row.name!r} must be a finite number, not {value!r}"
+            message = f"{key} of {row.name!r} must be a finite number, not {reprlib.repr(value)}"
             problems.append(row.tell(key, message, "poses are finite numbers, x, y in m and yaw in rad"))
             continue
         pose.append(number)
@@ -125,7 +126,7 @@ def _place(row: Row, frame: str, problems: list[Problem]) -> Location | None:
 
 
 def _finite(value: object) -> float | None:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
+    if isinstance(value, bool) or not isinstance(value, Real):
         return None
     try:
         number = float(value)

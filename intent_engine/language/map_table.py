@@ -27,10 +27,11 @@ def read_table(path: Path, text: str) -> Draft:
         shown = lines[line - 1] if 0 < line <= len(lines) else None
         return Problem(message, str(path), line, column if shown else None, shown, hint)
 
+    reader = csv.reader(io.StringIO(text), strict=True)
     try:
-        rows = list(_numbered(csv.reader(io.StringIO(text), strict=True)))
+        rows = list(_numbered(reader))
     except csv.Error as error:
-        draft.problems.append(Problem(f"is not valid CSV: {error}", str(path), hint=_HINT))
+        draft.problems.append(problem(f"is not valid CSV: {error}", reader.line_num, 1, "is every quote closed?"))
         return draft
     if not rows:
         draft.problems.append(Problem("is empty", str(path), hint=_HINT))

@@ -56,7 +56,7 @@ class Match:
     candidates: tuple[tuple[str, float], ...] = ()
     """Up to three (name, score), best first; ambiguous: those to ask about; unknown: the nearest, to suggest."""
     how: Literal["", "exact", "number", "sound", "spelling"] = ""
-    """By what it was found: the words, the value of its number, sound alone, or spelling and sound."""
+    """By what it was found: the words, the value of a number in words, sound alone, or spelling and sound."""
 
 
 @dataclass(frozen=True, slots=True)
