@@ -16,7 +16,8 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from types import TracebackType
 
@@ -72,8 +73,10 @@ class Executor:
         handle_sigterm: stop the robot when the process is asked to end (where SIGTERM has no other handler yet).
     """
 
-    STOP_PATIENCE = 0.02
-    """s that ``stop`` waits for a robot that hangs in a call, before it stops it past the lock."""
+    STOP_PATIENCE = 0.005
+    """s that ``stop`` waits for the lock, before it stops the robot past it."""
+    BOOKS_PATIENCE = 0.5
+    """s that ``stop`` then waits for the lock, to end the goals before it returns."""
 
     def __init__(
         self,
@@ -110,7 +113,7 @@ class Executor:
         self._conductor = Conductor(
             robot, self._admission, self.loop, self._gate, host, hold_limit, queue_limit, self.rates.valid_for
         )
-        self._late_stop: Reason | None = None
+        self._late_stop: tuple[Reason, EventKind] | None = None
         """A stop that could not take the lock: its bookkeeping is still to do."""
         self._poked = False
         self._utterance = 0
@@ -173,8 +176,7 @@ class Executor:
         try:
             if isinstance(listed[0], Stop):
                 self.stop()
-            with self._lock:
-                now = self.clock.now()
+            with self._locked() as now:
                 self._utterance += 1
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
@@ -198,7 +200,7 @@ class Executor:
 
     def reset(self) -> None:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
-        with self._lock:
+        with self._locked():
             self._conductor.estopped = False
             if self._conductor.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
@@ -227,36 +229,36 @@ class Executor:
 
     def release(self) -> None:
         """End a hold: motions cover what was left of them, navigation is given again."""
-        with self._lock:
+        with self._locked() as now:
             if self._conductor.held:
                 self._tell(EventKind.RELEASE)
-                self._conductor.release(self.clock.now())
+                self._conductor.release(now)
                 self._wake.notify_all()
         self._events.flush()
 
     def pause(self) -> None:
         """Come to rest with the robot's deceleration, and wait for :meth:`resume`."""
-        with self._lock:
+        with self._locked() as now:
             if not (self._conductor.closed or self._conductor.paused):
                 self._tell(EventKind.PAUSE)
-                self._conductor.pause(self.clock.now())
-                self._advance(self.clock.now())
+                self._conductor.pause(now)
+                self._advance(now)
         self._events.flush()
 
     def resume(self) -> None:
         """Go on after :meth:`pause`."""
-        with self._lock:
+        with self._locked() as now:
             if self._conductor.paused:
                 self._tell(EventKind.RESUME)
-                self._conductor.resume(self.clock.now())
+                self._conductor.resume(now)
                 self._wake.notify_all()
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
         """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration."""
-        with self._lock:
-            self._conductor.cancel(goal, self.clock.now())
-            self._advance(self.clock.now())
+        with self._locked() as now:
+            self._conductor.cancel(goal, now)
+            self._advance(now)
         self._events.flush()
 
     def register(self, name: str, handler: Handler) -> None:
@@ -367,14 +369,15 @@ class Executor:
 
     def step(self) -> None:
         """Do what is due now."""
-        with self._lock:
-            self._advance(self.clock.now())
+        with self._locked() as now:
+            self._advance(now)
         self._events.flush()
 
     def _main(self) -> None:
         with self._lock:
             while not self._conductor.closed:
-                self._advance(self.clock.now())
+                with self._locked() as now:
+                    self._advance(now)
                 self.clock.wait_until(self._wake, self._due(self.clock.now()))
 
     def _due(self, now: float) -> float | None:
@@ -382,27 +385,38 @@ class Executor:
 
     def _advance(self, now: float) -> None:
         self._poked = False
-        if self._late_stop is not None:
-            reason, self._late_stop = self._late_stop, None
-            self._conductor.stop(reason, EventKind.STOP, now)
         self._conductor.advance(now)
         self._wake.notify_all()
 
     def _stop(self, reason: Reason, kind: EventKind) -> None:
         self._gate.shut()
-        if self._lock.acquire(timeout=self.STOP_PATIENCE):
+        locked = self._lock.acquire(timeout=self.STOP_PATIENCE)
+        if not locked:
+            # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
+            # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
+            self._conductor.stop_robot()
+            locked = self._lock.acquire(timeout=self.BOOKS_PATIENCE)
+        if locked:
             try:
+                self._late_stop = None
                 self._conductor.stop(reason, kind, self.clock.now())
                 self._wake.notify_all()
             finally:
                 self._lock.release()
         else:
-            # The robot hangs in a call that another thread made. Its stop may be called at any time; the books are
-            # kept as soon as the lock is free, and the shut gate writes another zero after the call that hangs.
-            self._late_stop = reason
-            self._conductor.stop_robot()
+            self._late_stop = (reason, kind)
             self._poke()
         self._events.flush()
+
+    @contextmanager
+    def _locked(self) -> Iterator[float]:
+        """The lock, and the time; a stop that is still to be entered in the books comes before all else."""
+        with self._lock:
+            now = self.clock.now()
+            if self._late_stop is not None:
+                late, self._late_stop = self._late_stop, None
+                self._conductor.stop(*late, now)
+            yield now
 
     # -- what the conductor needs --------------------------------------------------------------------------------------
 
