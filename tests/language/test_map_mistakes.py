@@ -1,0 +1,116 @@
+"""What people get wrong in a map file: every mistake told at once, each with its place."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from map_files import problems_of
+
+from intent_engine.errors import ConfigError
+from intent_engine.language.locations import from_text, load
+
+MISTAKES = {
+    "not finite": ("locations:\n  hall: {x: .nan, y: 2}\n", ["2:13 x of 'hall' must be a finite number, not nan"]),
+    "infinite": ("locations:\n  hall: {x: 1, y: -.inf}\n", ["2:19 y of 'hall' must be a finite number, not -inf"]),
+    "too large": (f"locations:\n  hall: {{x: 1{'0' * 400}, y: 2}}\n", ["2:13 x of 'hall' must be a finite number"]),
+    "missing": ("locations:\n  hall: {x: 1}\n", ["2:3 'hall' needs 'y'"]),
+    "boolean": ("locations:\n  hall: {x: yes, y: 2}\n", ["2:13 'x' must be a number"]),
+    "misspelt key": ("locations:\n  hall: {x: 1, y: 2, yawn: 3}\n", ["2:22 unknown key 'yawn' (did you mean 'yaw'?)"]),
+    "misspelt top": ("location:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'location' (did you mean", "needs"]),
+    "YAML's on": ("locations:\n  on: {x: 1, y: 2}\n", ["2:3 YAML reads the name on as a value", ]),
+    "a number": ("locations:\n  5: {x: 1, y: 2}\n", ['2:3 YAML reads the name 5 as a value']),
+    "YAML's no": ("locations:\n  hall: {x: 1, y: 2, aliases: [no]}\n", ["2:32 YAML reads no as false"]),
+    "empty name": ("locations:\n  '': {x: 1, y: 2}\n", ["2:3 the name '' has no word that can be said"]),
+    "no word": ("locations:\n  '?!': {x: 1, y: 2}\n", ["2:3 the name '?!' has no word that can be said"]),
+    "twice": ("locations:\n  hall: {x: 1, y: 2}\n  hall: {x: 1, y: 3}\n", ["3:3 'hall' stands twice"]),
+    "alias twice": (
+        "locations:\n  hall: {x: 1, y: 2, aliases: [foyer]}\n  lab: {x: 1, y: 3, aliases: [foyer]}\n",
+        ["3:30 'foyer' is said like a name of 'hall'"],
+    ),
+    "said alike": (
+        "locations:\n  bay 3: {x: 1, y: 2}\n  the bay three: {x: 1, y: 3}\n",
+        ["3:3 'the bay three' is said like a name of 'bay 3'"],
+    ),
+    "aliases as text": ("locations:\n  hall: {x: 1, y: 2, aliases: foyer}\n", ["2:31 'aliases' must be a list"]),
+    "a list": ("locations:\n- hall\n", ["2:1 'locations' must be a mapping"]),
+    "empty": ("", ["is empty"]),
+    "several at once": (
+        "frame: 5\nlocations:\n  hall: {x: 1}\n  lab: {x: .nan, y: 2}\n  c: {x: 1, y: 2, yow: 3}\n  off: {x: 1, y: 2}",
+        ["1:8 'frame' must be", "3:3 'hall' needs", "4:12 x of 'lab'", "5:19 unknown key 'yow'", "6:3 YAML reads"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", MISTAKES)
+def test_mistakes_in_yaml(tmp_path, case):
+    text, expected = MISTAKES[case]
+    found = problems_of(text, tmp_path / "map.yaml")
+    assert len(found) == len(expected), found
+    for problem, beginning in zip(found, expected, strict=True):
+        assert beginning in problem
+
+
+CSV_MISTAKES = {
+    "no number": ("name,x,y\nhall,five,2\n", ["2:6 x of 'hall' must be a finite number, not 'five'"]),
+    "nan": ("name,x,y\nhall,1,nan\n", ["2:8 y of 'hall' must be a finite number, not nan"]),
+    "missing": ("name,x,y\nhall,1\n", ["2:1 place 'hall' needs 'y'"]),
+    "no column": ("name,x,yaw\nhall,1,2\n", ["1:1 has no column y"]),
+    "misspelt column": ("name,x,y,yaww\nhall,1,2,3\n", ["1:1 column 'yaww' is not known (did you mean 'yaw'?)"]),
+    "column twice": ("name,x,y,x\nhall,1,2,3\n", ["1:1 column 'x' stands twice"]),
+    "too many": ("name,x,y\nhall, the other,1,2\n", ["2:1 has 4 fields, but there are 3 columns"]),
+    "open quote": ('name,x,y\nhall,1,2\n"lab,1,2\n', ["3:1 is not valid CSV"]),
+    "empty": ("", ["is empty"]),
+    "empty name": ("name,x,y\n,1,2\n", ["2:1 the name '' has no word"]),
+    "several": ("name,x,y\nhall,1,2\n# a note\n\nhall,1,3\nlab,a,b\n", ["5:1 place 'hall' stands twice", "6:", "6:"]),
+}
+
+
+@pytest.mark.parametrize("case", CSV_MISTAKES)
+def test_mistakes_in_csv(tmp_path, case):
+    text, expected = CSV_MISTAKES[case]
+    found = problems_of(text, tmp_path / "map.csv")
+    assert len(found) == len(expected), found
+    for problem, beginning in zip(found, expected, strict=True):
+        assert beginning in problem
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.one_of(st.binary(max_size=200), st.text(max_size=200).map(str.encode)), st.sampled_from(["yaml", "csv"]))
+def test_any_file_is_a_map_or_told_what_is_wrong(tmp_path_factory, content, kind):
+    path = tmp_path_factory.getbasetemp() / f"any.{kind}"
+    path.write_bytes(content)
+    with contextlib.suppress(ConfigError):
+        load(path)
+
+
+_json = st.recursive(
+    st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.dictionaries(
+            st.sampled_from(["name", "pose", "position", "orientation", "x", "y", "yaw", "header"]), inner
+        )
+    ),
+    max_leaves=12,
+)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.dictionaries(st.sampled_from(["waypoints", "locations", "frame", "frame_id"]), _json))
+def test_any_structure_is_a_map_or_told_what_is_wrong(data):
+    with contextlib.suppress(ConfigError):
+        places = from_text(yaml.safe_dump(data))
+        assert all(math.isfinite(place.x + place.y + place.yaw) for place in places.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "says"), [("none.yaml", "no such file"), (".", "is a folder"), ("none.csv", "no such")]
+)
+def test_files_that_are_not_there(tmp_path, name, says):
+    with pytest.raises(ConfigError, match=says):
+        load(tmp_path / name)
