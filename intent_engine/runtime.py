@@ -33,8 +33,9 @@ from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
-MAX_GAP = 7.0
-"""nats between the free words and the best sentence of the grammar, beyond which something else was said."""
+MAX_GAP = 1.5
+"""nats a word (and as much once) between the free words and the best sentence of the grammar, beyond which something
+else was said. Measured on commands and other speech of ../shared/data: see docs/speech.md."""
 
 
 class HeardKind(StrEnum):
@@ -437,4 +438,4 @@ class Runtime:
 
 
 def _too_far(transcript: Transcript) -> bool:
-    return transcript.gap is not None and transcript.gap > MAX_GAP
+    return transcript.gap is not None and transcript.gap > MAX_GAP * (1 + len(transcript.text.split()))

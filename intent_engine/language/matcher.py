@@ -27,6 +27,8 @@ MAX_SPELLINGS = 64
 """Ways of saying one choice value that are compared with misheard words."""
 NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
 """How a negated command begins in speech, besides the negation itself."""
+FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
+"""The usual ones of these, for finding what was probably said."""
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
 
 
@@ -127,6 +129,15 @@ class Matcher:
     @cached_property
     def spoken(self) -> Automaton:
         """The automaton of whole utterances: fillers, sentences joined by "and then", fillers. For looking ahead."""
+        return self._utterances(stop_anywhere=True)
+
+    @cached_property
+    def likely(self) -> Automaton:
+        """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
+        the middle of a misheard sentence is noise, and one that was said there is heard as it is."""
+        return self._utterances(stop_anywhere=False)
+
+    def _utterances(self, *, stop_anywhere: bool) -> Automaton:
         begin, middle, end = State(), State(), State()
         end.final = True
         fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
@@ -134,16 +145,24 @@ class Matcher:
         self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
         self.networks.add_names("stop", [(words, "") for words in self.grammar.operators.stop])
         # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
-        negation = [(words, "") for words in (*self.grammar.operators.negation, *NEGATED.get(self.grammar.language, ()))]
+        negation = [
+            (words, "") for words in (*self.grammar.operators.negation, *NEGATED.get(self.grammar.language, ()))
+        ]
         self.networks.add_names("negation", negation)
-        begin.edges.append(Edge(middle, call=Call("negation")))
+        self.networks.add_names("forbidding", [(words, "") for words in FORBIDDING.get(self.grammar.language, ())])
+        begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
         begin.edges.append(Edge(middle))
         if fillers:
             begin.edges.append(Edge(begin, call=Call("fillers")))
             end.edges.append(Edge(end, call=Call("fillers")))
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
-        middle.edges.append(Edge(end, call=Call("stop")))
+        if stop_anywhere:
+            middle.edges.append(Edge(end, call=Call("stop")))
+        else:
+            alone = State()
+            alone.final = True
+            begin.edges.append(Edge(alone, call=Call("stop")))
         end.edges.append(Edge(middle, call=Call("sequence")))
         return self._automaton(begin, loose=False)
 

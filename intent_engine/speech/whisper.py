@@ -30,6 +30,10 @@ MARGIN_SECONDS = 0.5
 MAX_SECONDS = 28.0
 MIN_SCORE = -1.0
 """Mean log probability below which a decode is tried again with a longer input (faster-whisper's own threshold)."""
+LONG_SENTENCE = 4
+"""Words of a sentence that nobody says twice in one breath."""
+MAX_HINT = 200
+"""Tokens of a hint; Whisper takes at most 223."""
 TOKENS_PER_SECOND = 7
 """More than anybody speaks; bounds a decode that runs away."""
 
@@ -135,17 +139,28 @@ class WhisperRecognizer:
                 text, score = again, better
         return Transcript(text, score, free_text=text, language=language, decode_seconds=time.perf_counter() - began)
 
-    def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
-        """The likeliest words without steering: (text, mean log probability, whether it went round in a loop)."""
+    def greedy(self, encoded: Encoded, language: str | None = None, *, hint: str = "") -> tuple[str, float, bool]:
+        """The likeliest words: (text, mean log probability, whether it went round in a loop).
+
+        Args:
+            encoded: the speech.
+            language: of the speech.
+            hint: text that the model takes for what was said before; it leans towards its words.
+        """
         tokenizer = self.tokenizer(language)
-        tokens, score = self.greedy_tokens(encoded, language)
+        tokens, score = self.greedy_tokens(encoded, language, hint=hint)
         text = tokenizer.decode([token for token in tokens if token < tokenizer.eot]).strip()
         folded = fold_loop(text)
         return folded, score, folded != text
 
-    def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
+    def greedy_tokens(
+        self, encoded: Encoded, language: str | None = None, *, hint: str = ""
+    ) -> tuple[list[int], float]:
         """The likeliest tokens, with their mean log probability."""
         prompt = self.prompt(language)
+        if hint:
+            tokenizer = self.tokenizer(language)
+            prompt = [tokenizer.sot_prev, *tokenizer.encode(" " + hint)[:MAX_HINT], *prompt]
         limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
         # CTranslate2 halves max_length for Whisper, as OpenAI's code halves its context for prompts.
         result = self._model.model.generate(
@@ -184,16 +199,17 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
 def fold_loop(text: str) -> str:
     """A sentence said over and over, as Whisper does with short input, once.
 
-    Three times or more is a loop (the last may be cut off); twice is something people say.
+    Three times or more is a loop (the last may be cut off). Twice is something people say of a few words ("turn left,
+    turn left"), and a loop of four and more.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
-    for length in range(1, len(words) // 3 + 1):
+    for length in range(1, len(words) // 2 + 1):
         unit = plain[:length]
         repeats = 1
         while plain[repeats * length : (repeats + 1) * length] == unit:
             repeats += 1
         rest = plain[repeats * length :]
-        if repeats >= 3 and unit[: len(rest)] == rest:
+        if repeats >= (2 if length >= LONG_SENTENCE else 3) and unit[: len(rest)] == rest:
             return " ".join(words[:length])
     return text
