@@ -290,7 +290,7 @@ class Executor:
         deadline = None if timeout is None else self.clock.now() + timeout
         if self._stepped is not None:
             while not self._all_ended(listed):
-                if not self.clock.step_once(math.inf if deadline is None else deadline):  # type: ignore[attr-defined]
+                if not self._stepped.step_once(math.inf if deadline is None else deadline):
                     if deadline is not None:
                         self._stepped.run_until_idle(deadline)
                     return self._all_ended(listed)

@@ -283,8 +283,8 @@ class Follower:
         late_tick = self._next is not None and now - self._next > period and self._written_at >= self._started
         self._travelled += self._since_write(now)
         motion = self._motion
-        if late_tick and motion is not None and motion.keep is Keep.DISTANCE and motion.amount:
-            # Whole ticks were missed (a frozen machine): plan again from what was really covered.
+        if late_tick and motion is not None and motion.amount:
+            # Whole ticks were missed (a frozen machine): plan again from what was really covered and driven.
             self._replan(motion, now)
         end = self._started + self._main.duration
         if self._other is not None:
@@ -303,12 +303,12 @@ class Follower:
         return None
 
     def _replan(self, motion: Motion, now: float) -> None:
-        assert self._main is not None
-        linear, angular = self._present(now)
-        left = motion.amount - self._travelled * math.copysign(1.0, motion.speed)
-        if left > 1e-9:
+        alive = now - self._written_at <= self._rates.valid_for
+        linear, angular = self._written if alive else (0.0, 0.0)
+        rest = motion.rest(Travel(self._travelled, now - self._began))
+        if rest is not None:
             main, other = (angular, linear) if motion.turning else (linear, angular)
-            self._plan(replace(motion, amount=left), main, other, now)
+            self._plan(rest, main, other, now)
 
     def _finish(self, now: float, end: float) -> Ended:
         travel = Travel(self._travelled, now - self._began, 0.0)

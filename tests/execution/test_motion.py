@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 from hypothesis import given
@@ -63,6 +64,16 @@ def test_on_time_the_distance_is_exact_whatever_the_ramps(speed, distance, ramps
     assert follower.due() is None
 
 
+def assert_gentle(world: World) -> None:
+    """No write asks for more than the acceleration, counted from the write before it."""
+    for (before, slow, _), (at, fast, _) in pairwise(world.log):
+        assert abs(fast) <= 0.5 + 1e-12
+        if at - before > RATES.valid_for:
+            slow = 0.0
+        if fast:
+            assert abs(fast - slow) <= 0.5 * max(min(at - before, RATES.valid_for), RATES.period) + 1e-9
+
+
 @given(st.floats(0.2, 4.0), st.randoms(use_true_random=False), st.floats(0.0, 0.04))
 def test_small_delays_cost_little_and_the_account_is_true(distance, chance, most):
     world = World()
@@ -72,27 +83,35 @@ def test_small_delays_cost_little_and_the_account_is_true(distance, chance, most
     assert ended is not None
     assert ended.travel.amount == pytest.approx(world.x, abs=1e-9)
     assert world.x == pytest.approx(distance, abs=0.03)
-    assert all(abs(linear) <= 0.5 + 1e-12 for _, linear, _ in world.log)
+    assert_gentle(world)
 
 
+@pytest.mark.parametrize("freeze", [0.08, 0.25, 0.9])
+@pytest.mark.parametrize("keep", list(Keep))
 @pytest.mark.parametrize("at", [0.3, 1.5, 3.0])
-def test_a_freeze_is_made_good_where_it_still_can_be(at):
+def test_a_freeze_is_made_good_where_it_still_can_be(at, keep, freeze):
     world = World()
     follower = Follower(world, LIMITS, RATES)
-    follower.start(Motion(False, 0.5, 2.0, 4.0), 0.0)
+    follower.start(Motion(False, 0.5, 2.0, 4.0, keep), 0.0)
     frozen = False
 
     def lateness() -> float:
         nonlocal frozen
         if not frozen and world.now >= at:
             frozen = True
-            return 0.9
+            return freeze
         return 0.0
 
     ended = follow(follower, world, lateness)
     assert ended is not None
-    assert ended.at > 5.0
-    assert world.x == pytest.approx(2.0, abs=1e-9)
+    assert_gentle(world)
+    if keep is Keep.DISTANCE:
+        assert world.x == pytest.approx(2.0, abs=1e-9)
+    elif at < 3.0:
+        assert ended.at == pytest.approx(4.0)
+    else:
+        # Frozen when the last ramp should have begun: braking takes what it takes.
+        assert 4.0 <= ended.at <= 4.0 + freeze + 2 * RATES.period
 
 
 def test_a_turn_that_replaces_a_drive_brakes_it_meanwhile():
