@@ -1,0 +1,272 @@
+"""The automaton says what a slow and obvious matcher says, whatever the grammar."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+from reference_matcher import ReferenceMatcher, Slots, TooManyWaysError
+
+from intent_engine.language import automaton as automaton_module
+from intent_engine.language.automaton import Automaton, WordState
+from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
+from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.template import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+    parse_template,
+)
+
+NAMED = ["ant", "bee", "cat", "the"]
+CLOSED = frozenset(("not", "if"))
+SAID = [*NAMED, "not", "if", "yak", "zoo", "7", "2.5", "-3"]
+"""Words of the grammars, closed words, words that no grammar has, numerals."""
+
+
+def trees(leaves: st.SearchStrategy[Node], size: int) -> st.SearchStrategy[Node]:
+    return st.recursive(
+        leaves,
+        lambda inner: st.one_of(
+            st.lists(inner, min_size=2, max_size=3).map(lambda items: Sequence(tuple(items))),
+            st.lists(inner, min_size=2, max_size=3).map(lambda items: Choice(tuple(items))),
+            inner.map(Optional),
+            st.lists(inner, min_size=2, max_size=3).map(lambda items: AnyOrder(tuple(items))),
+        ),
+        max_leaves=size,
+    )
+
+
+words = st.sampled_from([*NAMED, "not"]).map(Word)
+plain = trees(words, 3)
+
+
+def reference(*names: str) -> st.SearchStrategy[Node]:
+    return st.sampled_from([Reference(name, label, 0) for name in names for label in (name, f"{name}2")])
+
+
+@st.composite
+def grammars(draw: st.DrawFn) -> Grammar:
+    phrases = {"p": draw(plain), "q": draw(trees(st.one_of(words, st.just(Reference("p", "p", 0))), 3))}
+    in_slot = trees(st.one_of(words, st.just(Reference("p", "p", 0))), 3)
+    slots = {
+        "kind": Slot(
+            "kind",
+            "choice",
+            values=tuple((f"v{n}", draw(in_slot)) for n in range(draw(st.integers(1, 3)))),
+            fuzzy=False,
+        ),
+        "free": Slot("free", "text", max_words=draw(st.integers(1, 2))),
+        "wide": Slot("wide", "text", max_words=draw(st.integers(1, 2)), allow=frozenset(("not",))),
+    }
+    leaves = st.one_of(words, words, st.just(WordClass("#")), reference("p", "q", "kind", "free", "wide"))
+    templates = draw(st.lists(trees(leaves, 6), min_size=1, max_size=3))
+    return grammar_of(templates, phrases, slots)
+
+
+def grammar_of(
+    templates: list[Node],
+    phrases: dict[str, Node] | None = None,
+    slots: dict[str, Slot] | None = None,
+    alikes: dict[str, tuple[str, ...]] | None = None,
+) -> Grammar:
+    intents = {
+        f"intent{n}": Intent(f"intent{n}", ActionSpec("custom"), (Sentence("", template),))
+        for n, template in enumerate(templates)
+    }
+    return Grammar("en", (), phrases or {}, slots or {}, intents, Operators(closed=CLOSED), alikes or {})
+
+
+def slots_of(reading: Reading) -> Slots:
+    return tuple((slot.label, slot.start, slot.end, slot.value) for slot in reading.slots)
+
+
+def number_of(reading: Reading) -> int:
+    return int(reading.intent.name.removeprefix("intent"))
+
+
+def both(grammar: Grammar) -> tuple[Matcher, ReferenceMatcher]:
+    try:
+        return Matcher(grammar), ReferenceMatcher(grammar)
+    except TooManyWaysError:
+        assume(False)
+        raise
+
+
+@st.composite
+def grammar_and_words(draw: st.DrawFn) -> tuple[Matcher, ReferenceMatcher, list[list[str]]]:
+    """A grammar; random words; and sentences of the grammar, whole or with one word changed."""
+    matcher, slow = both(draw(grammars()))
+    tried = draw(st.lists(st.lists(st.sampled_from(SAID), max_size=6), min_size=1, max_size=4))
+    ways = [way for sentence in slow.sentences for way in sentence]
+    for way in draw(st.lists(st.sampled_from(ways), max_size=6)) if ways else ():
+        said = [piece.word or ("7" if piece.numeral else draw(st.sampled_from(SAID))) for piece in way.pieces]
+        changed = draw(st.booleans())
+        if said and changed:
+            said[draw(st.integers(0, len(said) - 1))] = draw(st.sampled_from(SAID))
+        tried.append(said)
+    return matcher, slow, tried
+
+
+many = settings(
+    max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much]
+)
+
+
+@many
+@given(grammar_and_words())
+def test_the_same_sentences_with_the_same_slots(case: tuple[Matcher, ReferenceMatcher, list[list[str]]]) -> None:
+    matcher, slow, tried = case
+    for said in tried:
+        expected = slow.readings(said)
+        found = {number_of(reading): slots_of(reading) for reading in matcher.read(said)}
+        assert found.keys() == expected.keys(), said
+        for number, slots in found.items():
+            assert slots in expected[number], said
+
+
+@many
+@given(grammar_and_words())
+def test_the_same_beginnings_and_the_same_next_words(
+    case: tuple[Matcher, ReferenceMatcher, list[list[str]]],
+) -> None:
+    matcher, slow, tried = case
+    automaton = matcher.strict
+    for said in tried:
+        count, state = automaton.walk(said)
+        assert slow.begins(said[:count])
+        if state is None:
+            assert not slow.begins(said[: count + 1])
+            continue
+        assert count == len(said)
+        following, numeral, free = slow.next_words(said)
+        assert automaton.next_words(state) == following
+        assert automaton.allows_digits(state) == numeral
+        assert automaton.free(state) == free
+        assert automaton.accepting(state) == bool(slow.readings(said))
+        assert automaton.inside(state) == slow.goes_on(said)
+
+
+@many
+@given(grammar_and_words(), st.randoms(use_true_random=False))
+def test_what_was_read_before_changes_nothing(
+    case: tuple[Matcher, ReferenceMatcher, list[list[str]]], random: object
+) -> None:
+    """Steps are kept; a kept step must mean what a new one would."""
+    matcher, _, tried = case
+    for said in tried:
+        fresh = Matcher(matcher.grammar)
+        for loose in (False, True):
+            kept = [(number_of(reading), slots_of(reading)) for reading in matcher.read(said, loose=loose)]
+            new = [(number_of(reading), slots_of(reading)) for reading in fresh.read(said, loose=loose)]
+            assert kept == new
+
+
+@given(case=grammar_and_words())
+@settings(many, max_examples=100)
+def test_a_store_that_is_emptied_all_the_time_changes_nothing(
+    case: tuple[Matcher, ReferenceMatcher, list[list[str]]],
+) -> None:
+    matcher, _, tried = case
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(automaton_module, "MAX_KEPT", 2)
+        forgetful = Matcher(matcher.grammar)
+        for said in (*tried, *tried):
+            expected = [(number_of(reading), slots_of(reading)) for reading in matcher.read(said)]
+            assert [(number_of(reading), slots_of(reading)) for reading in forgetful.read(said)] == expected
+
+
+# -- sound-alikes ---------------------------------------------------------------------------------------------
+
+ALIKES = {"yak": ("ant",), "zoo": ("bee", "cat")}
+
+
+@many
+@given(trees(words, 6), st.lists(st.sampled_from(SAID), max_size=5))
+def test_a_word_that_sounds_alike_is_read_as_one_that_is_known(template: Node, said: list[str]) -> None:
+    matcher = Matcher(grammar_of([template], alikes=ALIKES))
+    _, slow = both(grammar_of([template]))
+    meant = [[]]  # type: list[list[str]]
+    for word in said:
+        meant = [[*before, one] for before in meant for one in (word, *ALIKES.get(word, ()))]
+    expected = {tuple(one) for one in meant if slow.readings(one)}
+    found = matcher.read(said, loose=True)
+    assert bool(found) == bool(expected)
+    for reading in found:
+        assert reading.words in expected
+        assert reading.alikes == sum(heard != read for heard, read in zip(said, reading.words, strict=True))
+
+
+def test_sound_alikes_are_read_only_when_asked_for() -> None:
+    matcher = Matcher(grammar_of([parse_template("ant bee")], alikes=ALIKES))
+    assert not matcher.read(["yak", "bee"])
+    assert [reading.words for reading in matcher.read(["yak", "zoo"], loose=True)] == [("ant", "bee")]
+
+
+# -- cost -----------------------------------------------------------------------------------------------------
+
+
+def counting(automaton: Automaton, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
+    """Counts new steps: those that were not kept."""
+    count = 0
+    advance = automaton._advance
+
+    def counted(state: WordState, word: str) -> object:
+        nonlocal count
+        count += 1
+        return advance(state, word)
+
+    monkeypatch.setattr(automaton, "_advance", counted)
+    return lambda: count
+
+
+ADVERSARIAL = ["{free} {free} {free} {free}", "[ant] [ant] [ant] [ant] [ant] ant", "({free}|ant) ({free}|ant) [{wide}]"]
+
+
+@pytest.mark.parametrize("template", ADVERSARIAL)
+def test_one_step_a_word_however_often_the_sentence_could_be_divided(
+    template: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slots = {name: Slot(name, "text", max_words=12) for name in ("free", "wide")}
+    matcher = Matcher(grammar_of([parse_template(template)], slots=slots))
+    steps = counting(matcher.strict, monkeypatch)
+    for length in range(1, 40):
+        matcher.read(["ant"] * length)
+    assert steps() <= 60, "each length adds one step to those kept"
+
+
+def test_a_word_that_no_sentence_names_is_walked_once_for_all_such_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    matcher = Matcher(grammar_of([parse_template("ant {free}")], slots={"free": Slot("free", "text", max_words=2)}))
+    steps = counting(matcher.strict, monkeypatch)
+    for number in range(500):
+        assert len(matcher.read(["ant", f"word{number}", f"other{number}"])) == 1
+    assert steps() == 3
+
+
+def test_threads_that_walk_at_once_read_the_same() -> None:
+    slots = {"free": Slot("free", "text", max_words=3)}
+    matcher = Matcher(grammar_of([parse_template("ant [bee] {free} [cat]"), parse_template("{free} bee")], slots=slots))
+    said = [["ant", *["bee"] * n, "yak", *["cat"] * m] for n in range(3) for m in range(3)]
+    expected = [[slots_of(reading) for reading in Matcher(matcher.grammar).read(one)] for one in said]
+    wrong: list[object] = []
+
+    def walk() -> None:
+        for _ in range(20):
+            found = [[slots_of(reading) for reading in matcher.read(one)] for one in said]
+            if found != expected:
+                wrong.append(found)
+
+    threads = [threading.Thread(target=walk) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
