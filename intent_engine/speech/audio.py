@@ -4,18 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from enum import StrEnum
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["FRAME_SAMPLES", "FRAME_SECONDS", "SAMPLE_RATE", "AudioSource", "Frame", "Resampler", "Samples", "clean"]
+__all__ = [
+    "FRAME_SAMPLES",
+    "FRAME_SECONDS",
+    "MAX_RATE",
+    "SAMPLE_RATE",
+    "AudioSource",
+    "Frame",
+    "Report",
+    "ReportKind",
+    "Resampler",
+    "Samples",
+    "clean",
+    "to_float",
+]
 
 SAMPLE_RATE = 16_000
 """Hz, what Whisper and Silero were trained on."""
 FRAME_SAMPLES = 512
 """Samples of a frame: the length that Silero takes at 16 kHz."""
 FRAME_SECONDS = FRAME_SAMPLES / SAMPLE_RATE
+MAX_RATE = 768_000
+"""Hz, above any converter that is sold; beyond it a rate is a mistake."""
 
 Samples = npt.NDArray[np.float32]
 
@@ -28,6 +44,34 @@ class Frame:
     """``(512,)``, -1 to 1."""
     time: float
     """s, of the end of the frame, since the source began."""
+    lost: float = 0.0
+    """s of sound that are missing just before it, at least; 0: none. Words may be among them."""
+    deaf: bool = False
+    """No sound comes, as from a microphone that was unplugged: this is silence in its place."""
+
+
+class ReportKind(StrEnum):
+    """What a live source has to tell beside its sound."""
+
+    LOST = "lost"
+    """Sound was lost: somebody was too busy to take it."""
+    AWAY = "away"
+    """No sound comes any more."""
+    BACK = "back"
+    """Sound comes again."""
+    MUTE = "mute"
+    """Nothing but zeros comes: the microphone is muted, or may not be used."""
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """One thing that a live source tells."""
+
+    kind: ReportKind
+    time: float
+    """s since the source began."""
+    detail: str
+    """For a person: what happened, and what to do about it."""
 
 
 class AudioSource(Protocol):
@@ -43,6 +87,23 @@ class AudioSource(Protocol):
         ...
 
     def close(self) -> None: ...
+
+
+def to_float(samples: npt.NDArray[Any]) -> npt.NDArray[np.floating]:
+    """Samples of any number type, -1 to 1.
+
+    Raises:
+        TypeError: they are no real numbers.
+    """
+    kind = samples.dtype.kind
+    if kind == "f":
+        return samples
+    if kind == "i":
+        return samples.astype(np.float32) / np.float32(-float(np.iinfo(samples.dtype).min))
+    if kind == "u":
+        middle = (float(np.iinfo(samples.dtype).max) + 1) / 2
+        return samples.astype(np.float32) / np.float32(middle) - np.float32(1)
+    raise TypeError(f"samples must be numbers, not {samples.dtype}")
 
 
 def clean(samples: npt.NDArray[np.floating]) -> Samples:
@@ -68,6 +129,15 @@ class Resampler:
         self._left = np.zeros(0, np.float32)
         self._count = 0
         self._start = start
+
+    @property
+    def time(self) -> float:
+        """s, of the end of the last frame."""
+        return self._start + self._count * FRAME_SECONDS
+
+    def shift(self, seconds: float) -> None:
+        """Let later frames be ``seconds`` later: there was a gap."""
+        self._start += seconds
 
     def push(self, samples: npt.NDArray[np.floating], *, last: bool = False) -> Iterator[Frame]:
         """Frames that are whole after more sound; with ``last`` the rest, filled with silence."""

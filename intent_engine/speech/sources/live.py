@@ -1,0 +1,284 @@
+"""What live sources share: a bounded box between the thread that brings sound and the one that takes it.
+
+Life cycle of an :class:`Inbox`: made -> ``put`` from one thread, ``frames`` in another -> ``end`` (what is inside is
+still given) or ``close`` (at once; idempotent, from any thread).
+
+Times are those at which sound arrived, not a count of samples: a microphone's clock drifts, sound gets lost, and a
+command must not count as stale, or as fresh, because of it.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler
+
+__all__ = ["Clock", "Inbox", "RealTime", "Reporter"]
+
+Reporter = Callable[[Report], object]
+"""Is told what happened to a source, in the thread that takes its frames."""
+
+CAPACITY = 4.0
+"""s of sound that may wait. Longer than any pause of the machine; beyond it what was said is too old to act on."""
+STALE = 0.25
+"""s by which the count of samples may differ from the clock. Arrivals of a busy machine differ by some 10 ms."""
+MUTE_SECONDS = 3.0
+"""s of nothing but zeros that are no silence: a real microphone always hears its own noise."""
+REPORT_EVERY = 5.0
+"""s between two reports of lost sound."""
+AWAY_STEP = 0.128
+"""s between two frames of a source from which no sound comes."""
+STAND_IN = 0.25
+"""s without sound, beyond the longest block so far, after which silence stands in for it."""
+TAIL_SECONDS = 0.8
+"""s of silence after the last sound, so that the last command is heard to end."""
+
+
+class Clock(Protocol):
+    """Time, and a wait that can be interrupted, as :class:`intent_engine.execution.clock.Clock` has them."""
+
+    def now(self) -> float: ...
+
+    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool: ...
+
+
+class RealTime:
+    """The machine's monotonic clock."""
+
+    def now(self) -> float:
+        return time.monotonic()
+
+    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool:
+        condition.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
+        return deadline is not None and time.monotonic() >= deadline
+
+
+@dataclass(frozen=True, slots=True)
+class _Block:
+    samples: npt.NDArray[Any]
+    rate: int
+    arrived: float
+    lost: float
+
+    @property
+    def seconds(self) -> float:
+        return len(self.samples) / self.rate
+
+
+class Inbox:
+    """Sound from another thread, bounded: where it is not taken, the oldest is dropped and this is told.
+
+    Args:
+        name: of the source, for reports.
+        patience: s without sound after which the source counts as deaf; None: never, silence stands in.
+        capacity: s of sound that may wait.
+        on_report: is told what was lost, went away and came back.
+        clock: None: the machine's.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        patience: float | None,
+        capacity: float = CAPACITY,
+        on_report: Reporter | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        self.name = name
+        self.clock: Clock = clock or RealTime()
+        self._patience = patience
+        self._capacity = capacity
+        self._on_report = on_report
+        self._changed = threading.Condition()
+        self._blocks: deque[_Block] = deque()
+        self._waiting = 0.0
+        self._ended = False
+        self._closed = False
+        self._failed = False
+        self._longest = 0.0
+        self._began = self.clock.now()
+        self._reported = -REPORT_EVERY
+        self._lost = 0.0
+        self._zeros = 0.0
+
+    # -- the thread that brings sound ----------------------------------------------------------------
+
+    def put(self, samples: npt.NDArray[Any], rate: int, *, lost: float = 0.0, wait: bool = False) -> bool:
+        """Bring sound; quick, unless told to wait.
+
+        Args:
+            samples: ``(n,)`` or ``(n, channels)``; copied by the caller if it is to change.
+            rate: Hz.
+            lost: s of sound known to be missing before it.
+            wait: wait for room instead of dropping the oldest.
+
+        Returns:
+            False when nobody wants it any more.
+        """
+        block = _Block(samples, rate, self.clock.now(), lost)
+        with self._changed:
+            while wait and self._waiting >= self._capacity and not (self._closed or self._ended):
+                self._changed.wait()
+            if self._closed or self._ended:
+                return False
+            self._blocks.append(block)
+            self._waiting += block.seconds
+            while self._waiting > self._capacity and len(self._blocks) > 1:
+                dropped = self._blocks.popleft()
+                self._waiting -= dropped.seconds
+                next_one = self._blocks[0]
+                self._blocks[0] = replace(next_one, lost=next_one.lost + dropped.lost + dropped.seconds)
+            self._changed.notify_all()
+        return True
+
+    def fail(self) -> None:
+        """No more sound comes for now: do not wait for patience to run out."""
+        with self._changed:
+            self._failed = True
+            self._changed.notify_all()
+
+    def end(self) -> None:
+        """No more sound will come; what waits is still given."""
+        with self._changed:
+            self._ended = True
+            self._changed.notify_all()
+
+    def close(self) -> None:
+        """Nobody wants sound any more."""
+        with self._changed:
+            self._closed = True
+            self._blocks.clear()
+            self._waiting = 0.0
+            self._changed.notify_all()
+
+    @property
+    def closed(self) -> bool:
+        return self._closed
+
+    # -- the thread that takes frames -----------------------------------------------------------------
+
+    def time(self) -> float:
+        """s since the source began."""
+        return self.clock.now() - self._began
+
+    def frames(self, reopen: Callable[[], object] | None = None, *, counted: bool = False) -> Iterator[Frame]:
+        """Frames as they come, until the end.
+
+        Args:
+            reopen: called again and again while no sound comes, to bring it back.
+            counted: times are counts of samples, as of a recording, and it is waited for sound for ever.
+        """
+        resampler: Resampler | None = None
+        rate = 0
+        away = False
+        last = 0.0
+        self._began = self.clock.now()
+        while True:
+            block = self._take(None if counted else self._limit(away))
+            if block is not None:
+                if resampler is None or rate != block.rate:
+                    start = last if counted else self._start(block, last)
+                    resampler, rate = Resampler(block.rate, start), block.rate
+                elif not counted:
+                    self._keep_time(resampler, block)
+                lost = block.lost
+                if away:
+                    away = False
+                    self._tell(ReportKind.BACK, f"{self.name} is back")
+                if lost:
+                    self._tell_lost(lost)
+                self._look_for_mute(block)
+                for frame in resampler.push(block.samples):
+                    last = max(frame.time, last)
+                    yield replace(frame, time=last, lost=lost)
+                    lost = 0.0
+                continue
+            if self._closed:
+                return
+            if self._ended:
+                if resampler is not None:
+                    silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
+                    yield from resampler.push(silence, last=True)
+                return
+            resampler = None
+            if self._patience is None:
+                for _ in range(max(1, round((self.time() - last) / FRAME_SECONDS))):
+                    last += FRAME_SECONDS
+                    yield Frame(np.zeros(FRAME_SAMPLES, np.float32), last)
+                continue
+            if not away:
+                away = True
+                self._tell(ReportKind.AWAY, f"no sound comes from {self.name}")
+            last = max(last, self.time())
+            yield Frame(np.zeros(FRAME_SAMPLES, np.float32), last, deaf=True)
+            if reopen is not None and not self._closed:
+                reopen()
+
+    def _limit(self, away: bool) -> float:
+        """s to wait for the next block. Who brings a second at a time is not late after half a one."""
+        if away:
+            return AWAY_STEP
+        return (STAND_IN if self._patience is None else self._patience) + 1.5 * self._longest
+
+    def _take(self, patience: float | None) -> _Block | None:
+        """The next block; None when there is none in time, or no more."""
+        with self._changed:
+            deadline = None if patience is None else self.clock.now() + patience
+            while not (self._blocks or self._closed or self._ended or self._failed):
+                if self.clock.wait_until(self._changed, deadline):
+                    break
+            if not self._blocks:
+                self._failed = False
+                return None
+            block = self._blocks.popleft()
+            self._waiting -= block.seconds
+            self._longest = max(self._longest, block.seconds)
+            self._changed.notify_all()
+            return block
+
+    def _start(self, block: _Block, last: float) -> float:
+        return max(block.arrived - self._began - block.seconds, last)
+
+    def _keep_time(self, resampler: Resampler, block: _Block) -> None:
+        late = (block.arrived - self._began) - (resampler.time + block.seconds)
+        if abs(late) > STALE:
+            resampler.shift(late)
+
+    # -- reports ------------------------------------------------------------------------------------
+
+    def _tell(self, kind: ReportKind, detail: str) -> None:
+        if self._on_report is not None:
+            self._on_report(Report(kind, self.time(), detail))
+
+    def _tell_lost(self, seconds: float) -> None:
+        self._lost += seconds
+        if self.time() - self._reported < REPORT_EVERY:
+            return
+        self._reported = self.time()
+        self._tell(
+            ReportKind.LOST,
+            f"{self._lost:.2f} s of sound from {self.name} were lost: the machine was too busy to take them",
+        )
+        self._lost = 0.0
+
+    def _look_for_mute(self, block: _Block) -> None:
+        if self._zeros == np.inf or block.samples.any():
+            self._zeros = np.inf
+            return
+        self._zeros += block.seconds
+        if self._zeros >= MUTE_SECONDS:
+            self._zeros = np.inf
+            self._tell(
+                ReportKind.MUTE,
+                f"{self.name} gives nothing but zeros: it is muted, or this program may not use it; "
+                "intent-engine doctor says what to do",
+            )

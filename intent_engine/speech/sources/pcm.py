@@ -1,0 +1,226 @@
+"""Raw samples from a pipe: ``arecord -f S16_LE -r 16000 -t raw | intent-engine listen --pcm -``.
+
+What begins with a WAV header is read by its header, since programs that pipe sound often write one.
+"""
+
+from __future__ import annotations
+
+import struct
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+
+from intent_engine.errors import AudioError
+from intent_engine.speech.audio import Frame, to_float
+from intent_engine.speech.sources.live import Clock, Inbox, Reporter
+from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
+
+__all__ = ["FORMATS", "PcmFormat", "PcmSource"]
+
+FORMATS: dict[str, tuple[str, int]] = {
+    "u8": ("u1", 1),
+    "s8": ("i1", 1),
+    "s16le": ("<i2", 2),
+    "s16be": (">i2", 2),
+    "s24le": ("", 3),
+    "s32le": ("<i4", 4),
+    "s32be": (">i4", 4),
+    "f32le": ("<f4", 4),
+    "f32be": (">f4", 4),
+    "f64le": ("<f8", 8),
+    "f64be": (">f8", 8),
+}
+"""Name, as ffmpeg has it -> type of NumPy, bytes a sample."""
+BLOCK_SECONDS = 0.032
+OTHERS = {
+    b"fLaC": "FLAC",
+    b"OggS": "Ogg",
+    b"ID3": "MP3",
+    b"\xff\xfb": "MP3",
+    b"FORM": "AIFF",
+    b"\x1aE\xdf\xa3": "Matroska",
+}
+"""First bytes of files that are no raw samples."""
+MAX_HEADER = 1 << 20
+"""Bytes of one chunk before the sound; more is no header."""
+UNKNOWN = 0x7FFF0000
+"""Lengths from here on are written by programs that do not know them yet."""
+
+
+@dataclass(frozen=True, slots=True)
+class PcmFormat:
+    """How samples lie in a stream of bytes."""
+
+    rate: int = 16_000
+    """Hz."""
+    encoding: str = "s16le"
+    """One of ``FORMATS``; ALSA's spelling (``S16_LE``) is understood too."""
+    channels: int = 1
+    """Interleaved."""
+
+    @classmethod
+    def of(cls, rate: int = 16_000, encoding: str = "s16le", channels: int = 1) -> PcmFormat:
+        """A format that was checked.
+
+        Raises:
+            AudioError: there is no such format; lists those that there are.
+        """
+        plain = encoding.lower().replace("_", "").replace("float", "f").replace("flt", "f")
+        if plain not in FORMATS and f"{plain}le" in FORMATS:
+            plain += "le"
+        if plain not in FORMATS:
+            raise AudioError(f"{encoding} is no format of raw samples\n    there is {', '.join(FORMATS)}")
+        if not 1 <= channels <= MAX_CHANNELS:
+            raise AudioError(f"{channels} channels cannot be\n    give 1 for mono, 2 for stereo")
+        return cls(checked_rate(rate), plain, channels)
+
+    @property
+    def frame_bytes(self) -> int:
+        """Bytes of one sample of every channel."""
+        return FORMATS[self.encoding][1] * self.channels
+
+    def decode(self, data: bytes) -> npt.NDArray[Any]:
+        """``(n, channels)``, -1 to 1, of a whole number of samples."""
+        dtype, size = FORMATS[self.encoding]
+        if size == 3:  # NumPy has no 24 bits: the lowest byte of 32 is zero
+            wide = np.zeros((len(data) // 3, 4), np.uint8)
+            wide[:, 1:] = np.frombuffer(data, np.uint8).reshape(-1, 3)
+            samples = wide.reshape(-1).view("<i4")
+        else:
+            samples = np.frombuffer(data, dtype)
+        return to_float(samples).reshape(-1, self.channels)
+
+
+class PcmSource:
+    """Frames of raw samples that are read from a file object, in a thread of its own.
+
+    Life cycle: made -> ``frames()`` reads until the end of the file -> ``close()`` (idempotent, from any thread).
+    A read that is under way when it is closed is left behind; the file is not closed.
+
+    Args:
+        file: binary; a pipe, standard input, a file.
+        form: how the samples lie in it. A WAV header at its beginning says better.
+        live: it comes as it is heard: what cannot be taken in time is dropped and told, and times are those of arrival.
+            Else it waits and times are counts, as of a recording.
+        name: for messages.
+        patience: s without sound after which a live source counts as deaf.
+        on_report: is told what was lost, went away and came back.
+        clock: None: the machine's.
+    """
+
+    def __init__(
+        self,
+        file: BinaryIO,
+        form: PcmFormat | None = None,
+        *,
+        live: bool = False,
+        name: str = "standard input",
+        patience: float | None = 2.0,
+        on_report: Reporter | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        self._file = file
+        self._form = form or PcmFormat()
+        self._live = live
+        self._name = name
+        self._error: AudioError | None = None
+        self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
+
+    def frames(self) -> Iterator[Frame]:
+        """Raises:
+        AudioError: it is empty, or no raw samples.
+        """
+        threading.Thread(target=self._work, name="pcm", daemon=True).start()
+        yield from self._inbox.frames(counted=not self._live)
+        if self._error is not None:
+            raise self._error
+
+    def close(self) -> None:
+        self._inbox.close()
+
+    # -- the reading thread --------------------------------------------------------------------------
+
+    def _work(self) -> None:
+        try:
+            self._read()
+        except AudioError as error:
+            self._error = error
+        except (OSError, ValueError) as error:  # ValueError: the file was closed under it
+            if not self._inbox.closed:
+                self._error = AudioError(f"{self._name} cannot be read: {error}")
+        finally:
+            self._inbox.end()
+
+    def _read(self) -> None:
+        head = _exactly(self._file, 12)
+        if not head:
+            raise AudioError(
+                f"{self._name} is empty (0 bytes)\n    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | ..."
+            )
+        form, left = self._form, np.inf
+        if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
+            form, left = _wav_header(self._file, self._name)
+            head = b""
+        else:
+            for magic, what in OTHERS.items():
+                if head.startswith(magic):
+                    raise AudioError(
+                        f"{self._name} is a {what} file, not raw samples\n"
+                        "    give the path of the file; or convert it: ffmpeg -i FILE -f s16le -ar 16000 -ac 1 -"
+                    )
+        size = max(1, int(form.rate * BLOCK_SECONDS)) * form.frame_bytes
+        rest = head
+        while True:
+            data = self._some(int(min(size, left)))
+            left -= len(data)
+            rest += data
+            whole = len(rest) - len(rest) % form.frame_bytes
+            if whole:
+                if not self._inbox.put(form.decode(rest[:whole]), form.rate, wait=not self._live):
+                    return
+                rest = rest[whole:]
+            if not data:
+                return
+
+    def _some(self, size: int) -> bytes:
+        """What there is, at most ``size``; waits for one byte, not for all of them. Empty: the end."""
+        if not size:
+            return b""
+        read = getattr(self._file, "read1", None) or self._file.read
+        return bytes(read(size) or b"")
+
+
+def _exactly(file: BinaryIO, size: int) -> bytes:
+    """So many bytes, less only at the end."""
+    data = b""
+    while len(data) < size and (more := file.read(size - len(data))):
+        data += more
+    return data
+
+
+def _wav_header(file: BinaryIO, name: str) -> tuple[PcmFormat, float]:
+    """Read up to the first sample of a WAV file whose first 12 bytes were read: its format, and the bytes of sound."""
+    form: PcmFormat | None = None
+    while True:
+        head = _exactly(file, 8)
+        if len(head) < 8:
+            raise AudioError(f"{name} is a WAV file without sound\n    record it again")
+        kind, length = struct.unpack("<4sI", head)
+        if kind == b"data":
+            break
+        if length > MAX_HEADER:
+            raise AudioError(f"{name} begins like a WAV file, but its header is broken\n    record it again")
+        chunk = _exactly(file, length + length % 2)
+        if kind == b"fmt " and len(chunk) >= 16:
+            code, channels, rate, _, _, bits = struct.unpack_from("<HHIIHH", chunk)
+            if code == 0xFFFE and len(chunk) >= 26:  # WAVE_FORMAT_EXTENSIBLE: the code stands further on
+                (code,) = struct.unpack_from("<H", chunk, 24)
+            letter = {1: "u" if bits == 8 else "s", 3: "f"}.get(code, "?")
+            form = PcmFormat.of(rate, f"{letter}{bits}{'' if bits == 8 else 'le'}", channels)
+    if form is None:
+        raise AudioError(f"{name} is a WAV file that does not say its format\n    record it again")
+    return form, length if 0 < length < UNKNOWN else np.inf
