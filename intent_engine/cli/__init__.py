@@ -12,6 +12,7 @@ import typer
 
 from intent_engine.cli.complete import complete
 from intent_engine.cli.drill import drill
+from intent_engine.cli.evaluate import evaluate
 from intent_engine.cli.guard import DEBUG
 from intent_engine.cli.listening import run
 from intent_engine.cli.parse import parse
@@ -74,6 +75,12 @@ app.command(
 )(complete)
 
 _TRUST = "Measure and trust"
+
+app.command(
+    epilog="Examples:\n\nintent-engine evaluate examples/ten_commands\n\n"
+    "intent-engine evaluate recordings -m tiny.en -m base --noise kitchen.wav --snr 6,12,24 --plot out/speech.png",
+    rich_help_panel=_TRUST,
+)(evaluate)
 
 app.command(
     epilog="Examples:\n\nintent-engine drill\n\nintent-engine drill --quick --robot turtlebot3\n\n"

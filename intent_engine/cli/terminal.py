@@ -15,7 +15,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["LogNotes", "error_block", "json_line", "note", "say", "table", "track", "working"]
+__all__ = ["LogNotes", "error_block", "json_line", "note", "progress", "say", "table", "track", "working"]
 
 T = TypeVar("T")
 
@@ -104,6 +104,21 @@ def track(items: Sequence[T], what: str) -> Iterable[T]:
     if not sys.stderr.isatty():
         yield from items
         return
+    with _bar() as bar:
+        yield from bar.track(items, description=what)
+
+
+@contextlib.contextmanager
+def progress(what: str, steps: int) -> Iterator[Callable[[], None]]:
+    """A progress bar on standard error where that is a terminal; call what it gives after each step."""
+    if not sys.stderr.isatty():
+        yield lambda: None
+        return
+    with _bar() as bar:
+        task = bar.add_task(what, total=steps)
+        yield lambda: bar.advance(task)
+
+
+def _bar() -> Progress:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=_err(), transient=True) as progress:
-        yield from progress.track(items, description=what)
+    return Progress(*columns, console=_err(), transient=True)

@@ -1,0 +1,157 @@
+"""One recording through the runtime, as ``run`` does it: what was heard, what would be done, and when."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from intent_engine.actions import Action
+from intent_engine.engine import IntentEngine
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.robots.robot import Pose
+from intent_engine.execution.robots.robot_file import RobotFile
+from intent_engine.interpretation import Interpretation
+from intent_engine.runtime import Heard, HeardKind, Runtime
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource
+from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.reflex import Reflex
+from intent_engine.speech.voice import SileroVoice, VoiceDetector
+
+__all__ = ["Act", "Hearing", "Listener"]
+
+
+@dataclass(frozen=True, slots=True)
+class Act:
+    """An utterance that was acted on."""
+
+    meaning: Interpretation
+    time: float
+    """s since the sound began: when it was acted on, decoding included."""
+    speech_ended: float
+    """s since the sound began: the last frame that the voice detector took for speech."""
+
+
+@dataclass(slots=True)
+class Hearing:
+    """What came of one recording."""
+
+    texts: list[str] = field(default_factory=list)
+    """What was taken to be said, utterance by utterance."""
+    free_texts: list[str] = field(default_factory=list)
+    """The same without the help of the grammar."""
+    meanings: list[Interpretation] = field(default_factory=list)
+    acts: list[Act] = field(default_factory=list)
+    decodes: list[float] = field(default_factory=list)
+    """s that each decode took."""
+    holds: list[float] = field(default_factory=list)
+    """s since the sound began: when the reflex held the robot."""
+    errors: list[str] = field(default_factory=list)
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """Everything that was done."""
+        return tuple(action for act in self.acts for action in act.meaning.actions)
+
+
+class Listener:
+    """Plays recordings to a robot of its own: each to a fresh one, on a virtual clock, as fast as it goes.
+
+    The virtual clock stands still while the recogniser decodes. In an act's time it does not: the decode began when it
+    was asked for or the one before had ended, and its result is taken up at the next frame, as in real time.
+
+    Args:
+        engine: understands.
+        recognizer: hears.
+        robot: what to simulate.
+        settings: waits of the endpoint; None: the runtime's own.
+        speculate: decode at the first silent frame already.
+        reflex: makes the listener for stop words; None: no reflex.
+    """
+
+    def __init__(
+        self,
+        engine: IntentEngine,
+        recognizer: Recognizer,
+        robot: RobotFile,
+        *,
+        voice: VoiceDetector | None = None,
+        settings: Settings | None = None,
+        speculate: bool = True,
+        reflex: Callable[[], Reflex] | None = None,
+    ) -> None:
+        self._engine = engine
+        self._recognizer = recognizer
+        self._robot = robot
+        self._voice = voice or SileroVoice()
+        self._settings = settings
+        self._speculate = speculate
+        self._reflex = reflex
+        self._places = {
+            name: Pose(place.x, place.y, place.yaw, place.frame) for name, place in (engine.locations or {}).items()
+        }
+
+    def hear(self, source: AudioSource) -> Hearing:
+        """Play one recording.
+
+        Raises:
+            AudioError: it cannot be read.
+        """
+        clock = VirtualClock()
+        robot = self._robot.simulated(clock, self._places)
+        notes = _Notes()
+        options = self._robot.executor_options()
+        with Executor(robot, clock=clock, handle_sigterm=False, **options) as executor:
+            runtime = Runtime(
+                self._engine,
+                executor,
+                self._recognizer,
+                voice=self._voice,
+                reflex=self._reflex() if self._reflex is not None else None,
+                settings=self._settings,
+                speculate=self._speculate,
+                on_event=notes.take,
+            )
+            runtime.run(source)
+        return notes.hearing
+
+
+class _Notes:
+    """Listens to the runtime's events."""
+
+    def __init__(self) -> None:
+        self.hearing = Hearing()
+        self._busy = 0.0
+        """s: until when the recogniser decodes."""
+        self._partial: Transcript | None = None
+        self._ready = 0.0
+        """s: when the transcript is there, in real time."""
+
+    def take(self, event: Heard) -> None:
+        if event.kind is HeardKind.PARTIAL and event.transcript is not None:
+            self._decoded(event.transcript, event.time)
+            self._partial = event.transcript
+            # The endpoint learns of it at the frame at which it is ready, and can end the utterance one frame later.
+            self._ready += FRAME_SECONDS
+        elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
+            if event.transcript is not self._partial:
+                self._decoded(event.transcript, event.time)
+            self.hearing.free_texts.append(event.transcript.free_text or event.transcript.text)
+        elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
+            # Its text is what was heard after all, where the grammar had steered the recogniser too far from the sound.
+            self.hearing.texts.append(event.interpretation.text)
+            self.hearing.meanings.append(event.interpretation)
+        elif event.kind is HeardKind.SUBMITTED and event.interpretation is not None:
+            ended = event.speech_ended if event.speech_ended is not None else event.time
+            self.hearing.acts.append(Act(event.interpretation, max(event.time, self._ready), ended))
+        elif event.kind is HeardKind.HOLD:
+            self.hearing.holds.append(event.time)
+        elif event.kind is HeardKind.ERROR:
+            self.hearing.errors.append(event.detail)
+
+    def _decoded(self, transcript: Transcript, asked: float) -> None:
+        self._busy = max(asked, self._busy) + transcript.decode_seconds
+        self._ready = math.ceil(self._busy / FRAME_SECONDS) * FRAME_SECONDS
+        self.hearing.decodes.append(transcript.decode_seconds)

@@ -1,0 +1,126 @@
+"""Scores and outcomes for people (table), spreadsheets (CSV) and programs (JSON)."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from intent_engine.actions import to_json as action_to_json
+from intent_engine.evaluation.scoring import Outcome, Score, Verdict
+
+__all__ = ["COLUMNS", "MISS_COLUMNS", "cells", "miss_cells", "misses", "outcome_json", "write_csv"]
+
+COLUMNS = (
+    "model",
+    "noise",
+    "commands right",
+    "95 % sure",
+    "wrong",
+    "missed",
+    "slots right",
+    "others acted on",
+    "word errors",
+    "to action p50",
+    "p90",
+    "p99",
+)
+MISS_COLUMNS = ("recording", "noise", "what came of it", "said", "heard", "done")
+
+
+def cells(found: Score) -> list[str]:
+    """One row of the table."""
+    sure = "-"
+    if found.accuracy_low is not None and found.accuracy_high is not None:
+        sure = f"{100 * found.accuracy_low:.0f}-{100 * found.accuracy_high:.0f} %"
+    return [
+        found.model,
+        found.noise,
+        f"{_percent(found.accuracy)} ({found.right}/{found.commands})" if found.commands else "-",
+        sure,
+        str(found.wrong),
+        str(found.missed),
+        _percent(found.slot_accuracy),
+        f"{found.false_accepts}/{found.others}" if found.others else "-",
+        _percent(found.word_error_rate),
+        _milliseconds(found.latency_p50),
+        _milliseconds(found.latency_p90),
+        _milliseconds(found.latency_p99),
+    ]
+
+
+def misses(outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """What did not go right, the worst kinds first."""
+    order = {Verdict.WRONG: 0, Verdict.FALSE_ACCEPT: 1, Verdict.MISSED: 2}
+    return sorted((one for one in outcomes if one.verdict in order), key=lambda one: order[one.verdict])
+
+
+def miss_cells(outcome: Outcome) -> list[str]:
+    """One row of the table of what went wrong."""
+    return [
+        outcome.row.id,
+        outcome.condition.noise,
+        outcome.verdict.value,
+        outcome.row.text or " ".join(step.intent for step in outcome.row.expected.steps),
+        outcome.heard,
+        ", ".join(outcome.intents) or "nothing",
+    ]
+
+
+def outcome_json(outcome: Outcome) -> dict[str, Any]:
+    """One recording in one condition."""
+    latency = outcome.latency
+    return {
+        "recording": outcome.row.id,
+        "line": outcome.row.line,
+        "model": outcome.condition.model,
+        "snr": outcome.condition.snr,
+        "verdict": outcome.verdict.value,
+        "text": outcome.row.text,
+        "heard": outcome.heard,
+        "free": outcome.free,
+        "intents": list(outcome.intents),
+        "actions": [action_to_json(action) for action in outcome.actions],
+        "slots": outcome.slots,
+        "slots_right": outcome.slots_right,
+        "latency": round(latency, 4) if latency is not None else None,
+        "decode_seconds": round(outcome.decode, 4),
+        "errors": list(outcome.errors),
+    }
+
+
+def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
+    """Every recording in every condition, one a line; lists are joined by ``; ``."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    rows = [outcome_json(outcome) for outcome in outcomes]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]) if rows else [])
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({key: _cell(value) for key, value in row.items()})
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, list):
+        value = "; ".join(item if isinstance(item, str) else _action(item) for item in value)
+    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@"):
+        return f"'{value}"  # a spreadsheet would run it as a formula, and what was heard is anybody's
+    return value
+
+
+def _action(data: dict[str, Any]) -> str:
+    rest = " ".join(
+        f"{name}={value:.4g}" if isinstance(value, float) else f"{name}={value}"
+        for name, value in data.items()
+        if name != "type"
+    )
+    return f"{data['type']} {rest}".strip()
+
+
+def _percent(share: float | None) -> str:
+    return "-" if share is None else f"{100 * share:.1f} %"
+
+
+def _milliseconds(seconds: float | None) -> str:
+    return "-" if seconds is None else f"{1000 * seconds:.0f} ms"

@@ -1,0 +1,270 @@
+"""What was heard against what was labelled, one recording at a time; then all of a condition together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from enum import StrEnum
+from typing import Any
+
+from intent_engine.actions import Action
+from intent_engine.actions import to_json as action_to_json
+from intent_engine.evaluation.hearing import Hearing
+from intent_engine.evaluation.labels import Row, Step, steps_of
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["Condition", "Outcome", "Score", "Verdict", "judge", "plain", "quantile", "score", "wilson"]
+
+TOLERANCE = 1e-3
+"""Relative difference of numbers that are the same: "two feet" is 0.61 m in one label and 0.6096 m in another."""
+
+
+class Verdict(StrEnum):
+    """What came of a recording."""
+
+    RIGHT = "right"
+    """A command, and just that was done."""
+    WRONG = "wrong"
+    """A command, and something else was done."""
+    MISSED = "missed"
+    """A command, and nothing was done."""
+    QUIET = "quiet"
+    """No command, and nothing was done."""
+    FALSE_ACCEPT = "false accept"
+    """No command, and something was done."""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What one table row is about."""
+
+    model: str
+    snr: float | None = None
+    """dB; None: without added noise."""
+
+    @property
+    def noise(self) -> str:
+        return "none" if self.snr is None else f"{self.snr:g} dB"
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One recording in one condition."""
+
+    row: Row
+    condition: Condition
+    verdict: Verdict
+    heard: str
+    free: str
+    """Heard without the help of the grammar."""
+    intents: tuple[str, ...]
+    """What was acted on."""
+    actions: tuple[Action, ...]
+    slots: int = 0
+    """Labelled slot values."""
+    slots_right: int = 0
+    latency: float | None = None
+    """s from the end of speech to the first action, where that was right."""
+    decode: float = 0.0
+    """s that the last decode took."""
+    errors: tuple[str, ...] = ()
+
+
+def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
+    """Score one recording."""
+    steps = [step for act in hearing.acts for step in steps_of(act.meaning)]
+    actions = hearing.actions
+    verdict = _verdict(row, steps, actions)
+    labelled = [(step, name) for step in row.expected.steps for name in step.slots]
+    latency = None
+    if verdict is Verdict.RIGHT and hearing.acts:
+        first = hearing.acts[0]
+        ended = row.speech_end if row.speech_end is not None and len(hearing.acts) == 1 else first.speech_ended
+        latency = first.time - ended
+    return Outcome(
+        row,
+        condition,
+        verdict,
+        " ".join(hearing.texts),
+        " ".join(hearing.free_texts),
+        tuple(step.intent for step in steps),
+        actions,
+        len(labelled),
+        _slots_right(row.expected.steps, steps),
+        latency,
+        hearing.decodes[-1] if hearing.decodes else 0.0,
+        tuple(hearing.errors),
+    )
+
+
+def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verdict:
+    expected = row.expected
+    acted = bool(steps or actions)
+    if not expected.command:
+        return Verdict.FALSE_ACCEPT if acted else Verdict.QUIET
+    if not acted:
+        return Verdict.MISSED
+    right = (
+        (not expected.steps or _same_steps(expected.steps, steps))
+        and (expected.types is None or expected.types == tuple(action.type for action in actions))
+        and (expected.actions is None or _same_actions(expected.actions, actions))
+    )
+    return Verdict.RIGHT if right else Verdict.WRONG
+
+
+def _same_steps(expected: Sequence[Step], found: Sequence[Step]) -> bool:
+    return len(expected) == len(found) and all(
+        one.intent == other.intent and all(same(value, other.slots.get(name)) for name, value in one.slots.items())
+        for one, other in zip(expected, found, strict=True)
+    )
+
+
+def _same_actions(expected: Sequence[Action], found: Sequence[Action]) -> bool:
+    return len(expected) == len(found) and all(
+        same(action_to_json(one), action_to_json(other)) for one, other in zip(expected, found, strict=True)
+    )
+
+
+def _slots_right(expected: Sequence[Step], found: Sequence[Step]) -> int:
+    """Labelled values that came out, step by step; none of a step whose intent is another."""
+    return sum(
+        same(value, other.slots.get(name))
+        for one, other in zip(expected, found, strict=False)
+        if one.intent == other.intent
+        for name, value in one.slots.items()
+    )
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two values say the same: numbers nearly, texts in their plain words, the rest exactly."""
+    if isinstance(one, bool) or isinstance(other, bool):
+        return one is other
+    if isinstance(one, (int, float)) and isinstance(other, (int, float)):
+        return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-6)
+    if isinstance(one, str) and isinstance(other, str):
+        return one == other or plain(one) == plain(other) != []
+    if isinstance(one, Mapping) and isinstance(other, Mapping):
+        return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
+    return bool(one == other)
+
+
+def plain(text: str) -> list[str]:
+    """The words of a text, without case, punctuation and the choice between "90" and "ninety"."""
+    return in_words(Utterance.of(text).words)
+
+
+# -- all together ------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """What a condition came to. Shares are from 0 to 1, times in s; None where there is nothing to count."""
+
+    model: str
+    noise: str
+    recordings: int
+    commands: int
+    right: int
+    wrong: int
+    missed: int
+    accuracy: float | None
+    """Commands that were understood with all their labelled slots, of all commands."""
+    accuracy_low: float | None
+    """With so many recordings the accuracy on all such recordings lies between here ..."""
+    accuracy_high: float | None
+    """... and here, with 95 % confidence (Wilson's interval)."""
+    slot_accuracy: float | None
+    """Labelled slot values that came out."""
+    others: int
+    """Recordings that are no command."""
+    false_accepts: int
+    """Of these: acted on."""
+    word_error_rate: float | None
+    """Wrong, missing and added words, of all words said."""
+    free_word_error_rate: float | None
+    """The same without the help of the grammar."""
+    latency_p50: float | None
+    """From the end of speech to the action, where it was the right one."""
+    latency_p90: float | None
+    latency_p99: float | None
+    latency_max: float | None
+    decode_p50: float | None
+    decode_p90: float | None
+    errors: int
+    """Decodes that failed."""
+
+    def to_json(self) -> dict[str, Any]:
+        """A plain dictionary, with times and shares of four digits."""
+        values = {item.name: getattr(self, item.name) for item in fields(self)}
+        return {name: round(value, 4) if isinstance(value, float) else value for name, value in values.items()}
+
+
+def score(outcomes: Sequence[Outcome]) -> Score:
+    """The score of one condition.
+
+    Raises:
+        ValueError: there are no outcomes.
+    """
+    if not outcomes:
+        raise ValueError("nothing was heard")
+    count = {verdict: sum(outcome.verdict is verdict for outcome in outcomes) for verdict in Verdict}
+    commands = count[Verdict.RIGHT] + count[Verdict.WRONG] + count[Verdict.MISSED]
+    low, high = wilson(count[Verdict.RIGHT], commands) if commands else (None, None)
+    slots = sum(outcome.slots for outcome in outcomes)
+    latencies = [outcome.latency for outcome in outcomes if outcome.latency is not None]
+    decodes = [outcome.decode for outcome in outcomes if outcome.decode]
+    condition = outcomes[0].condition
+    return Score(
+        model=condition.model,
+        noise=condition.noise,
+        recordings=len(outcomes),
+        commands=commands,
+        right=count[Verdict.RIGHT],
+        wrong=count[Verdict.WRONG],
+        missed=count[Verdict.MISSED],
+        accuracy=count[Verdict.RIGHT] / commands if commands else None,
+        accuracy_low=low,
+        accuracy_high=high,
+        slot_accuracy=sum(outcome.slots_right for outcome in outcomes) / slots if slots else None,
+        others=count[Verdict.QUIET] + count[Verdict.FALSE_ACCEPT],
+        false_accepts=count[Verdict.FALSE_ACCEPT],
+        word_error_rate=_word_error_rate(outcomes, [outcome.heard for outcome in outcomes]),
+        free_word_error_rate=_word_error_rate(outcomes, [outcome.free for outcome in outcomes]),
+        latency_p50=quantile(latencies, 0.5),
+        latency_p90=quantile(latencies, 0.9),
+        latency_p99=quantile(latencies, 0.99),
+        latency_max=quantile(latencies, 1.0),
+        decode_p50=quantile(decodes, 0.5),
+        decode_p90=quantile(decodes, 0.9),
+        errors=sum(len(outcome.errors) for outcome in outcomes),
+    )
+
+
+def quantile(values: Sequence[float], share: float) -> float | None:
+    """The smallest value that at least this share of the values does not exceed; None of no values."""
+    if not values:
+        return None
+    return sorted(values)[max(math.ceil(share * len(values)) - 1, 0)]
+
+
+def wilson(right: int, whole: int, z: float = 1.96) -> tuple[float, float]:
+    """Interval of a share that was counted (Wilson 1927); ``z`` = 1.96 is 95 %."""
+    share = right / whole
+    spread = z * math.sqrt(share * (1 - share) / whole + z * z / (4 * whole * whole))
+    middle, scale = share + z * z / (2 * whole), 1 + z * z / whole
+    return max((middle - spread) / scale, 0.0), min((middle + spread) / scale, 1.0)
+
+
+def _word_error_rate(outcomes: Sequence[Outcome], heard: Sequence[str]) -> float | None:
+    """Over all rows with words in their label; jiwer counts no row without."""
+    import jiwer
+
+    said, found = [], []
+    for outcome, text in zip(outcomes, heard, strict=True):
+        words = plain(outcome.row.text or "")
+        if words:
+            said.append(" ".join(words))
+            found.append(" ".join(plain(text)))
+    return float(jiwer.wer(said, found)) if said else None
