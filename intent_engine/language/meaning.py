@@ -7,7 +7,7 @@ changes a sentence's sense; a compound is taken whole or not at all; two meaning
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, Stop
@@ -129,7 +129,10 @@ class Interpreter:
         words = core.words
         if self._cancel.may_stand_in(words) and 0 < self._cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
-        negated = self._negation.may_stand_in(words)
+        taken_back = self._correction.ends(words) if self._correction.may_stand_in(words) else 0
+        if 0 < taken_back < len(words):
+            return self._taken_back(text, words[-taken_back:], state)
+        negated = self._negation.may_stand_in(words) and self._negation.find(words) is not None
         if negated:
             wanted, reason = self._after_negation(core, state)
             if wanted is None:
@@ -141,6 +144,8 @@ class Interpreter:
         single = self._clause(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
             return self._accepted(text, single) if single.accepted else self._not_accepted(text, single)
+        if not negated and self._stop.may_stand_in(words) and self._stops_between(core, state):
+            return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0)
         return self._not_understood(text, core, clause or single)
 
     # -- stop ---------------------------------------------------------------------------------------------------
@@ -158,12 +163,16 @@ class Interpreter:
             return True
         if MOVING in state and self._stop.at(words, start) and self._exact(words, state) is None:
             return True
+        if self._corrected_after(words, start):
+            return True
         for position in range(start + 1, len(words)):
             if not self._stop.at(words, position):
                 continue
             if said.breaks[position] or self._clause_begins(words, start, position):
                 if self._negated_before(words, position):
                     continue
+                if self._corrected_after(words, position):
+                    return True
                 ends = self._only_stops(words, position)
                 if ends and not self._sequenced(words, position) and self._exact(words, state) is None:
                     return True
@@ -210,6 +219,33 @@ class Interpreter:
             return True
         count, reached = self.matcher.prefix(before)
         return reached is not None and count > 0
+
+    def _corrected_after(self, words: list[str], position: int) -> bool:
+        """Whether a stop phrase stands here and a correction or negation after it.
+
+        "stop, no, go forward", "stop don't move": nothing said in the same breath takes a stop back.
+        """
+        length = self._stop.at(words, position)
+        after = position + length
+        return length > 0 and any(
+            phrases.at(words, after) for phrases in (self._correction, self._cancel, self._negation)
+        )
+
+    def _stops_between(self, core: Utterance, state: Collection[str]) -> bool:
+        """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
+        words = core.words
+        for position in range(len(words)):
+            length = self._stop.at(words, position)
+            if not length or position + length == len(words) or self._sequenced(words, position):
+                continue
+            before = core.part(self._skip(words, 0), position)
+            before = before.part(0, len(before) - self._correction.ends(before.words))
+            if before.words and not (self._accepts(before, state) or self._compound(before, state)):
+                continue
+            after = core.part(position + length, len(words))
+            if self._accepts(after, state) or self._compound(after, state):
+                return True
+        return False
 
     def _negated_before(self, words: list[str], position: int) -> bool:
         return any(self._negation.at(words, back) == position - back for back in range(max(0, position - 3), position))
@@ -374,7 +410,7 @@ class Interpreter:
         """ "turn left no right", "go to the kitchen I mean the lab": the last word counts."""
         pieces = list(self._split_corrections(part))
         if len(pieces) < 2:
-            return None
+            return self._corrected_before(part, state)
         current = pieces[0].words
         for piece in pieces[1:]:
             if not piece.words:
@@ -388,13 +424,29 @@ class Interpreter:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
 
+    def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
+        """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
+
+        Not "sorry, right": one word is as likely talk. Nor "no turn left" in one breath, which may forbid.
+        """
+        start = 0
+        while length := self._correction.at(part.words, start):
+            start += length
+        forbids = set(part.words[:start]) == {"no"} and not self._pause_after(part, start)
+        if not start or len(part) < start + 2 or forbids:
+            return None
+        clause = self._exact(part.words[start:], state)
+        if clause is None or not clause.accepted:
+            return clause
+        return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
+
     def _split_corrections(self, part: Utterance) -> Iterator[Utterance]:
         start = position = 0
         while position < len(part):
             length = self._correction.at(part.words, position)
             if length:
                 bare = position == 0 and not self._pause_after(part, position + length)
-                if bare and part.words[0] in self._closed and length == 1:
+                if bare and part.words[0] == "no" and length == 1:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position)
@@ -417,7 +469,7 @@ class Interpreter:
             return meant if whole else None
         kept: dict[int, dict[tuple[Any, ...], list[str]]] = {}
         first = next((reading for reading in self.matcher.read(said) if not reading.problem), None)
-        for words, count in self._replacements(said, meant, first) if first is not None else ():
+        for words, count in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
             old = first.values()
             for reading in self.matcher.read(words)[:1]:
@@ -432,16 +484,27 @@ class Interpreter:
             best = kept[max(kept)]
             return next(iter(best.values())) if len(best) == 1 else None
         if whole:
-            _, reached = self.matcher.prefix(said)
+            # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
+            _, reached = self.matcher.strict.walk(said)
             return meant if reached is not None else None
         return None
 
-    def _replacements(self, said: list[str], meant: list[str], reading: Reading) -> Iterator[tuple[list[str], int]]:
+    def _replacements(
+        self, said: list[str], meant: list[str], reading: Reading, whole: bool
+    ) -> Iterator[tuple[list[str], int]]:
+        within: set[int] = set()
         for slot in reading.slots:
-            for end in range(slot.end, slot.start, -1):
+            if slot.slot.type in ("text", "object"):
+                # Any words would do there, so all of them are replaced, and never by what is a command itself.
+                within.update(range(slot.start + (not whole), slot.end))
+                ends = [] if whole else [slot.end]
+            else:
+                ends = list(range(slot.end, slot.start, -1))
+            for end in ends:
                 yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start)
         for start in range(len(said) - 1, 0, -1):
-            yield said[:start] + meant, start
+            if start not in within:
+                yield said[:start] + meant, start
 
     def _whole(self, words: list[str], state: Collection[str]) -> bool:
         clause = self._exact(words, state)
@@ -533,6 +596,13 @@ class Interpreter:
         intent = clause.reading.intent.name if clause.reading else None
         slots = slot_values(clause.reading) if clause.reading else {}
         return Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
+
+    def _taken_back(self, text: str, last: list[str], state: Collection[str]) -> Interpretation:
+        """ "go forward, no": not done. "go forward, wait": the last word is a command to stop."""
+        clause = self._exact(last, state) or self._exact(last[-1:], state)
+        if clause is not None and isinstance(clause.action, Stop):
+            return self._accepted(text, clause)
+        return self._rejected(text, f"taken back: {' '.join(last)!r}")
 
     def _rejected(self, text: str, reason: str) -> Interpretation:
         return Interpretation(text, Status.REJECTED, reason=reason)
