@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
@@ -13,6 +14,7 @@ from intent_engine.language.automaton import Automaton, Trace, WordState
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.sampler import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
 
@@ -29,6 +31,7 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 """How a negated command begins in speech, besides the negation itself."""
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
+_COUNTED = frozenset(QUANTITY_KINDS)
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
 
 
@@ -258,7 +261,24 @@ class Matcher:
                 if slot.type in ("text", "object"):
                     free += position - start
                 slots.append(self._slot(slot, mark[1][1], heard, start, position, value, loosely))
+        slots = self._numbers_apart(slots, heard)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
+
+    def _numbers_apart(self, slots: list[SlotReading], words: list[str]) -> list[SlotReading]:
+        """A number is never cut in two: "right seventy five dps" is no angle of seventy and a speed of five."""
+        for place, (slot, after) in enumerate(pairwise(slots)):
+            if slot.end != after.start or slot.problem or not {slot.slot.type, after.slot.type} <= _COUNTED:
+                continue
+            if self._is_number(words[slot.end - 1]) and self._is_number(words[after.start]):
+                problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
+                slots[place] = replace(slot, value=None, status="unknown", problem=problem)
+        return slots
+
+    def _is_number(self, word: str) -> bool:
+        language = self.grammar.language
+        return quantities.is_numeral(word) or (
+            word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)
+        )
 
     def _slot(
         self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool

@@ -98,6 +98,8 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
     value = _whole(_quantities(words, 0, kind, language, table), len(words))
     if value is None and unit is not None:
         number = _whole(_numbers(language)(words, 0), len(words))
+        if kind == "angle" and words[-1] in english.HALVES and number is not None and number < 1:
+            return None  # "a quarter" of a turn, or of what? Never 0.25 degrees
         factor = _unit_factor(unit, kind, table)
         if number is not None and factor is not None:
             value = number * factor

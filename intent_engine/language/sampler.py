@@ -1,21 +1,392 @@
-"""Trees to sentences: all short spellings of a value, or random sentences with their known meaning."""
+"""Trees to sentences: all short spellings of a value, or random sentences with their known meaning.
+
+A sample is made from the description of the grammar alone, never by parsing: a template is walked, every value that is
+put into a slot is known before it is spelled, and the action is built from those values. So a parser that is wrong
+cannot agree with itself.
+
+Whoever draws decides where the choices come from (:class:`Choices`): a seeded generator, or Hypothesis. Among the ways
+to go on, number 0 is always the shortest.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+import random
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice, permutations
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
-from intent_engine.language.template import (
-    AnyOrder,
-    Choice,
-    Node,
-    Optional,
-    Reference,
-    Sequence,
-    Word,
-)
+from intent_engine.errors import ConfigError
+from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
+from intent_engine.language.quantities import Relative
+from intent_engine.language.spoken_quantities import spoken_forms
+from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
+from intent_engine.language.template import Sequence as Parts
 
-__all__ = ["spellings"]
+if TYPE_CHECKING:
+    from intent_engine.actions import Action
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample", "spellings"]
+
+T = TypeVar("T")
+
+MAX_TRIES = 200
+"""Sentences tried for one that makes an action (a speed so low that nothing moves makes none)."""
+THINGS = (
+    "cup", "box", "ball", "bottle", "book", "red cup", "blue box", "hammer", "green bottle", "small parcel",
+    "yellow tool box", "teapot", "umbrella", "screwdriver", "water bottle", "big red apple",
+)  # fmt: skip
+"""What is said in a text slot, as far as the grammar does not use the words itself."""
+STAND_INS = ("blick", "dax", "wug", "zorp")
+"""For a grammar that uses all of these words itself."""
+
+
+class _Said(NamedTuple):
+    text: str
+    value: Any
+
+
+_DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
+
+
+class Choices(Protocol):
+    """Where a sampler's decisions come from."""
+
+    def below(self, count: int) -> int:
+        """A whole number from 0 to ``count - 1``; 0 is the shortest way to go on."""
+        ...
+
+
+class RandomChoices:
+    """Decisions of a seeded generator: the same seed gives the same sentences."""
+
+    def __init__(self, seed: int) -> None:
+        self._random = random.Random(seed)
+
+    def below(self, count: int) -> int:
+        return self._random.randrange(count)
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Words that belong together: one word of a template, or all that was said for a slot."""
+
+    text: str
+    label: str | None = None
+    """Name under which the slot's value is given; None for words of the template."""
+    slot: Slot | None = None
+    value: Any = None
+    """Of the slot: SI number, :class:`Relative`, name, text or boolean."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """A sentence with its meaning."""
+
+    text: str
+    intent: str
+    slots: Mapping[str, Any]
+    """Slot label to value, as in :class:`~intent_engine.interpretation.Interpretation`."""
+    actions: tuple[Action, ...]
+    pieces: tuple[Piece, ...]
+    sentence: Sentence
+    """The template that it was made from."""
+
+
+def sample(
+    grammar: Grammar,
+    locations: LocationMap | None = None,
+    count: int = 20,
+    *,
+    intent: str | None = None,
+    seed: int = 0,
+    state: Collection[str] = (),
+) -> list[Sample]:
+    """Random sentences of a grammar. The same seed gives the same sentences.
+
+    Args:
+        grammar: as loaded.
+        locations: the map whose names are said.
+        count: how many.
+        intent: only sentences of this intent.
+        seed: any whole number.
+        state: states that the robot is in; intents that it forbids are left out.
+
+    Raises:
+        ConfigError: there is no such intent, or it has no sentence that can be said.
+    """
+    sampler = Sampler(grammar, locations, state=state)
+    choices = RandomChoices(seed)
+    return [sampler.draw(choices, intent) for _ in range(count)]
+
+
+class Sampler:
+    """Draws sentences of one grammar and map.
+
+    Args:
+        grammar: as loaded.
+        locations: the map whose names are said.
+        state: states that the robot is in.
+        texts: slot name to what is said for it, for text slots.
+    """
+
+    def __init__(
+        self,
+        grammar: Grammar,
+        locations: LocationMap | None = None,
+        *,
+        state: Collection[str] = (),
+        texts: Mapping[str, Sequence[str]] | None = None,
+    ) -> None:
+        self.grammar = grammar
+        self.locations = locations
+        self._state = frozenset(state)
+        self._texts = dict(texts or {})
+        self._lengths: dict[int, float] = {}
+        self._ordered: dict[int, Sequence[Any]] = {}
+        self._said: dict[str, Sequence[Sequence[_Said]]] = {}
+
+    @cached_property
+    def intents(self) -> Mapping[str, tuple[Sentence, ...]]:
+        """The intents that can be said in this state, each with its sentences; the shortest first."""
+        found: dict[str, tuple[Sentence, ...]] = {}
+        for intent in self.grammar.intents.values():
+            if intent.requires - self._state or intent.excludes & self._state:
+                continue
+            sayable = [item for item in intent.sentences if math.isfinite(self.length(item.template))]
+            if sayable:
+                found[intent.name] = tuple(sorted(sayable, key=lambda item: self.length(item.template)))
+        return dict(sorted(found.items(), key=lambda row: self.length(row[1][0].template)))
+
+    def check(self, intent: str | None) -> None:
+        """See that there is something to say.
+
+        Raises:
+            ConfigError: there is no such intent, or it has no sentence that can be said.
+        """
+        if intent is None and not self.intents:
+            raise ConfigError("the grammar has no sentence that can be sampled")
+        if intent is None or intent in self.intents:
+            return
+        known: Intent | None = self.grammar.intents.get(intent)
+        if known is None:
+            raise ConfigError(f"there is no intent {intent!r}; there is {', '.join(self.grammar.intents)}")
+        if not known.sentences:
+            raise ConfigError(f"intent {intent!r} has patterns only (regex, lark); sentences come from templates")
+        if known.requires - self._state or known.excludes & self._state:
+            needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
+            raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
+        raise ConfigError(f"no sentence of intent {intent!r} can be said: is a map missing, or a unit?")
+
+    def draw(self, choices: Choices, intent: str | None = None) -> Sample:
+        """One sentence.
+
+        Raises:
+            ConfigError: see :meth:`check`; or no sentence found makes an action.
+        """
+        self.check(intent)
+        for _ in range(MAX_TRIES):
+            drawn = self.attempt(choices, intent)
+            if drawn is not None:
+                return drawn
+        raise ConfigError(f"{MAX_TRIES} sentences of {intent or 'the grammar'!r} were tried, and none makes an action")
+
+    def attempt(self, choices: Choices, intent: str | None = None) -> Sample | None:
+        """One sentence, or None if its values make no action. :meth:`check` comes first."""
+        names = list(self.intents)
+        name = intent if intent is not None else _pick(choices, names)
+        sentence = _pick(choices, self.intents[name])
+        return self.finish(name, sentence, self._drawn(sentence.template, choices))
+
+    def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
+        """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
+        if any(map(_run_together, pieces, pieces[1:])):
+            return None
+        said = {**sentence.fixed, **{piece.label: piece.value for piece in pieces if piece.label is not None}}
+        try:
+            action = build_action(self.grammar.intents[intent], said, self.locations)
+        except CannotActError:
+            return None
+        slots = {label: value.factor if isinstance(value, Relative) else value for label, value in said.items()}
+        kept = _one_article(pieces)
+        return Sample(_joined(kept), intent, slots, (action,), kept, sentence)
+
+    # -- trees --------------------------------------------------------------------------------------------------
+
+    def length(self, node: Node) -> float:
+        """Words of the shortest way to say a template; infinite if there is none."""
+        known = self._lengths.get(id(node))  # trees live as long as their grammar, and hashing one walks all of it
+        if known is None:
+            known = self._lengths[id(node)] = self._length(node)
+        return known
+
+    def _length(self, node: Node) -> float:
+        match node:
+            case Word():
+                return 1.0
+            case WordClass(name):
+                return 1.0 if name == "#" else math.inf
+            case Choice(items):
+                return min(map(self.length, items))
+            case Optional():
+                return 0.0
+            case Parts(items) | AnyOrder(items):
+                return sum(map(self.length, items))
+            case Reference(name) if name in self.grammar.phrases:
+                return self.length(self.grammar.phrases[name])
+            case Reference(name):
+                slot = self.grammar.slots[name]
+                if slot.values:
+                    return min(self.length(item) for _, item in slot.values)
+                return min((_words(form[0].text) for form in self._ways(slot)), default=math.inf)
+        raise AssertionError(node)
+
+    def _drawn(self, node: Node, choices: Choices) -> list[Piece]:
+        match node:
+            case Word(text):
+                return [Piece(text)]
+            case WordClass():
+                return [Piece(str(_one(choices, 20) + 1))]
+            case Choice(items):
+                return self._drawn(_pick(choices, self._shortest_first(node, items)), choices)
+            case Optional(item):
+                said = math.isfinite(self.length(item)) and choices.below(2) == 1
+                return self._drawn(item, choices) if said else []
+            case Parts(items):
+                return [piece for item in items for piece in self._drawn(item, choices)]
+            case AnyOrder(items):
+                left, pieces = list(items), []
+                while left:
+                    pieces.extend(self._drawn(left.pop(_one(choices, len(left))), choices))
+                return pieces
+            case Reference(name) if name in self.grammar.phrases:
+                return self._drawn(self.grammar.phrases[name], choices)
+            case Reference(name, label):
+                return [self.spoken(self.grammar.slots[name], label, choices)]
+        raise AssertionError(node)
+
+    def _shortest_first(self, owner: object, items: Sequence[Node]) -> Sequence[Node]:
+        """The nodes that can be said, kept for the template or slot that owns them."""
+        ordered = self._ordered.get(id(owner))
+        if ordered is None:
+            sayable = [item for item in items if math.isfinite(self.length(item))]
+            ordered = self._ordered[id(owner)] = sorted(sayable, key=self.length)
+        return ordered
+
+    # -- slots --------------------------------------------------------------------------------------------------
+
+    def spoken(self, slot: Slot, label: str, choices: Choices) -> Piece:
+        """A value for a slot, with words for it."""
+        if slot.values:
+            node = _pick(choices, self._shortest_first(slot, [item for _, item in slot.values]))
+            value = next(value for value, item in slot.values if item is node)
+            return Piece(_joined(self._drawn(node, choices)), label, slot, value)
+        said = _pick(choices, _pick(choices, self._ways(slot)))
+        return Piece(said.text, label, slot, said.value)
+
+    def _ways(self, slot: Slot) -> Sequence[Sequence[_Said]]:
+        """The ways to say values of a slot that is no choice, in forms; the shortest first. Empty if there is none."""
+        ways = self._said.get(slot.name)
+        if ways is None:
+            if slot.type in QUANTITY_KINDS:
+                forms = spoken_forms(slot.type, self.grammar.language, slot.unit, slot.minimum, slot.maximum)
+                ways = [[_Said(*spoken) for spoken in form] for form in forms]
+            else:
+                said = sorted(
+                    self._places(slot) if slot.type == "location" else self._things(slot),
+                    key=lambda spoken: (_words(spoken.text), len(spoken.text), spoken.text),
+                )
+                ways = (said,) if said else ()
+            self._said[slot.name] = ways
+        return ways
+
+    def _places(self, slot: Slot) -> Iterator[_Said]:
+        for words, name in self.locations.names() if self.locations is not None else ():
+            assert self.locations is not None
+            if not slot.tags or slot.tags & set(self.locations[name].tags):
+                yield _Said(" ".join(words), name)
+
+    def _things(self, slot: Slot) -> Iterator[_Said]:
+        given = self._texts.get(slot.name)
+        if given is not None:
+            yield from (_Said(text, text) for text in given)
+            return
+        taken = self._words | slot.without
+        known = [text for text in THINGS if taken.isdisjoint(text.split())]
+        for text in known or STAND_INS:
+            if _words(text) <= slot.max_words:
+                yield _Said(text, text)
+            if self.grammar.language == "en" and _words(text) < slot.max_words:
+                yield _Said(f"the {text}", text)
+
+    @cached_property
+    def _words(self) -> frozenset[str]:
+        """Every word that the grammar itself has a use for."""
+        grammar, operators = self.grammar, self.grammar.operators
+        found = {*operators.closed, *grammar.sound_alikes}
+        for phrases in (
+            grammar.fillers, grammar.wake, operators.negation, operators.correction, operators.cancel,
+            operators.sequence, operators.contrast, operators.stop,
+        ):  # fmt: skip
+            found.update(word for phrase in phrases for word in phrase)
+        nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+        nodes.extend(grammar.phrases.values())
+        nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
+        for node in nodes:
+            found.update(_literal(node))
+        return frozenset(found)
+
+
+def _one(choices: Choices, count: int) -> int:
+    """A decision, where there is one."""
+    return choices.below(count) if count > 1 else 0
+
+
+def _pick(choices: Choices, items: Sequence[T]) -> T:
+    return items[_one(choices, len(items))]
+
+
+def _words(text: str) -> int:
+    return len(text.split())
+
+
+def _joined(pieces: Sequence[Piece]) -> str:
+    return " ".join(piece.text for piece in pieces)
+
+
+def _one_article(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """ "give me the" + "the cup": one of them is enough."""
+    return tuple(
+        replace(piece, text=piece.text.removeprefix("the "))
+        if piece.label and number and pieces[number - 1].text in _DETERMINERS
+        else piece
+        for number, piece in enumerate(pieces)
+    )
+
+
+def _run_together(piece: Piece, after: Piece) -> bool:
+    """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten"."""
+    if piece.slot is None or after.slot is None or {piece.slot.type, after.slot.type} - set(QUANTITY_KINDS):
+        return False
+    return not isinstance(after.value, Relative)
+
+
+def _literal(node: Node) -> Iterator[str]:
+    match node:
+        case Word(text):
+            yield text
+        case Choice(items) | Parts(items) | AnyOrder(items):
+            for item in items:
+                yield from _literal(item)
+        case Optional(item):
+            yield from _literal(item)
+
+
+# -- all spellings --------------------------------------------------------------------------------------------
 
 
 def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
@@ -33,19 +404,19 @@ def _all(node: Node, phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
         case Optional(item):
             yield from _all(item, phrases)
             yield ()
-        case Sequence(items):
-            yield from _joined(items, phrases)
+        case Parts(items):
+            yield from _sequences(items, phrases)
         case AnyOrder(items):
             for order in permutations(items):
-                yield from _joined(order, phrases)
+                yield from _sequences(order, phrases)
         case Reference(name) if name in phrases:
             yield from _all(phrases[name], phrases)
 
 
-def _joined(items: tuple[Node, ...], phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
+def _sequences(items: tuple[Node, ...], phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
     if not items:
         yield ()
         return
     for head in _all(items[0], phrases):
-        for tail in _joined(items[1:], phrases):
+        for tail in _sequences(items[1:], phrases):
             yield (*head, *tail)

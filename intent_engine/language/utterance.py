@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import Token, tokenize
 
 __all__ = ["PhraseSet", "Utterance"]
 
@@ -80,7 +80,7 @@ class Utterance:
         tokens = tokenize(text)
         words = [token.word for token in tokens]
         breaks = [token.breaks for token in tokens]
-        kept = [place for place in range(len(words)) if not _stutter(words, place)]
+        kept = [place for place in range(len(words)) if not _stutter(tokens, place)]
         if len(kept) < len(words):
             return cls([words[place] for place in kept], [breaks[place] for place in kept])
         return cls(words, breaks)
@@ -117,9 +117,12 @@ class Utterance:
         return Utterance(words, breaks, frozenset(joined))
 
 
-def _stutter(words: list[str], place: int) -> bool:
-    """ "t turn", "f forty": a first sound said twice. Never "a" or "i", which are words."""
-    word = words[place]
-    if len(word) != 1 or word in "aio" or not word.isalpha() or place + 1 >= len(words):
+def _stutter(tokens: Sequence[Token], place: int) -> bool:
+    """ "t turn", "f forty": a first sound said twice. Never "a" or "i", which are words, nor a unit: "2 m/s so"."""
+    word, start, _, _ = tokens[place]
+    if len(word) != 1 or word in "aio" or not word.isalpha() or place + 1 >= len(tokens):
         return False
-    return len(words[place + 1]) > 2 and words[place + 1].startswith(word)
+    if place and (tokens[place - 1].word[-1].isdigit() or tokens[place - 1].end == start):
+        return False
+    after = tokens[place + 1].word
+    return len(after) > 2 and after.startswith(word)

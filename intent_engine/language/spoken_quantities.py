@@ -1,0 +1,259 @@
+"""Quantities to words: the ways to say a length, an angle or a time within limits, each with its value.
+
+The other direction of :mod:`~intent_engine.language.quantities`, for sampling. It shares with that module the table
+of units, and nothing else, so that what one of them gets wrong the other shows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from typing import NamedTuple, TypeAlias
+
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
+from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative
+
+__all__ = ["Spoken", "spoken_forms"]
+
+
+class Spoken(NamedTuple):
+    """One way to say a value."""
+
+    text: str
+    value: float | Relative
+    """SI."""
+
+
+_Number: TypeAlias = tuple[str, float]
+_Said: TypeAlias = _Number | tuple[str, Relative]
+_Limits: TypeAlias = tuple[float, float]
+_USUAL: Mapping[str, Sequence[str]] = {
+    "distance": ("m", "ft", "cm", "in", "yd", "mm", "km", "mi"),
+    "duration": ("s", "min", "ms", "h"),
+    "angle": ("deg", "turn", "rad"),
+    "percent": ("percent",),
+}
+"""Units that people say to robots, the most usual first."""
+_USUAL_RATES: Mapping[str, Sequence[tuple[str, str]]] = {
+    "speed": (("m", "s"), ("km", "h"), ("cm", "s"), ("ft", "s"), ("m", "min"), ("mi", "h")),
+    "angular_speed": (("deg", "s"), ("rad", "s"), ("turn", "min")),
+}
+_SIGNS: Mapping[str, str] = {"deg": "°", "percent": "%", "m": "m", "cm": "cm", "ft": "ft", "s": "s"}
+"""What is written straight after a number in digits."""
+_SMALLER: Mapping[str, tuple[str, float]] = {"m": ("cm", 100), "ft": ("in", 12), "min": ("s", 60), "h": ("min", 60)}
+"""The unit that is said after a larger one ("two feet six inches"), and how many of it make one."""
+_TURNS: Mapping[str, float] = {
+    "quarter turn": math.pi / 2, "a quarter turn": math.pi / 2, "half a turn": math.pi, "a full circle": 2 * math.pi,
+    "halfway around": math.pi, "all the way around": 2 * math.pi,
+}  # fmt: skip
+_WHOLE = (*range(1, 21), 25, 30, 35, 40, 45, 50, 60, 70, 75, 80, 90, 100, 110, 120, 135, 150, 180, 200, 225, 250, 270,
+          300, 333, 360, 400, 450, 500, 720, 750, 999, 1000)  # fmt: skip
+_DECIMALS = ("0.5", "1.5", "2.5", "0.2", "0.3", "0.75", "1.25", "3.4", "7.05", "12.5", "22.5", "37.8")
+_WORDS: Mapping[str, Mapping[int, str]] = {
+    "de": {2: "zwei", 3: "drei", 4: "vier", 5: "fünf", 10: "zehn", 20: "zwanzig", 45: "fünfundvierzig", 90: "neunzig"},
+    "es": {2: "dos", 3: "tres", 4: "cuatro", 5: "cinco", 10: "diez", 20: "veinte", 45: "cuarenta y cinco",
+           90: "noventa"},
+    "fr": {2: "deux", 3: "trois", 4: "quatre", 5: "cinq", 10: "dix", 20: "vingt", 45: "quarante-cinq",
+           90: "quatre-vingt-dix"},
+    "it": {2: "due", 3: "tre", 4: "quattro", 5: "cinque", 10: "dieci", 20: "venti", 45: "quarantacinque",
+           90: "novanta"},
+}  # fmt: skip
+"""Some number words of languages other than English, whose numbers are all known."""
+
+
+@cache
+def spoken_forms(
+    kind: str, language: str, unit: str | None, minimum: float | None, maximum: float | None
+) -> tuple[tuple[Spoken, ...], ...]:
+    """The ways to say a quantity, by form (whole numbers, decimals, fractions, ...), the shortest form first.
+
+    Args:
+        kind: one of ``QUANTITY_KINDS``.
+        language: its units and number words are used; beyond English few number words are known, and digits serve.
+        unit: of the slot; a bare number can be said if there is one.
+        minimum: SI, inclusive; None: no limit.
+        maximum: SI, inclusive; None: no limit.
+    """
+    limits = (-math.inf if minimum is None else minimum, math.inf if maximum is None else maximum)
+    forms = (_within(form, limits) for form in _forms(kind, language, unit))
+    return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
+
+
+def _within(form: Iterable[_Said], limits: _Limits) -> tuple[Spoken, ...]:
+    found: dict[str, Spoken] = {}
+    for text, value in form:
+        if isinstance(value, Relative) or (limits[0] <= value <= limits[1]):
+            found.setdefault(text, Spoken(text, value))
+    return tuple(found.values())
+
+
+def _forms(kind: str, language: str, unit: str | None) -> Iterator[Iterable[_Said]]:
+    english = language == "en"
+    if kind == "number":
+        yield _whole_numbers(language)
+        yield _decimal_numbers(english)
+        if english:
+            yield _fractions()
+        return
+    if kind == "ordinal":
+        yield _ordinals(english)
+        return
+    table = units(language)
+    if table is None:
+        return
+    factor = _factor(kind, unit)
+    if factor is not None:
+        yield [(text, value * factor) for text, value in (*_whole_numbers(language), *_decimal_numbers(english))]
+    if kind in _USUAL_RATES:
+        yield from _rates(kind, table, language)
+        return
+    names = {key: _names(key, table) for key in _USUAL[kind]}
+    sizes = {key: FACTORS[kind][key] for key, forms in names.items() if forms}
+    yield _with_units(_whole_numbers(language), names, sizes)
+    yield _with_units(_decimal_numbers(english), names, sizes)
+    yield [
+        (f"{number}{_SIGNS[key]}", number * size)
+        for key, size in sizes.items()
+        if key in _SIGNS and (english or _SIGNS[key] in "°%" or (_SIGNS[key],) in table.names)
+        for number in _WHOLE
+    ]
+    if english:
+        yield from _english(kind, names, sizes)
+
+
+def _factor(kind: str, unit: str | None) -> float | None:
+    """SI factor of a slot's own unit, if its plain name is one of ours."""
+    if unit is None:
+        return None
+    return FACTORS.get(kind, {}).get(unit) or RATES.get(kind, {}).get(unit)
+
+
+def _names(key: str, table: Units) -> tuple[str, ...]:
+    """The spellings of a unit, in the order of its file: singular and plural first."""
+    return tuple(" ".join(words) for words, name in table.names.items() if name == key and words != ("in",))
+
+
+def _named(number: float, forms: Sequence[str]) -> Iterator[str]:
+    """The words for a unit after a number: the usual one first, then others."""
+    yield forms[0] if number == 1 else _plural(forms)
+    yield from forms[2:6]
+
+
+def _whole_numbers(language: str) -> Iterator[_Number]:
+    for number in _WHOLE:
+        yield str(number), float(number)
+        if language == "en":
+            yield " ".join(in_words([str(number)])), float(number)
+        elif number in _WORDS.get(language, ()):
+            yield _WORDS[language][number], float(number)
+
+
+def _decimal_numbers(english: bool) -> Iterator[_Number]:
+    for number in _DECIMALS:
+        yield number, float(number)
+        if english:
+            yield " ".join(in_words([number])), float(number)
+            if number.startswith("0."):
+                yield "point " + " ".join(in_words([number])[2:]), float(number)
+
+
+def _fractions() -> Iterator[_Number]:
+    yield "1/2", 0.5
+    yield "three quarters", 0.75
+    for number in (1, 2, 3, 10):
+        word = in_words([str(number)])[0]
+        yield f"{word} and a half", number + 0.5
+        yield f"{number} and a half", number + 0.5
+        yield f"{number} 1/2", number + 0.5
+        yield f"{number}-1/2", number + 0.5
+        yield f"{word} and a quarter", number + 0.25
+
+
+def _ordinals(english: bool) -> Iterator[_Number]:
+    if not english:
+        yield from ((str(number), float(number)) for number in range(1, 13))
+        return
+    words = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh")
+    for number, word in enumerate(words, start=1):
+        yield word, float(number)
+    for number in (1, 2, 3, 4, 12, 21):
+        suffix = {1: "st", 2: "nd", 3: "rd"}.get(0 if 10 < number < 20 else number % 10, "th")
+        yield f"{number}{suffix}", float(number)
+    yield "twenty first", 21.0
+
+
+def _with_units(
+    numbers: Iterable[_Number], names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]
+) -> Iterator[_Number]:
+    said = list(numbers)
+    for key, size in sizes.items():
+        for text, number in said:
+            for name in _named(number, names[key]):
+                if len(name) > 2 or text[-1].isdigit():  # nobody writes "twenty s"
+                    yield f"{text} {name}", number * size
+
+
+def _rates(kind: str, table: Units, language: str) -> Iterator[Iterable[_Said]]:
+    top_kind = "distance" if kind == "speed" else "angle"
+    rates: list[_Number] = []
+    per = "per" if "per" in table.words.get("per", ()) else min(table.words.get("per", ("per",)))
+    for top, bottom in _USUAL_RATES[kind]:
+        above, below = _names(top, table), _names(bottom, table)
+        if above and below:
+            rates.append((f"{_plural(above)} {per} {below[0]}", FACTORS[top_kind][top] / FACTORS["duration"][bottom]))
+    for numbers in (_whole_numbers(language), _decimal_numbers(language == "en")):
+        said = list(numbers)
+        yield [(f"{text} {name}", number * size) for name, size in rates for text, number in said]
+    signs = {"m/s": 1.0, "km/h": 1 / 3.6} if kind == "speed" else {"rad/s": 1.0}
+    yield [(f"{text} {sign}", float(text) * size) for sign, size in signs.items() for text in ("1", "2", *_DECIMALS)]
+    for key, size in RATES[kind].items():
+        if names := _names(key, table):
+            yield [(f"{text} {names[0]}", number * size) for text, number in _whole_numbers(language)]
+    if language == "en":
+        yield [(text, Relative(factor)) for text, factor in RELATIVE_SPEEDS.items()]
+
+
+def _english(kind: str, names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> Iterator[Iterable[_Said]]:
+    if kind != "percent":
+        yield _singular(names, sizes)
+    yield _with_units(((text, value) for text, value in _fractions() if value > 1), names, sizes)
+    yield _mixed(names, sizes)
+    if kind == "angle":
+        yield _TURNS.items()
+
+
+def _singular(names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> Iterator[_Number]:
+    for key, size in sizes.items():
+        name, plural = names[key][0], _plural(names[key])
+        a = "an" if name[0] in "aeio" or name == "hour" else "a"
+        yield f"{a} {name}", size
+        yield f"half {a} {name}", size / 2
+        yield f"1/2 {name}", size / 2
+        yield f"a quarter of {a} {name}", size / 4
+        yield f"{a} {name} and a half", size * 1.5
+        yield f"a couple of {plural}", size * 2
+        yield f"a couple {plural}", size * 2
+
+
+def _mixed(names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> Iterator[_Number]:
+    """ "two feet six inches", "one meter twenty", "a minute and ten seconds"."""
+    for key, (small, many) in _SMALLER.items():
+        if key not in sizes or small not in sizes:
+            continue
+        for top, number in (("1", 1), ("2", 2), ("three", 3), ("10", 10)):
+            name = names[key][0] if number == 1 else _plural(names[key])
+            for rest in (6, 10, 30, 45):
+                if rest >= many:
+                    continue
+                value = number * sizes[key] + rest * sizes[small]
+                for said in (str(rest), " ".join(in_words([str(rest)]))):
+                    yield f"{top} {name} {said}", value
+                    yield f"{top} {name} {said} {_plural(names[small])}", value
+                    yield f"{top} {name} and {said} {_plural(names[small])}", value
+            yield f"{top} {name} and a half", (number + 0.5) * sizes[key]
+
+
+def _plural(names: Sequence[str]) -> str:
+    return names[1] if len(names) > 1 else names[0]

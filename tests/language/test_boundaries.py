@@ -1,0 +1,46 @@
+"""Where one part of a sentence ends and the next begins."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+
+
+@pytest.fixture(scope="module")
+def engine(root):
+    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
+
+
+@pytest.mark.parametrize(
+    ("text", "slots"),
+    [
+        # A word of the grammar is read as such before a free slot takes it.
+        ("lift up the bottle", {"thing": "bottle"}),
+        ("take hold of the cup", {"thing": "cup"}),
+        ("fetch me the cup from the table", {"thing": "cup", "source": "table"}),
+        ("lay down the cup beside the plate", {"thing": "cup", "target": "plate"}),
+        ("lay the cup on to the tray", {"thing": "cup", "target": "tray"}),
+        ("take the cup off of the shelf", {"thing": "cup", "source": "shelf"}),
+        # A unit of one letter is no stutter.
+        ("t turn left", {"side": "left"}),
+        ("start going for 2s straight", {"direction": "forward", "duration": 2.0}),
+        ("2 m/s straight", {"direction": "forward", "speed": 2.0}),
+        # A number is never cut in two.
+        ("turn right seventy five dps", {"side": "right", "turn_speed": math.radians(75)}),
+        ("turn left ninety degrees slowly", {"side": "left", "angle": math.pi / 2, "turn_speed": 0.5}),
+        # A quarter is one of a turn.
+        ("take a quarter turn left", {"side": "left", "angle": math.pi / 2}),
+        ("make a 90 turn left", {"side": "left", "angle": math.pi / 2}),
+        ("make a 2 turn left", {"side": "left", "angle": 4 * math.pi}),
+    ],
+)
+def test_each_word_belongs_to_one_part(engine, text, slots):
+    found = engine.parse(text)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert set(found.slots) == set(slots)
+    for label, value in slots.items():
+        assert found.slots[label] == (value if isinstance(value, str) else pytest.approx(value))
