@@ -112,9 +112,10 @@ def clean(samples: npt.NDArray[np.floating]) -> Samples:
     Args:
         samples: ``(n,)`` or ``(n, channels)``.
     """
-    mono = samples if samples.ndim == 1 else samples.mean(axis=1)
-    sound = np.nan_to_num(mono.astype(np.float32, copy=False), nan=0.0, posinf=0.0, neginf=0.0)
-    return np.clip(sound, -1.0, 1.0)
+    # Limited before the channels are added: two large numbers would be an infinite one.
+    finite = np.nan_to_num(samples, nan=0.0, posinf=0.0, neginf=0.0)
+    sound = np.clip(finite, -1.0, 1.0).astype(np.float32, copy=False)
+    return sound if sound.ndim == 1 else np.asarray(sound.mean(axis=1), np.float32)
 
 
 class Resampler:

@@ -132,7 +132,7 @@ class Inbox:
                 return False
             self._blocks.append(block)
             self._waiting += block.seconds
-            while self._waiting > self._capacity and len(self._blocks) > 1:
+            while self._waiting > self._capacity and len(self._blocks) > 1 and not wait:
                 dropped = self._blocks.popleft()
                 self._waiting -= dropped.seconds
                 next_one = self._blocks[0]
@@ -180,22 +180,26 @@ class Inbox:
         resampler: Resampler | None = None
         rate = 0
         away = False
-        last = 0.0
+        last = lost = 0.0
         self._began = self.clock.now()
         while True:
             block = self._take(None if counted else self._limit(away))
             if block is not None:
                 if resampler is None or rate != block.rate:
                     start = last if counted else self._start(block, last)
+                    if self._patience is None:
+                        for silent in _silence(last, start):
+                            last = silent.time
+                            yield silent
                     resampler, rate = Resampler(block.rate, start), block.rate
                 elif not counted:
                     self._keep_time(resampler, block)
-                lost = block.lost
+                lost += block.lost
                 if away:
                     away = False
                     self._tell(ReportKind.BACK, f"{self.name} is back")
-                if lost:
-                    self._tell_lost(lost)
+                if block.lost:
+                    self._tell_lost(block.lost)
                 self._look_for_mute(block)
                 for frame in resampler.push(block.samples):
                     last = max(frame.time, last)
@@ -211,9 +215,9 @@ class Inbox:
                 return
             resampler = None
             if self._patience is None:
-                for _ in range(max(1, round((self.time() - last) / FRAME_SECONDS))):
-                    last += FRAME_SECONDS
-                    yield Frame(np.zeros(FRAME_SAMPLES, np.float32), last)
+                for silent in _silence(last, max(self.time(), last + FRAME_SECONDS)):
+                    last = silent.time
+                    yield silent
                 continue
             if not away:
                 away = True
@@ -282,3 +286,9 @@ class Inbox:
                 f"{self.name} gives nothing but zeros: it is muted, or this program may not use it; "
                 "intent-engine doctor says what to do",
             )
+
+
+def _silence(start: float, end: float) -> Iterator[Frame]:
+    """Silent frames from one time to another."""
+    for count in range(1, round((end - start) / FRAME_SECONDS) + 1):
+        yield Frame(np.zeros(FRAME_SAMPLES, np.float32), start + count * FRAME_SECONDS)

@@ -1,7 +1,7 @@
 """Whether a recording is whole. A robot must not do the first half of a file whose second half is missing.
 
-libsndfile reads a WAV file that was cut off as a shorter one, without a word, and notices a cut FLAC file only when it
-comes to the cut; so both are looked at before the first frame is played.
+libsndfile reads a WAV, AIFF or Ogg file that was cut off as a shorter one, without a word, and notices a cut FLAC file
+only when it comes to the cut; so all are looked at before the first frame is played. MP3 has no length to compare.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ __all__ = ["check_whole"]
 
 UNKNOWN = {0, 0xFFFFFFFF, 0x7FFFFFFF}
 """Sizes that programs write into a header when they stream and do not know yet."""
+OGG_PAGE = 65_307
+"""Bytes of the largest page of an Ogg file."""
 BLOCK = 1 << 18
 """Samples read at once."""
 _ADVICE = "copy or record it again"
@@ -29,28 +31,52 @@ def check_whole(path: Path) -> None:
     with path.open("rb") as file:
         head = file.read(12)
     if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
-        _check_riff(path, head)
+        _check_chunks(path, head, "<", b"data")
+    elif head[:4] == b"FORM" and head[8:12] in (b"AIFF", b"AIFC"):
+        _check_chunks(path, head, ">", b"SSND")
+    elif head[:4] == b"OggS":
+        _check_ogg(path)
     elif head[:4] == b"fLaC":
         _decode(path)
 
 
-def _check_riff(path: Path, head: bytes) -> None:
-    """The sizes of the chunks against the size of the file; samples of a WAV file need no decoding."""
+def _check_chunks(path: Path, head: bytes, order: str, sound: bytes) -> None:
+    """The sizes of the chunks against the size of the file; these samples need no decoding.
+
+    Args:
+        path: the file.
+        head: its first 12 bytes.
+        order: of the bytes of a number, as ``struct`` has it.
+        sound: name of the chunk with the sound.
+    """
     size = path.stat().st_size
-    (declared,) = struct.unpack_from("<I", head, 4)
+    (declared,) = struct.unpack_from(f"{order}I", head, 4)
     if declared in UNKNOWN:
         return
     with path.open("rb") as file:
         place = 12
         while place + 8 <= size:
             file.seek(place)
-            name, length = struct.unpack("<4sI", file.read(8))
-            if name == b"data":
+            name, length = struct.unpack(f"{order}4sI", file.read(8))
+            if name == sound:
                 if length not in UNKNOWN and place + 8 + length > size:
                     there = (size - place - 8) / length
                     raise AudioError(f"{path}: is cut off: {there:.0%} of its sound is there\n    {_ADVICE}")
                 return
             place += 8 + length + length % 2
+
+
+def _check_ogg(path: Path) -> None:
+    """The last page of an Ogg file says that it is the last, and is there to its end (RFC 3533)."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        file.seek(max(0, size - OGG_PAGE))
+        tail = file.read()
+    place = tail.rfind(b"OggS")
+    page = tail[place:]
+    whole = place >= 0 and len(page) >= 27 and len(page) >= 27 + page[26]
+    if not whole or not page[5] & 4 or len(page) < 27 + page[26] + sum(page[27 : 27 + page[26]]):
+        raise AudioError(f"{path}: is cut off: the end of its sound is not there\n    {_ADVICE}")
 
 
 def _decode(path: Path) -> None:

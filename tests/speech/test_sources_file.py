@@ -1,0 +1,117 @@
+"""Sound files: whole or not at all, streamed, at any rate. What people are told of bad ones: test_cli_bad_input."""
+
+from __future__ import annotations
+
+import struct
+import tracemalloc
+
+import numpy as np
+import pytest
+import soundfile
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from intent_engine.errors import AudioError
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
+from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
+
+TONE = (0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)).astype(np.float32)
+
+
+@pytest.mark.parametrize(
+    ("name", "rate", "subtype"),
+    [
+        ("a.wav", 8_000, "ULAW"),
+        ("a.wav", 44_100, "PCM_24"),
+        ("a.wav", 96_000, "DOUBLE"),
+        ("a.flac", 22_050, "PCM_16"),
+        ("a.ogg", 48_000, "VORBIS"),
+        ("a.aiff", 16_000, "PCM_16"),
+    ],
+)
+def test_every_kind_of_file(tmp_path, name, rate, subtype):
+    samples = 0.5 * np.sin(2 * np.pi * 440 * np.arange(2 * rate) / rate)
+    soundfile.write(tmp_path / name, np.stack([samples, samples], axis=1), rate, subtype=subtype)
+    source = FileSource(tmp_path / name)
+    assert source.seconds == pytest.approx(2.0)
+    frames = list(source.frames())
+    assert [frame.time for frame in frames] == pytest.approx([FRAME_SECONDS * (n + 1) for n in range(len(frames))])
+    assert frames[-1].time == pytest.approx(2.0 + TAIL_SECONDS, abs=2 * FRAME_SECONDS)
+    sound = np.concatenate([frame.samples for frame in frames])
+    assert np.argmax(np.abs(np.fft.rfft(sound[:SAMPLE_RATE]))) == pytest.approx(440, abs=1)
+    assert list(FileSource(tmp_path / name).frames())[7].samples == pytest.approx(frames[7].samples), "read again alike"
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.data())
+@pytest.mark.parametrize("name", ["cut.wav", "cut.flac", "cut.aiff", "cut.ogg"])
+def test_a_file_cut_anywhere_is_not_played_at_all(tmp_path_factory, name, data):
+    folder = tmp_path_factory.mktemp("cut")
+    soundfile.write(folder / name, TONE, SAMPLE_RATE)
+    whole = (folder / name).read_bytes()
+    length = data.draw(st.integers(0, len(whole) - 1))
+    (folder / name).write_bytes(whole[:length])
+    with pytest.raises(AudioError, match=name):
+        FileSource(folder / name)
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.binary(max_size=300))
+def test_bytes_that_are_no_sound_never_raise_anything_else(tmp_path_factory, data):
+    path = tmp_path_factory.mktemp("bytes") / "odd.wav"
+    path.write_bytes(data)
+    with pytest.raises(AudioError):
+        list(FileSource(path).frames())
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.lists(st.tuples(st.integers(0, 43), st.integers(0, 255)), min_size=1, max_size=4))
+def test_a_broken_header_never_raises_anything_else(tmp_path_factory, changes):
+    path = tmp_path_factory.mktemp("header") / "odd.wav"
+    soundfile.write(path, TONE[:4_000], SAMPLE_RATE)
+    data = bytearray(path.read_bytes())
+    for place, value in changes:
+        data[place] = value
+    path.write_bytes(data)
+    try:
+        frames = list(FileSource(path).frames())
+    except AudioError:
+        return
+    assert all(np.isfinite(frame.samples).all() for frame in frames)
+
+
+def test_chunks_before_and_after_the_sound_are_no_cut(tmp_path):
+    data = (TONE * 32_767).astype("<i2").tobytes()
+    chunks = b"fmt " + struct.pack("<IHHIIHH", 16, 1, 1, SAMPLE_RATE, 2 * SAMPLE_RATE, 2, 16)
+    chunks += b"LIST" + struct.pack("<I", 5) + b"INFOx\0" + b"data" + struct.pack("<I", len(data)) + data
+    chunks += b"id3 " + struct.pack("<I", 4) + b"name"
+    (tmp_path / "a.wav").write_bytes(b"RIFF" + struct.pack("<I", 4 + len(chunks)) + b"WAVE" + chunks)
+    assert FileSource(tmp_path / "a.wav").seconds == pytest.approx(1.0)
+
+
+def test_an_hour_takes_the_room_of_a_moment(tmp_path):
+    """Sparse, so that the disk does not take it either."""
+    size = 3600 * SAMPLE_RATE * 2
+    head = b"RIFF" + struct.pack("<I", 36 + size) + b"WAVE"
+    head += b"fmt " + struct.pack("<IHHIIHH", 16, 1, 1, SAMPLE_RATE, 2 * SAMPLE_RATE, 2, 16)
+    with (tmp_path / "hour.wav").open("wb") as file:
+        file.write(head + b"data" + struct.pack("<I", size))
+        file.truncate(44 + size)
+    tracemalloc.start()
+    try:
+        count = sum(1 for _ in FileSource(tmp_path / "hour.wav").frames())
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert count == pytest.approx((3600 + TAIL_SECONDS) / FRAME_SECONDS, abs=2)
+    assert peak < 4_000_000, "an hour of float samples would be 230 MB"
+
+
+def test_close_ends_it(tmp_path):
+    soundfile.write(tmp_path / "a.wav", TONE, SAMPLE_RATE)
+    source = FileSource(tmp_path / "a.wav")
+    frames = source.frames()
+    next(frames)
+    source.close()
+    source.close()
+    assert list(frames) == []

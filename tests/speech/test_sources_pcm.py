@@ -1,0 +1,141 @@
+"""Raw samples from a pipe: formats, headers, what is no PCM, an end in the middle of a sample."""
+
+from __future__ import annotations
+
+import io
+import os
+import struct
+import threading
+
+import numpy as np
+import pytest
+import soundfile
+
+from intent_engine.errors import AudioError
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
+from intent_engine.speech.sources.pcm import FORMATS, PcmFormat, PcmSource
+
+SOUND = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
+
+
+def encoded(samples: np.ndarray, encoding: str) -> bytes:
+    dtype, size = FORMATS[encoding]
+    if size == 3:
+        return (np.round(samples * 2**23).astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3]).tobytes()
+    if "f" in dtype:
+        return samples.astype(dtype).tobytes()
+    half = 2 ** (8 * size - 1)
+    return np.round(samples * (half - 1) + (half if "u" in dtype else 0)).astype(dtype).tobytes()
+
+
+def heard(data: bytes, form: PcmFormat | None = None) -> np.ndarray:
+    frames = list(PcmSource(io.BytesIO(data), form).frames())
+    assert [frame.time for frame in frames] == pytest.approx([FRAME_SECONDS * (n + 1) for n in range(len(frames))])
+    return np.concatenate([frame.samples for frame in frames]) if frames else np.zeros(0)
+
+
+@pytest.mark.parametrize("encoding", FORMATS)
+def test_every_format(encoding):
+    sound = heard(encoded(SOUND, encoding), PcmFormat.of(encoding=encoding))
+    assert sound[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
+    assert not np.abs(sound[SOUND.size :]).max() > 0.01
+
+
+@pytest.mark.parametrize("name", ["S16_LE", "s16le", "s16", "S16LE"])
+def test_spellings_of_alsa_and_ffmpeg(name):
+    assert PcmFormat.of(encoding=name).encoding == "s16le"
+
+
+def test_stereo_at_another_rate():
+    rate = 44_100
+    sound = 0.5 * np.sin(2 * np.pi * 440 * np.arange(rate * 2) / rate)
+    data = encoded(np.stack([sound, sound], axis=1).reshape(-1), "f32le")
+    found = heard(data, PcmFormat.of(rate, "f32le", 2))[: 2 * SAMPLE_RATE]
+    assert np.argmax(np.abs(np.fft.rfft(found))) / 2 == pytest.approx(440, abs=1)
+
+
+@pytest.mark.parametrize("cut", [1, 2, 3, 5, 1_001])
+def test_an_end_in_the_middle_of_a_sample(cut):
+    data = encoded(np.stack([SOUND, SOUND], axis=1).reshape(-1), "s16le")[:-cut]
+    assert heard(data, PcmFormat.of(channels=2))[: SOUND.size - 600] == pytest.approx(SOUND[:-600], abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("rate", "channels", "subtype"), [(48_000, 2, "PCM_24"), (8_000, 1, "PCM_U8"), (16_000, 1, "FLOAT")]
+)
+def test_a_wav_header_says_better(tmp_path, rate, channels, subtype):
+    sound = 0.5 * np.sin(2 * np.pi * 440 * np.arange(rate) / rate)
+    soundfile.write(tmp_path / "tone.wav", np.stack([sound] * channels, axis=1), rate, subtype=subtype)
+    found = heard((tmp_path / "tone.wav").read_bytes())
+    assert found.size == pytest.approx(1.8 * SAMPLE_RATE, abs=1_100)
+    assert np.argmax(np.abs(np.fft.rfft(found[:SAMPLE_RATE]))) == pytest.approx(440, abs=1)
+
+
+def test_a_streamed_wav_whose_length_nobody_knew():
+    head = b"RIFF\xff\xff\xff\xffWAVEfmt " + struct.pack("<IHHIIHH", 16, 1, 1, 16_000, 32_000, 2, 16)
+    sound = heard(head + b"LIST\x04\x00\x00\x00INFOdata\xff\xff\xff\xff" + encoded(SOUND, "s16le"))
+    assert sound[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        (b"", "standard input is empty"),
+        (b"fLaC" + bytes(100), "is a FLAC file, not raw samples"),
+        (b"OggS" + bytes(100), "is a Ogg file, not raw samples"),
+        (b"ID3\x04" + bytes(100), "is a MP3 file, not raw samples"),
+        (b"RIFF\x00\x00\x00\x00WAVEdata\x00\x00\x00\x00" + bytes(100), "does not say its format"),
+        (b"RIFF\x00\x00\x00\x00WAVEfmt ", "without sound"),
+        (b"RIFF\x00\x00\x00\x00WAVE" + b"\xff" * 100, "its header is broken"),
+        (
+            b"RIFF\x00\x00\x00\x00WAVEfmt " + struct.pack("<IHHIIHH", 16, 85, 1, 16_000, 0, 0, 16) + b"data\0\0\0\0",
+            "?16le is no format",
+        ),
+    ],
+)
+def test_what_is_no_pcm(data, says):
+    with pytest.raises(AudioError) as caught:
+        heard(data)
+    assert says in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"encoding": "mp3"}, "mp3 is no format of raw samples\n    there is u8"),
+        ({"rate": 0}, "0 Hz is no sample rate"),
+        ({"channels": 0}, "0 channels"),
+    ],
+)
+def test_formats_that_there_are_not(options, says):
+    with pytest.raises(AudioError) as caught:
+        PcmFormat.of(**options)
+    assert says in str(caught.value)
+
+
+@pytest.mark.parametrize("data", [os.urandom(1), b"\x00\x01", os.urandom(511)], ids=["1", "2", "511"])
+def test_less_than_a_frame(data):
+    assert heard(data).size in (0, *range(12_800, 13_824))
+
+
+def test_a_pipe_that_is_closed_under_way():
+    reading, writing = os.pipe()
+    with os.fdopen(reading, "rb") as file, os.fdopen(writing, "wb", buffering=0) as pipe:
+        source = PcmSource(file, live=True)
+        ready = threading.Event()
+
+        def write() -> None:
+            pipe.write(encoded(SOUND, "s16le"))
+            ready.wait(10)
+
+        thread = threading.Thread(target=write)
+        thread.start()
+        count = 0
+        for _ in source.frames():
+            count += 1
+            if count == 10:
+                source.close()
+        ready.set()
+        thread.join()
+        pipe.close()
+    assert count == 10

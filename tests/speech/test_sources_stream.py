@@ -1,0 +1,155 @@
+"""Sound that a program pushes: shapes, types and rates; too fast, too slow, from another thread."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+
+import numpy as np
+import pytest
+from fake_portaudio import FakeTime
+
+from intent_engine.errors import AudioError
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, ReportKind
+from intent_engine.speech.sources.stream import StreamSource
+
+
+@pytest.fixture
+def time():
+    return FakeTime()
+
+
+def pushed(source: StreamSource, *blocks: np.ndarray) -> list:
+    """All frames of a recording that is pushed from another thread."""
+
+    def work() -> None:
+        for block in blocks:
+            source.push(block)
+        source.end()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    frames = list(source.frames())
+    thread.join()
+    return frames
+
+
+def sound_of(frames) -> np.ndarray:
+    return np.concatenate([frame.samples for frame in frames])
+
+
+@pytest.mark.parametrize("rate", [8_000, 16_000, 44_100, 96_000])
+@pytest.mark.parametrize("channels", [0, 1, 2])
+def test_a_recording_is_heard_whole(rate, channels):
+    moments = np.arange(rate * 10) / rate
+    samples = (8_000 * np.sin(2 * np.pi * 440 * moments)).astype(np.int16)
+    blocks = np.array_split(np.stack([samples] * channels, axis=1) if channels else samples, 37)
+    frames = pushed(StreamSource(rate, live=False, capacity=0.5), *blocks)
+    assert not any(frame.lost or frame.deaf for frame in frames)
+    times = [frame.time for frame in frames]
+    assert times == pytest.approx([FRAME_SECONDS * (n + 1) for n in range(len(frames))])
+    assert 10.8 - 0.01 <= times[-1] <= 10.8 + 2 * FRAME_SECONDS, "with the silence at the end"
+    sound = sound_of(frames)
+    assert np.abs(sound[SAMPLE_RATE : 9 * SAMPLE_RATE]).max() == pytest.approx(8_000 / 32_768, rel=0.02)
+    assert not np.abs(sound[-SAMPLE_RATE // 2 :]).max() > 0.01
+
+
+def test_nothing_is_no_sound():
+    assert pushed(StreamSource(16_000, live=False)) == []
+    assert not sound_of(pushed(StreamSource(16_000, live=False), np.zeros(0))).any()
+
+
+def test_what_is_not_finite_is_silence():
+    sound = sound_of(pushed(StreamSource(16_000, live=False), np.full(16_000, np.nan), np.full(16_000, np.inf)))
+    assert np.isfinite(sound).all()
+    assert not sound.any()
+
+
+@pytest.mark.parametrize("bad", [np.zeros((2, 2, 2)), np.zeros((1, 16_000)), np.float32(1.0), ["go"], None, [1j]])
+def test_what_is_no_sound_is_refused(bad):
+    with pytest.raises(AudioError, match="the stream was given"):
+        StreamSource(16_000).push(bad)
+
+
+@pytest.mark.parametrize("rate", [0, -16_000, 16, 10_000_000])
+def test_a_rate_that_is_none(rate):
+    with pytest.raises(AudioError, match="no sample rate"):
+        StreamSource(rate)
+
+
+def test_what_is_pushed_may_be_changed_afterwards(time):
+    source = StreamSource(16_000, clock=time)
+    block = np.full(512, 0.25, np.float32)
+    source.push(block)
+    block[:] = 0
+    assert next(source.frames()).samples == pytest.approx(0.25)
+
+
+def test_live_sound_keeps_the_time_at_which_it_came(time):
+    source = StreamSource(16_000, clock=time)
+    for second in range(1, 11):
+        time.at(100 + second, lambda: source.push(np.full(16_000, 0.1)))
+    frames = list(itertools.islice(source.frames(), 300))
+    assert not any(frame.lost or frame.deaf for frame in frames)
+    assert [frame.time for frame in frames] == pytest.approx([FRAME_SECONDS * (n + 1) for n in range(300)], abs=0.04)
+
+
+def test_live_sound_that_nobody_takes_is_dropped_and_told(time):
+    reports = []
+    source = StreamSource(48_000, clock=time, capacity=3.0, on_report=reports.append)
+    frames = source.frames()
+    source.push(np.zeros(4_800))
+    next(frames)
+    for _ in range(60):
+        time.time += 1.0
+        source.push(np.full(48_000, 0.1))
+    lost = sum(frame.lost for frame in itertools.islice(frames, 80))
+    assert lost == pytest.approx(57.0, abs=1.0)
+    assert [report.kind for report in reports] == [ReportKind.LOST]
+
+
+def test_a_program_that_pushes_no_more_leaves_it_deaf(time):
+    reports = []
+    source = StreamSource(16_000, clock=time, on_report=reports.append)
+    source.push(np.zeros(1_600))
+    frames = source.frames()
+    heard = list(itertools.takewhile(lambda frame: not frame.deaf, frames))
+    assert len(heard) == 3
+    assert 1.5 < time.now() - 100 < 3.0
+    assert next(frames).deaf
+    source.push(np.full(1_600, 0.1))
+    assert not next(frames).deaf
+    assert [report.kind for report in reports] == [ReportKind.AWAY, ReportKind.BACK]
+
+
+def test_without_patience_silence_stands_in(time):
+    source = StreamSource(16_000, clock=time, patience=None)
+    source.push(np.full(8_000, 0.1))
+    time.at(110.0, lambda: source.push(np.full(8_000, 0.2)))
+    frames = list(itertools.islice(source.frames(), 320))
+    assert not any(frame.deaf or frame.lost for frame in frames)
+    times = [frame.time for frame in frames]
+    assert times == sorted(times)
+    loud = [frame.time for frame in frames if frame.samples.max() > 0.15]
+    assert len(loud) == 15
+    assert loud[0] == pytest.approx(9.5, abs=0.1)
+    assert len(frames) * FRAME_SECONDS == pytest.approx(times[-1], abs=0.1), "silence lasts as long as it lasted"
+
+
+def test_close_from_another_thread_ends_both_sides():
+    source = StreamSource(16_000, live=False, capacity=0.1)
+    results = []
+
+    def work() -> None:
+        while source.push(np.zeros(1_600)):
+            pass
+        results.append("the pusher was told")
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    for count, _ in enumerate(source.frames()):
+        if count == 20:
+            source.close()
+    thread.join(timeout=10)
+    assert results == ["the pusher was told"]
+    assert source.push(np.zeros(10)) is False
