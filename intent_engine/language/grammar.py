@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from intent_engine.errors import Problem
 from intent_engine.language.template import Node
 
 __all__ = [
@@ -179,4 +180,5 @@ class Grammar:
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
     files: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Problem, ...] = ()
+    """What is doubtful though it can be used."""

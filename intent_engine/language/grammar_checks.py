@@ -1,11 +1,14 @@
-"""What a grammar means, checked: names that exist, no recursion, sentences that can be reached."""
+"""What a grammar means, checked: names that exist, no recursion, sentences that can be reached and can act."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 
 from intent_engine.errors import Problem
-from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Intent, Place, Sentence
+from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot
+from intent_engine.language.grammar_parts import Draft, Places, Written
+from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
+from intent_engine.language.patterns import pattern_problems
 from intent_engine.language.template import (
     AnyOrder,
     Choice,
@@ -17,217 +20,313 @@ from intent_engine.language.template import (
     WordClass,
     references,
 )
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.yaml_source import did_you_mean
 
-__all__ = ["check_meaning", "nullable"]
+__all__ = ["check_meaning"]
 
-REQUIRED = {"navigate": ("location",), "pick": ("object",), "turn": ("direction",), "move": ("direction",)}
-"""Parameters without which an action cannot be made. A move's or turn's direction may come from the sentence's own
-slots, a default or the sign of its distance or angle."""
+MAX_NESTING = 50
+"""Phrases in phrases. It bounds every walk through them."""
 
 
-def check_meaning(grammar: Grammar) -> tuple[list[Problem], list[Problem]]:
-    """Problems that make a grammar unusable, and warnings."""
-    problems: list[Problem] = []
+def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[Problem], list[Problem]]:
+    """Problems that make a grammar unusable, and warnings.
+
+    Args:
+        grammar: as read; what could not be read is missing in it.
+        places: where things stand in the files.
+        draft: what could not be read, so that nothing is said to be missing because of it.
+    """
     warnings: list[Problem] = []
-    problems.extend(_names(grammar))
-    if problems:
-        return problems, warnings
-    problems.extend(_recursion(grammar))
-    if problems:
-        return problems, warnings
-    problems.extend(_choices(grammar))
-    problems.extend(_twice(grammar))
-    for intent in grammar.intents.values():
-        problems.extend(_intent(grammar, intent))
-    warnings.extend(_unused(grammar))
+    problems = [*_language(grammar, places, draft), *_operators(grammar, places), *_alike(grammar, draft)]
+    unknown = list(_names(grammar, draft))
+    problems += unknown
+    circles = list(_recursion(grammar, places))
+    problems += circles
+    problems += _twice(grammar, warnings)
+    if not circles:  # what follows walks through phrases
+        shapes = _Shapes(grammar)
+        problems += _silent(draft, shapes)
+        sound = not unknown and not draft.blind
+        for intent in grammar.intents.values():
+            whole = sound and intent.name not in draft.partial
+            problems += _sentences(intent, places, shapes, whole=whole, broken=draft.broken)
+            given = [{*sentence.fixed, *shapes.labels(sentence.template)} for sentence in intent.sentences]
+            labels = set[str]().union(*given)
+            if whole and not labels & draft.broken:
+                problems += value_problems(grammar, intent, labels, places)
+                problems += action_problems(grammar, intent, given, places)
+                problems += example_problems(intent, labels, places)
+    problems += pattern_problems(grammar, places, draft.broken if not draft.blind else None)
+    if not problems and not draft.blind:
+        warnings += _unused(grammar, draft, places)
+        warnings += _denials(grammar, draft)
     return problems, warnings
 
 
-def _problem(place: Place | None, message: str, hint: str | None = None, offset: int = 0) -> Problem:
+def _problem(place: Place | None, message: str, hint: str | None = None) -> Problem:
     if place is None:
         return Problem(message, hint=hint)
-    quoted = place.source[place.column - 1 : place.column] in ("'", '"')
-    column = place.column + offset + (1 if quoted and offset else 0)
-    return Problem(message, place.file, place.line, min(column, len(place.source) or 1), place.source, hint)
+    return Problem(message, place.file, place.line, place.column, place.source, hint)
 
 
-def _sentences(grammar: Grammar) -> Iterator[tuple[Intent, Sentence]]:
+# -- the whole ------------------------------------------------------------------------------------------------
+
+
+def _language(grammar: Grammar, places: Places, draft: Draft) -> Iterator[Problem]:
+    operators = grammar.operators
+    if not operators.negation or not operators.stop:
+        known = ("de", "en", "es", "fr", "it")
+        hint = did_you_mean(grammar.language, known)
+        yield places.problem(
+            ("language",),
+            f"how to say 'not' and 'stop' in language {grammar.language!r} is not known",
+            hint or f"known are {', '.join(known)}; else give operators: {{negation: [...], stop: [...]}}",
+        )
+    if not grammar.intents and not draft.blind and not draft.mute:
+        message = "there are no intents: nothing can be said"
+        yield places.problem((), message, "intents: {wave: {action: custom, sentences: [wave]}}")
+
+
+def _operators(grammar: Grammar, places: Places) -> Iterator[Problem]:
+    """Fillers are dropped before an utterance is read, so none may hold a word that turns its meaning."""
+    turning = {
+        "says no": PhraseSet(grammar.operators.negation),
+        "stops the robot": PhraseSet(grammar.operators.stop),
+    }
+    for index, words in enumerate(grammar.fillers):
+        for what, phrases in turning.items():
+            if phrases.find(words) is not None:
+                message = f"the filler {' '.join(words)!r} {what}; without it a sentence would mean something else"
+                yield places.problem(("fillers", index), message, "remove it from the fillers")
     for intent in grammar.intents.values():
-        for sentence in intent.sentences:
-            yield intent, sentence
+        for state in sorted(intent.requires & intent.excludes):
+            message = f"intent {intent.name!r} requires and excludes {state!r}; it could never be done"
+            yield places.problem(("intents", intent.name, "excludes"), message, "remove one of them", key=True)
 
 
-def _names(grammar: Grammar) -> Iterator[Problem]:
-    known = [*grammar.slots, *grammar.phrases]
-
-    def unknown(reference: Reference) -> str | None:
-        near = did_you_mean(reference.name, known)
-        return near or (f"known: {', '.join(sorted(known))}" if known else "define it under slots: or phrases:")
-
-    for _, sentence in _sentences(grammar):
-        for reference in references(sentence.template):
-            if reference.name not in known:
-                message = f"there is no slot or phrase {reference.name!r}"
-                yield _problem(sentence.place, message, unknown(reference), reference.column)
-    for name, node in grammar.phrases.items():
-        for reference in references(node):
-            if reference.name not in known:
-                yield Problem(
-                    f"phrase {name!r} names {reference.name!r}, which does not exist",
-                    grammar.files[0] if grammar.files else None,
-                    hint=unknown(reference),
-                )
-    for slot in grammar.slots.values():
-        for _, node in slot.values:
-            for reference in references(node):
-                if reference.name not in grammar.phrases:
-                    message = f"a value of slot {slot.name!r} names {reference.name!r}; only phrases can stand there"
-                    yield _problem(slot.place, message, did_you_mean(reference.name, grammar.phrases))
+def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Names in braces that nothing has."""
+    if draft.blind:
+        return
+    known = sorted({*grammar.slots, *grammar.phrases, *draft.broken})
+    for written in draft.written:
+        for reference in references(written.node):
+            name = reference.name
+            if written.kind == "slot" and name in grammar.slots:
+                message = f"a value of slot {written.name!r} names the slot {name!r}; only phrases can stand there"
+                yield written.problem(message, did_you_mean(name, grammar.phrases), reference.column)
+            elif name not in known:
+                near = did_you_mean(name, known)
+                hint = near or (f"known: {_listed(known)}" if known else "define it under slots: or phrases:")
+                yield written.problem(f"there is no slot or phrase {name!r}", hint, reference.column)
+            elif reference.label != name and name in grammar.phrases:
+                message = f"{name!r} is a phrase; only slots have a second name"
+                yield written.problem(message, f"write {{{name}}}", reference.column)
 
 
-def _recursion(grammar: Grammar) -> Iterator[Problem]:
-    def visit(name: str, above: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-        if name in above:
-            yield (*above[above.index(name) :], name)
-            return
-        if name in done:
-            return
-        for reference in references(grammar.phrases[name]):
-            if reference.name in grammar.phrases:
-                yield from visit(reference.name, (*above, name))
-        done.add(name)
-
-    done: set[str] = set()
-    for name in grammar.phrases:
-        for loop in visit(name, ()):
-            yield Problem(
-                f"phrases name each other in a circle: {' -> '.join(loop)}",
-                grammar.files[0] if grammar.files else None,
-                hint="a sentence would never end; write the repetition out",
-            )
-            return
+def _listed(names: list[str], most: int = 12) -> str:
+    return ", ".join(names) if len(names) <= most else ", ".join(names[:most]) + ", ..."
 
 
-def nullable(node: Node, phrases: Mapping[str, Node]) -> bool:
-    """Whether a template can be said with no word at all."""
-    match node:
-        case Word() | WordClass():
-            return False
-        case Optional():
-            return True
-        case Choice(items):
-            return any(nullable(item, phrases) for item in items)
-        case Sequence(items) | AnyOrder(items):
-            return all(nullable(item, phrases) for item in items)
-        case Reference(name):
-            return name in phrases and nullable(phrases[name], phrases)
-    return False
+def _recursion(grammar: Grammar, places: Places) -> Iterator[Problem]:
+    """Phrases that hold themselves, each circle once, and phrases that are nested beyond all use."""
+    inner = {
+        name: [reference.name for reference in references(node) if reference.name in grammar.phrases]
+        for name, node in grammar.phrases.items()
+    }
+    depth: dict[str, int] = {}
+    for root in grammar.phrases:
+        trail = {root: iter(inner[root])} if root not in depth else {}
+        while trail:
+            name = next(reversed(trail))
+            other = next(trail[name], None)
+            if other is None:
+                depth[name] = 1 + max((depth.get(one, 0) for one in inner[name]), default=0)
+                del trail[name]
+            elif other in trail:
+                names = [*trail]
+                loop = [*names[names.index(other) :], other]
+                message = f"phrases name each other in a circle: {' -> '.join(loop)}"
+                hint = "a sentence would never end; write the repetition out"
+                yield places.problem(("phrases", other), message, hint, key=True)
+            elif other not in depth:
+                trail[other] = iter(inner[other])
+    for name, nested in depth.items():
+        if nested == MAX_NESTING + 1:
+            message = f"phrase {name!r} holds phrases in phrases, more than {MAX_NESTING} deep"
+            yield places.problem(("phrases", name), message, "write some of them out", key=True)
 
 
-def _choices(grammar: Grammar) -> Iterator[Problem]:
+# -- words ----------------------------------------------------------------------------------------------------
+
+
+class _Shapes:
+    """What can be said of templates without saying them. Each phrase is looked at once, however often it is named."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        self._grammar = grammar
+        self._empty: dict[str, bool] = {}
+        self._free: dict[str, bool] = {}
+        self._labels: dict[str, dict[str, int]] = {}
+
+    def empty(self, node: Node) -> bool:
+        """Whether a template can be said with no word at all."""
+        return self._only(node, self._empty, free=False)
+
+    def free(self, node: Node) -> bool:
+        """Whether a template can be said with words of text slots alone: then it fits whatever anybody says."""
+        return self._only(node, self._free, free=True)
+
+    def _only(self, node: Node, known: dict[str, bool], *, free: bool) -> bool:
+        match node:
+            case Word() | WordClass():
+                return False
+            case Optional():
+                return True
+            case Choice(items):
+                return any(self._only(item, known, free=free) for item in items)
+            case Sequence(items) | AnyOrder(items):
+                return all(self._only(item, known, free=free) for item in items)
+            case Reference(name):
+                phrase = self._grammar.phrases.get(name)
+                if phrase is None:
+                    slot = self._grammar.slots.get(name)
+                    return free and slot is not None and slot.type in ("text", "object")
+                if name not in known:
+                    known[name] = self._only(phrase, known, free=free)
+                return known[name]
+
+    def labels(self, node: Node) -> dict[str, int]:
+        """Slot label to how often it can be said in one way through a template."""
+        match node:
+            case Word() | WordClass():
+                return {}
+            case Optional(item):
+                return self.labels(item)
+            case Choice(items):
+                counts: dict[str, int] = {}
+                for item in items:
+                    for label, count in self.labels(item).items():
+                        counts[label] = max(count, counts.get(label, 0))
+                return counts
+            case Sequence(items) | AnyOrder(items):
+                counts = {}
+                for item in items:
+                    for label, count in self.labels(item).items():
+                        counts[label] = count + counts.get(label, 0)
+                return counts
+            case Reference(name, label):
+                if name not in self._grammar.phrases:
+                    return {label: 1}
+                if name not in self._labels:
+                    self._labels[name] = self.labels(self._grammar.phrases[name])
+                return self._labels[name]
+
+
+def _alike(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Values of one choice that are said with the same words."""
     for slot in grammar.slots.values():
         spelled: dict[Node, object] = {}
         for value, node in slot.values:
             for option in node.items if isinstance(node, Choice) else (node,):
                 if option in spelled and spelled[option] != value:
                     message = f"slot {slot.name!r}: the same words mean {spelled[option]!r} and {value!r}"
-                    yield _problem(slot.place, message, "remove one")
+                    yield _written_problem(draft, slot, option, message, "remove one")
                 spelled[option] = value
-            if nullable(node, grammar.phrases):
-                message = f"slot {slot.name!r}: value {value!r} can be said without a word"
-                yield _problem(slot.place, message, "make one word of it necessary")
 
 
-def _twice(grammar: Grammar) -> Iterator[Problem]:
+def _written_problem(draft: Draft, slot: Slot, node: Node, message: str, hint: str) -> Problem:
+    """A problem at the last place where a slot's value is written so."""
+    found: Written | None = None
+    for written in draft.written:
+        options = written.node.items if isinstance(written.node, Choice) else ()
+        if written.kind == "slot" and written.name == slot.name and node in (written.node, *options):
+            found = written
+    return found.problem(message, hint) if found is not None else _problem(slot.place, message, hint)
+
+
+def _silent(draft: Draft, shapes: _Shapes) -> Iterator[Problem]:
+    """Values of a choice that would be heard in silence."""
+    for written in draft.written:
+        if written.kind == "slot" and shapes.empty(written.node):
+            message = f"a value of slot {written.name!r} can be said without a word"
+            yield written.problem(message, "make one word of it necessary")
+
+
+# -- sentences ------------------------------------------------------------------------------------------------
+
+
+def _twice(grammar: Grammar, warnings: list[Problem]) -> Iterator[Problem]:
+    """The same sentence again: in another intent it is an error, in the same one only useless."""
     first: dict[Node, tuple[Intent, Sentence]] = {}
-    for intent, sentence in _sentences(grammar):
-        if sentence.template in first:
-            other, earlier = first[sentence.template]
-            where = f"line {earlier.place.line}" if earlier.place else "before"
-            if other.name != intent.name or dict(earlier.fixed) != dict(sentence.fixed):
+    for intent in grammar.intents.values():
+        for sentence in intent.sentences:
+            other, earlier = first.setdefault(sentence.template, (intent, sentence))
+            if earlier is sentence:
+                continue
+            where = _where(earlier.place, sentence.place)
+            if other.name == intent.name and dict(earlier.fixed) == dict(sentence.fixed):
+                message = f"the same sentence stands already at {where}"
+                warnings.append(_problem(sentence.place, message, "remove one of them"))
+            elif (other.requires, other.excludes) == (intent.requires, intent.excludes):
                 message = f"the same sentence is already in intent {other.name!r} ({where}); it can never be reached"
                 yield _problem(sentence.place, message, "remove one of them")
-        else:
-            first[sentence.template] = (intent, sentence)
 
 
-def _intent(grammar: Grammar, intent: Intent) -> Iterator[Problem]:
-    if not intent.sentences and not intent.regex and intent.lark is None:
+def _where(place: Place | None, seen_from: Place | None) -> str:
+    if place is None:
+        return "before"
+    here = seen_from is not None and seen_from.file == place.file
+    return f"line {place.line}" if here else f"{place.file}:{place.line}"
+
+
+def _sentences(intent: Intent, places: Places, shapes: _Shapes, *, whole: bool, broken: set[str]) -> Iterator[Problem]:
+    if whole and not intent.sentences and not intent.regex and intent.lark is None:
         message = f"intent {intent.name!r} has nothing that a person can say"
-        yield _problem(intent.place, message, "add sentences:, regex: or lark:")
+        yield places.problem(("intents", intent.name), message, "add sentences:, regex: or lark:", key=True)
     for sentence in intent.sentences:
-        if nullable(sentence.template, grammar.phrases):
+        if any(reference.name in broken for reference in references(sentence.template)):
+            continue
+        if shapes.empty(sentence.template):
             yield _problem(sentence.place, "every word of this sentence may be left out", "make one necessary")
-        yield from _complete(grammar, intent, sentence)
-    labels = _labels(grammar, intent)
-    free = bool(intent.regex or intent.lark)
-    for key in intent.defaults:
-        if key not in labels and key not in ACTION_PARAMETERS[intent.action.type] and not free:
-            if intent.action.type == "custom":
-                continue  # a constant for the handler
-            known = [*labels, *ACTION_PARAMETERS[intent.action.type]]
-            yield _problem(intent.place, f"default for {key!r}, which nothing takes", did_you_mean(key, known))
-    for condition in intent.when:
-        for key in condition.slots:
-            if key not in labels and not free:
-                yield _problem(
-                    intent.place,
-                    f"'when' asks for slot {key!r}, which no sentence has",
-                    did_you_mean(key, labels),
-                )
-    for value in intent.action.parameters.values():
-        if isinstance(value, str) and value.startswith("{") and value.strip("{}") not in labels and not free:
-            message = f"the action takes {value}, which no sentence of {intent.name!r} has"
-            yield _problem(intent.place, message, did_you_mean(value.strip("{}"), labels))
+        elif shapes.free(sentence.template):
+            message = "this sentence fits whatever anybody says: it may be nothing but free text"
+            yield _problem(sentence.place, message, "begin it with a word that says what to do")
+        for label, count in shapes.labels(sentence.template).items():
+            if count > 1:
+                message = f"slot {label!r} can be said {count} times in one sentence; only one value would be kept"
+                yield _problem(sentence.place, message, f"give one of them another name: {{{label}:other}}")
 
 
-def _labels(grammar: Grammar, intent: Intent) -> set[str]:
-    labels: set[str] = set()
-    for sentence in intent.sentences:
-        labels.update(sentence.fixed)
-        labels.update(slot_labels(grammar, sentence.template))
-    return labels
-
-
-def slot_labels(grammar: Grammar, node: Node) -> Iterator[str]:
-    """The labels of the slots that a template can fill, through its phrases."""
-    for reference in references(node):
-        if reference.name in grammar.slots:
-            yield reference.label
-        elif reference.name in grammar.phrases:
-            yield from slot_labels(grammar, grammar.phrases[reference.name])
-
-
-def _complete(grammar: Grammar, intent: Intent, sentence: Sentence) -> Iterator[Problem]:
-    """Every sentence must be able to give what its action cannot do without."""
-    given = {*sentence.fixed, *intent.defaults, *slot_labels(grammar, sentence.template)}
-    for condition in intent.when:
-        given.update(condition.defaults)
-    for parameter in REQUIRED.get(intent.action.type, ()):
-        source = intent.action.parameters.get(parameter, "{" + parameter + "}")
-        label = source.strip("{}") if isinstance(source, str) and source.startswith("{") else None
-        if label is not None and label not in given:
-            if parameter == "direction" and given & {"angle", "distance"}:
-                continue
-            message = f"{intent.action.type} needs {parameter!r}, and this sentence cannot give it"
-            hint = f"add {{{label}}} to the sentence, slots: {{{label}: ...}} beside it, or a default"
-            yield _problem(sentence.place, message, hint)
-
-
-def _unused(grammar: Grammar) -> Iterable[Problem]:
-    used: set[str] = set()
-    for _, sentence in _sentences(grammar):
-        used.update(reference.name for reference in references(sentence.template))
-    for node in grammar.phrases.values():
-        used.update(reference.name for reference in references(node))
-    for slot in grammar.slots.values():
-        for _, node in slot.values:
-            used.update(reference.name for reference in references(node))
+def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
+    used = {reference.name for written in draft.written for reference in references(written.node)}
     free = any(intent.regex or intent.lark for intent in grammar.intents.values())
-    for name, slot in grammar.slots.items():
-        if name not in used and not free:
-            yield _problem(slot.place, f"slot {name!r} is used by no sentence")
-    for name in grammar.phrases:
-        if name not in used:
-            yield Problem(f"phrase {name!r} is used by no sentence", grammar.files[0] if grammar.files else None)
+    for section, names in (("slots", grammar.slots), ("phrases", grammar.phrases)):
+        for name in names:
+            if name not in used and not (free and section == "slots"):
+                what = section.removesuffix("s")
+                yield places.problem((section, name), f"{what} {name!r} is used by no sentence", key=True)
+
+
+def _denials(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Sentences that say "not" and yet do something: each is done, whatever the negation says."""
+    negation = {words[0] for words in grammar.operators.negation if len(words) == 1}
+    for written in draft.written:
+        if written.kind == "sentence" and grammar.intents[written.name].action.type != "stop":
+            for word in _words(written.node):
+                if word in negation:
+                    message = f"this sentence says {word!r}, and yet the robot will act on it"
+                    yield written.problem(message, "remove the word: the engine knows what it means")
+                    break
+
+
+def _words(node: Node) -> Iterator[str]:
+    match node:
+        case Word(text):
+            yield text
+        case Optional(item):
+            yield from _words(item)
+        case Choice(items) | Sequence(items) | AnyOrder(items):
+            for item in items:
+                yield from _words(item)

@@ -6,78 +6,133 @@ hours by one user's pattern and one long text. Named groups, and the rules of a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.grammar import Grammar, Intent, Sentence
+from intent_engine.language.grammar_parts import Places
 from intent_engine.language.template import Word
+from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher, Reading
 
-__all__ = ["Patterns"]
+__all__ = ["Patterns", "pattern_problems"]
+
+
+PROBES = ("", "qwx", "qwx vbn", "qwx vbn zrt", "vbn zrt plk qwx djf")
+"""What nobody says. A pattern that fits one of these fits everything, and a robot would act on any noise."""
+
+
+@dataclass(frozen=True)
+class _Compiled:
+    """A pattern of an intent, or why there is none."""
+
+    pattern: Any = None
+    problem: tuple[str, str | None] = ("", None)
+    """Message and hint."""
+    line: int = 0
+    """Line of the pattern in which the problem is, from 0."""
+
+
+@lru_cache(maxsize=512)
+def _regex(text: str) -> _Compiled:
+    import re2
+
+    options = re2.Options()
+    options.log_errors = False
+    try:
+        compiled = re2.compile(text, options)
+    except re2.error as error:
+        detail = error.args[0].decode() if isinstance(error.args[0], bytes) else error.args[0]
+        hint = "patterns are RE2: named groups (?P<slot>...), no look-around and no back-references"
+        return _Compiled(problem=(f"the regex cannot be read: {detail}", hint))
+    if any(compiled.fullmatch(probe) is not None for probe in PROBES):
+        hint = "let it begin with a word that says what to do"
+        return _Compiled(problem=("the regex fits whatever anybody says", hint))
+    plain = re.sub(r"\\.|\(\?[^)>:]*[>:)]", "", text)
+    if re.search("[A-Z]", plain) and "(?i" not in text:
+        return _Compiled(problem=("the regex has capitals, and what is said comes in lower case", "write it small"))
+    return _Compiled(compiled)
+
+
+@lru_cache(maxsize=64)
+def _lark(text: str) -> _Compiled:
+    from lark import Lark
+    from lark.exceptions import LarkError
+
+    try:
+        parser = Lark(text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True)
+    except (LarkError, OSError, ValueError, RecursionError) as error:
+        detail = str(error).strip().splitlines()[0].removesuffix(": ")
+        found = re.search(r"line (\d+)", detail) or re.search(r"line (\d+)", str(error))
+        hint = "see lark's grammar reference; names of rules are small, names of terminals CAPITAL"
+        detail = re.sub(r",? at line \d+,? col(umn)? \d+.*| at line \d+.*", "", detail)
+        if "'start'" in detail:
+            detail, hint = "it has no rule called start", "the first rule must be called start"
+        return _Compiled(
+            problem=(f"the lark grammar cannot be read: {detail}", hint), line=int(found[1]) if found else 0
+        )
+    for probe in PROBES:
+        try:
+            parser.parse(probe)
+        except LarkError:
+            continue
+        return _Compiled(problem=("the lark grammar fits whatever anybody says", "let it begin with a word of its own"))
+    return _Compiled(parser)
+
+
+def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] | None) -> Iterator[Problem]:
+    """What is wrong with the patterns of a grammar.
+
+    Args:
+        places: where they stand.
+        broken: names of slots that exist though they are not in the grammar; None: any name may exist.
+    """
+    for intent in grammar.intents.values():
+        many = places.of(("intents", intent.name, "regex", 0)) != places.of(("intents", intent.name, "regex"))
+        for index, text in enumerate(intent.regex):
+            at = ("intents", intent.name, "regex", index) if many else ("intents", intent.name, "regex")
+            compiled = _regex(text)
+            if compiled.pattern is None:
+                yield places.problem(at, *compiled.problem)
+            elif broken is not None:
+                for name in compiled.pattern.groupindex:
+                    if name not in grammar.slots and name not in broken:
+                        hint = did_you_mean(name, grammar.slots) or f"define it: slots: {{{name}: {{type: text}}}}"
+                        yield places.problem(at, f"the regex fills {name!r}, and there is no such slot", hint)
+        if intent.lark is not None:
+            compiled = _lark(intent.lark)
+            if compiled.pattern is None:
+                yield places.problem(("intents", intent.name, "lark"), *compiled.problem, line=compiled.line)
 
 
 class Patterns:
-    """The patterns of a grammar. False if there are none.
-
-    Raises:
-        ConfigError: a pattern cannot be compiled, or names a slot that does not exist.
-    """
+    """The patterns of a grammar that was checked. False if there are none."""
 
     def __init__(self, grammar: Grammar) -> None:
         self._grammar = grammar
-        problems: list[Problem] = []
         self._regexes: list[tuple[Intent, Sentence, Any]] = []
         self._larks: list[tuple[Intent, Sentence, Any]] = []
         for intent in grammar.intents.values():
-            for pattern in intent.regex:
-                self._add_regex(intent, pattern, problems)
+            for text in intent.regex:
+                self._regexes.append((intent, Sentence(text, Word(text)), self._checked(_regex(text), intent)))
             if intent.lark is not None:
-                self._add_lark(intent, intent.lark, problems)
-        if problems:
-            raise ConfigError(problems)
+                lark = self._checked(_lark(intent.lark), intent)
+                self._larks.append((intent, Sentence(intent.lark, Word(intent.name)), lark))
+
+    @staticmethod
+    def _checked(compiled: _Compiled, intent: Intent) -> Any:
+        if compiled.pattern is None:
+            raise ConfigError(Problem(f"intent {intent.name!r}: {compiled.problem[0]}", hint=compiled.problem[1]))
+        return compiled.pattern
 
     def __bool__(self) -> bool:
         return bool(self._regexes or self._larks)
-
-    def _problem(self, intent: Intent, message: str, hint: str | None = None) -> Problem:
-        place = intent.place
-        if place is None:
-            return Problem(message, hint=hint)
-        return Problem(message, place.file, place.line, place.column, place.source, hint)
-
-    def _add_regex(self, intent: Intent, pattern: str, problems: list[Problem]) -> None:
-        import re2
-
-        options = re2.Options()
-        options.log_errors = False
-        try:
-            compiled = re2.compile(pattern, options)
-        except re2.error as error:
-            detail = error.args[0].decode() if isinstance(error.args[0], bytes) else error.args[0]
-            message = f"regex of intent {intent.name!r} cannot be read: {detail}"
-            hint = "patterns are RE2: named groups (?P<slot>...), no look-around and no back-references"
-            problems.append(self._problem(intent, message, hint))
-            return
-        for name in compiled.groupindex:
-            if name not in self._grammar.slots:
-                message = f"regex of intent {intent.name!r}: group {name!r} is no slot"
-                problems.append(self._problem(intent, message, f"define it: slots: {{{name}: {{type: text}}}}"))
-        self._regexes.append((intent, Sentence(pattern, Word(pattern)), compiled))
-
-    def _add_lark(self, intent: Intent, text: str, problems: list[Problem]) -> None:
-        from lark import Lark
-        from lark.exceptions import LarkError
-
-        try:
-            parser = Lark(text, parser="earley", lexer="dynamic", ambiguity="resolve", propagate_positions=True)
-        except (LarkError, OSError, ValueError) as error:
-            message = f"lark grammar of intent {intent.name!r} cannot be read: {str(error).strip().splitlines()[0]}"
-            problems.append(self._problem(intent, message, "the first rule must be called start"))
-            return
-        self._larks.append((intent, Sentence(text, Word(intent.name)), parser))
 
     def read(self, words: list[str], matcher: Matcher) -> list[Reading]:
         """The readings of patterns that match all the words."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -36,7 +37,12 @@ def _validator(identity: str, text: str) -> Validator:
 
 
 def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]:
-    """Check ``source.data`` against a schema; the problems carry file, line and column."""
+    """Check ``source.data`` against a schema.
+
+    Returns:
+        The problems, with file, line and column, in the order of the file. What they are about is noted in
+        ``source.broken``, so that the rest of the file can still be read.
+    """
     import json
 
     found: list[Problem] = []
@@ -47,46 +53,100 @@ def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]
 
 def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     path = tuple(error.absolute_path)
-    where = path[-1] if path else "the file"
+    name = _name(path)
     wanted: Any = error.validator_value
     schema: Any = error.schema
     instance: Any = error.instance
+    broken = path
     if error.validator == "additionalProperties" and isinstance(instance, dict):
-        known = list(schema.get("properties", ()))
-        for key in instance:
-            if key not in known:
-                hint = did_you_mean(str(key), known) or f"known here: {', '.join(known)}"
-                yield _at(source, (*path, key), f"unknown key {key!r}", hint, key=True)
-    elif error.validator == "type":
-        yield _wrong_type(source, path, where, wanted if isinstance(wanted, list) else [wanted], instance)
+        for key in [key for key in instance if key not in schema.get("properties", ())]:
+            source.broken.add((*path, key))
+            yield _unknown_key(source, (*path, key), instance, schema)
+        return
+    if error.validator == "type":
+        yield _wrong_type(source, path, name, wanted if isinstance(wanted, list) else [wanted], instance)
     elif error.validator == "enum":
         values = [str(value) for value in wanted]
         hint = did_you_mean(str(instance), values) or f"one of: {', '.join(values)}"
         yield _at(source, path, f"{instance!r} is not known here", hint)
     elif error.validator == "required":
-        missing = [key for key in wanted if key not in instance]
-        yield _at(source, path, f"{where!r} needs {' and '.join(repr(key) for key in missing)}", None, key=True)
+        known = list(schema.get("properties", ()))
+        strange = [key for key in instance if key not in known]
+        for key in wanted:
+            if key not in instance and not any(_misspelt(other, key, known) for other in strange):
+                yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key), key=True)
     elif error.validator == "pattern":
-        at = (*path, str(instance)) if "propertyNames" in error.schema_path else path
-        hint = "letters, digits and '_', not beginning with a digit"
-        if where == "language":
-            hint = "two letters, as en or de"
-        yield _at(source, at, f"{instance!r} is not a name that can be used here", hint, key=True)
-    elif error.validator in ("minLength", "minItems"):
-        yield _at(source, path, f"{where!r} is empty", "write something, or remove it")
+        if "propertyNames" in error.schema_path:
+            broken = (*path, str(instance))
+        if path and path[-1] == "language":
+            yield _at(source, path, f"{instance!r} is no language code", _language_hint(str(instance)))
+        else:
+            hint = "letters, digits and '_', not beginning with a digit" + _as_name(str(instance))
+            yield _at(source, broken, f"{instance!r} is not a name that can be used here", hint, key=True)
+    elif error.validator in ("minLength", "minItems", "minProperties"):
+        yield _at(source, path, f"{name} is empty", "write something, or remove it")
+    elif error.validator in ("minimum", "maximum"):
+        most = "at least" if error.validator == "minimum" else "at most"
+        yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}")
     else:
         yield _at(source, path, error.message)
+    source.broken.add(broken)
 
 
-def _wrong_type(source: YamlSource, path: tuple[Any, ...], where: Any, wanted: list[str], instance: Any) -> Problem:
+def _name(path: tuple[Any, ...]) -> str:
+    """What a person would call the value at a path."""
+    if not path:
+        return "the file"
+    if isinstance(path[-1], int):
+        owner = next((part for part in reversed(path) if isinstance(part, str)), "the file")
+        return f"entry {path[-1] + 1} of {owner!r}"
+    return repr(path[-1])
+
+
+def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schema: Any) -> Problem:
+    key, known = str(path[-1]), list(schema.get("properties", ()))
+    near = did_you_mean(key, known)
+    if near is None and len(instance) == 1 and known[:1] == ["say"]:
+        value = source.raw.get(path, instance[key])
+        return _at(source, path, "YAML reads this sentence as a key and its value", f'quote it: "{key}: {value}"', True)
+    return _at(source, path, f"unknown key {key!r}", near or f"known here: {', '.join(known)}", key=True)
+
+
+def _misspelt(strange: Any, key: str, known: list[str]) -> bool:
+    """Whether an unknown key is probably the missing one; it has been told of already."""
+    return did_you_mean(str(strange), known) == did_you_mean(key, [key]) or known[:1] == ["say"]
+
+
+def _missing_hint(key: str) -> str | None:
+    if key == "action":
+        return "one of: move, turn, stop, navigate, pick, place; or for your own: action: {type: custom, name: ...}"
+    return None
+
+
+def _language_hint(given: str) -> str:
+    names = {"english": "en", "german": "de", "deutsch": "de", "spanish": "es", "french": "fr", "italian": "it"}
+    near = names.get(given.lower()) or (given.lower() if len(given) == 2 else None)
+    return f"write {near}" if near else "two letters, as en or de"
+
+
+def _as_name(given: str) -> str:
+    name = re.sub(r"\W+", "_", given.strip()).strip("_")
+    return f": {name}" if name and not name[0].isdigit() and name.isascii() else ""
+
+
+def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: list[str], instance: Any) -> Problem:
     raw = source.raw.get(path)
-    message = f"{where!r} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
-    if raw is not None and raw.lower() in _YAML_BOOLEANS and "string" in wanted:
-        message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
-        return _at(source, path, message, f'quote it: "{raw}"')
+    message = f"{name} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
     if raw is not None and "string" in wanted:
+        if raw.lower() in _YAML_BOOLEANS:
+            message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
         return _at(source, path, message, f'quote it: "{raw}"' if raw else "something is missing after the ':'")
-    return _at(source, path, message)
+    hint = None
+    if raw == "":
+        hint = "something is missing after the ':'"
+    elif "array" in wanted and isinstance(instance, str):
+        hint = f"write it as a list: [{instance}]" if len(instance) < 30 else "write each on a line that begins with -"
+    return _at(source, path, message, hint)
 
 
 def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:

@@ -6,6 +6,7 @@ under another name, ``{#}`` one numeral. The grammar is in ``template.lark``.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -29,6 +30,7 @@ __all__ = [
     "WordClass",
     "parse_template",
     "references",
+    "template_text",
 ]
 
 MAX_DEPTH = 40
@@ -112,6 +114,7 @@ def parse_template(text: str) -> Node:
 
     if not text.strip():
         raise TemplateError("an empty sentence", 0, "write the words that a person says, or remove the line")
+    _check_characters(text)
     _check_brackets(text)
     try:
         tree = _parser().parse(text)
@@ -119,24 +122,48 @@ def parse_template(text: str) -> Node:
         column = error.pos_in_stream or 0
         raise TemplateError(f"{text[column]!r} cannot stand here", column, _hint(text, column)) from None
     except UnexpectedToken as error:
-        column = error.pos_in_stream if error.pos_in_stream is not None else len(text)
         if error.token.type == "$END":
             raise TemplateError("the sentence ends too early", len(text), "something is missing") from None
+        column = error.pos_in_stream if error.pos_in_stream is not None else len(text)
         raise TemplateError(f"{error.token.value!r} cannot stand here", column, _hint(text, column)) from None
     except UnexpectedInput as error:  # pragma: no cover - Lark has no other kinds today
         raise TemplateError("cannot be read", error.pos_in_stream or 0) from None
     return _build(tree.children[0])
 
 
+_FOREIGN = re.compile(r"[<>$@=^~*+\\_]|(?<!\{)#")
+"""Signs of other grammar languages. None is ever part of a spoken word, so here each is a mistake."""
+
+
+def _check_characters(text: str) -> None:
+    """Refuse what another grammar language would understand, and this one would silently drop."""
+    for match in _FOREIGN.finditer(text):
+        column = match.start()
+        if text.rfind("{", 0, column) > text.rfind("}", 0, column):
+            continue  # inside braces: the grammar of names has its own say
+        sign = match.group()
+        hint = "words are letters, digits and apostrophes"
+        if sign in "<>$@":
+            hint = "a phrase or slot is written {name}"
+        elif sign in "*+":
+            hint = "nothing repeats; write the repetition out, or use regex:"
+        elif sign == "_":
+            hint = "write the words apart"
+        raise TemplateError(f"{sign!r} is no part of a word that can be said", column, hint)
+
+
 def _hint(text: str, column: int) -> str:
     character = text[column : column + 1]
     before = text[:column].rstrip()[-1:]
-    if character in "|)];" and before in "(|[;":
+    opened = text.rfind("{", 0, column)
+    if opened >= 0 and "}" not in text[opened:column]:
+        return "a name in braces has letters, digits and '_': {how_far} or {distance:how_far}"
+    if (character in "|)];" and before in "(|[;") or (character == "|" and not before):
         return "an empty alternative; write [words] for words that may be left out"
+    if character in "|;" and {"|", ";"} <= set(text):
+        return "'|' and ';' cannot stand in the same brackets; put one of them in brackets of its own: ((a|b); c)"
     if character == ";":
         return "';' separates parts in any order, inside brackets: (a; b)"
-    if "{" in text[:column] and "}" not in text[text.rindex("{", 0, column) : column]:
-        return "a name in braces has letters, digits and '_': {how_far} or {distance:how_far}"
     return "the template language has ( | ) [ ] { } and ; - see docs/grammar.md"
 
 
@@ -154,7 +181,9 @@ def _check_brackets(text: str) -> None:
                 raise TemplateError(f"{character!r} closes nothing", column, f"add {pairs[character]!r} or remove it")
             opened, at = open_brackets.pop()
             if opened != pairs[character]:
-                raise TemplateError(f"{character!r} does not close the {opened!r} at column {at + 1}", column)
+                wanted = next(close for close, start in pairs.items() if start == opened)
+                message = f"{character!r} does not close the {opened!r} at column {at + 1} of the sentence"
+                raise TemplateError(message, column, f"{opened!r} is closed by {wanted!r}")
     if open_brackets:
         opened, at = open_brackets[-1]
         closing = next(close for close, start in pairs.items() if start == opened)
@@ -164,7 +193,10 @@ def _check_brackets(text: str) -> None:
 def _build(tree: Any) -> Node:
     kind = tree.data
     if kind == "word":
-        items = tuple(Word(token.word) for token in tokenize(str(tree.children[0])))
+        written = tree.children[0]
+        items = tuple(Word(token.word) for token in tokenize(str(written)))
+        if not items:
+            raise TemplateError(f"{str(written)!r} is no word", written.start_pos, "write letters or digits")
         return items[0] if len(items) == 1 else Sequence(items)
     if kind == "choice":
         options = tuple(_build(child) for child in tree.children)
@@ -183,7 +215,8 @@ def _build(tree: Any) -> Node:
         return Reference(str(name), str(tree.children[-1]), name.start_pos)
     parts = tuple(_build(child) for child in tree.children)
     if len(parts) > MAX_ANY_ORDER:
-        raise TemplateError(f"more than {MAX_ANY_ORDER} parts in any order", 0, "write several sentences")
+        column = next(tree.scan_values(lambda token: True)).start_pos
+        raise TemplateError(f"more than {MAX_ANY_ORDER} parts in any order", column, "write several sentences")
     return Optional(AnyOrder(parts)) if kind == "optional_any_order" else AnyOrder(parts)
 
 
@@ -196,3 +229,27 @@ def references(node: Node) -> Iterator[Reference]:
             yield from references(item)
     elif isinstance(node, Optional):
         yield from references(node.item)
+
+
+def template_text(node: Node) -> str:
+    """A tree as a template that parses back to it, in its shortest form."""
+    match node:
+        case Word(text):
+            return text
+        case WordClass(name):
+            return "{" + name + "}"
+        case Reference(name, label, _):
+            return "{" + (name if name == label else f"{name}:{label}") + "}"
+        case Choice(items):
+            return "(" + "|".join(template_text(item) for item in items) + ")"
+        case AnyOrder(items):
+            return "(" + "; ".join(template_text(item) for item in items) + ")"
+        case Sequence(items):
+            parts = [template_text(item) for item in items]
+            nested = [
+                f"({part})" if isinstance(item, Sequence) else part for item, part in zip(items, parts, strict=True)
+            ]
+            return " ".join(nested)
+        case Optional(item):
+            inside = template_text(item)
+            return "[" + (inside[1:-1] if isinstance(item, (Choice, AnyOrder)) else inside) + "]"

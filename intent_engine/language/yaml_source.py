@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ __all__ = ["YamlSource", "did_you_mean", "read_yaml"]
 
 MAX_BYTES = 64 * 1024 * 1024
 """A file beyond this is not one that a person wrote for us."""
+MAX_COPIES = 100_000
+"""Values that aliases may repeat; nested aliases can unfold a page to more than any memory holds."""
 
 YamlPath = tuple[str | int, ...]
 
@@ -35,6 +38,15 @@ class YamlSource:
     raw: dict[YamlPath, str] = field(default_factory=dict)
     """Path -> the scalar as written, where YAML read something else than text."""
     problems: list[Problem] = field(default_factory=list)
+    broken: set[YamlPath] = field(default_factory=set)
+    """Values of which a problem has been told already; nobody should look at them again."""
+
+    def entries(self, path: YamlPath, value: Any) -> Iterator[tuple[YamlPath, Any, Any]]:
+        """(path, key or index, value) of what a mapping or list holds, without what is broken."""
+        pairs = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        for key, item in pairs:
+            if (*path, key) not in self.broken:
+                yield (*path, key), key, item
 
     def place(self, path: YamlPath, offset: int = 0, key: bool = False) -> Place:
         """Where the value (or key) at a path stands; ``offset`` columns into it."""
@@ -62,7 +74,7 @@ def read_yaml(path: str | Path) -> YamlSource:
         if file.stat().st_size > MAX_BYTES:
             source.problems.append(Problem("is larger than 64 MiB", str(path), hint="is this the right file?"))
             return source
-        text = file.read_text("utf-8")
+        text = file.read_text("utf-8-sig")
     except FileNotFoundError:
         near = did_you_mean(file.name, (other.name for other in _neighbours(file)))
         source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
@@ -71,12 +83,27 @@ def read_yaml(path: str | Path) -> YamlSource:
         source.problems.append(Problem("is a folder, not a file", str(path), hint="give the path of a YAML file"))
         return source
     except UnicodeDecodeError as error:
-        source.problems.append(Problem(f"is not UTF-8 text (byte {error.start})", str(path), hint="save it as UTF-8"))
+        source.problems.append(_not_utf8(str(path), error))
         return source
     except OSError as error:
         source.problems.append(Problem(f"cannot be read: {error.strerror}", str(path)))
         return source
     return parse_yaml(text, source)
+
+
+def _not_utf8(name: str, error: UnicodeDecodeError) -> Problem:
+    """Where the first byte stands that is no UTF-8, and what the file may be instead."""
+    data = bytes(error.object)
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return Problem("is UTF-16 text, not UTF-8", name, hint="save it as UTF-8")
+    if b"\0" in data[:4096]:
+        return Problem("is no text at all", name, hint="is this the right file?")
+    start = data.rfind(b"\n", 0, error.start) + 1
+    end = data.find(b"\n", error.start)
+    line = data[start : end if end >= 0 else len(data)].decode("utf-8", "replace").rstrip("\r")
+    before = data[start : error.start].decode("utf-8", "replace")
+    message = f"is not UTF-8 text: byte {data[error.start]:#04x}"
+    return Problem(message, name, data.count(b"\n", 0, error.start) + 1, len(before) + 1, line, "save it as UTF-8")
 
 
 def parse_yaml(text: str, source: YamlSource) -> YamlSource:
@@ -87,14 +114,13 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
         if node is None:
             source.problems.append(Problem("is empty", source.file, hint="see docs/grammar.md for the shortest file"))
             return source
-        source.data = _plain(node, (), source, set())
+        source.data = _Reader(source).plain(node, (), frozenset())
     except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        line = mark.line if mark else 0
-        shown = source.lines[line] if line < len(source.lines) else ""
-        message = f"is not valid YAML: {error.problem or error.context}"
-        hint = "quote sentences that hold ':' '#' '{' or '[' at their start" if "{" in shown or "[" in shown else None
-        source.problems.append(Problem(message, source.file, line + 1, (mark.column if mark else 0) + 1, shown, hint))
+        source.problems.append(_syntax_problem(error, source))
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position)
+        message = f"holds a character that YAML does not allow: {error.character!r}"
+        source.problems.append(Problem(message, source.file, line + 1, hint="remove it"))
     except (yaml.YAMLError, ValueError) as error:
         source.problems.append(Problem(f"is not valid YAML: {error}", source.file))
     except RecursionError:
@@ -102,46 +128,113 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     return source
 
 
-def _plain(node: Any, path: YamlPath, source: YamlSource, above: set[int]) -> Any:
-    source.marks[path] = (node.start_mark.line, node.start_mark.column)
-    if isinstance(node, yaml.ScalarNode):
-        return _scalar(node, path, source)
-    if id(node) in above:
-        raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")
-    above = above | {id(node)}
-    if isinstance(node, yaml.SequenceNode):
-        return [_plain(child, (*path, index), source, above) for index, child in enumerate(node.value)]
-    result: dict[str, Any] = {}
-    for key_node, value_node in node.value:
-        if not isinstance(key_node, yaml.ScalarNode):
-            source.problem(path, "a key must be plain text", "quote it if it holds brackets")
-            continue
-        key = key_node.value
-        here = (*path, key)
-        source.key_marks[here] = (key_node.start_mark.line, key_node.start_mark.column)
-        if key in result:
-            source.problem(here, f"{key!r} stands twice; the first would be lost", "rename or merge them", key=True)
-        _scalar(key_node, (*here, "\0key"), source)
-        result[key] = _plain(value_node, here, source, above)
-    return result
+def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
+    """What the YAML parser says, at a line that there is, with what people usually did wrong there."""
+    mark, opened = error.problem_mark or error.context_mark, error.context_mark
+    line, column = (mark.line, mark.column) if mark else (0, 0)
+    while line > 0 and (line >= len(source.lines) or not source.lines[line].strip()):
+        line -= 1
+        column = len(source.lines[line]) if line < len(source.lines) else 0
+    shown = source.lines[line] if line < len(source.lines) else ""
+    what = str(error.problem or error.context)
+    message, hint = f"is not valid YAML: {what}", None
+    indent = shown[: len(shown) - len(shown.lstrip())]
+    if "\t" in indent:
+        message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"
+    elif "another document" in what:
+        message, hint = "a second document begins here", "remove the ---; write a second file and include: it"
+    elif "undefined alias" in what:
+        hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
+    elif opened is not None and what.startswith("did not find expected ',' or"):
+        hint = f"the bracket that is opened at line {opened.line + 1}, column {opened.column + 1} is not closed"
+    elif "expected '-'" in what or re.search(r"-\s+[{\[]", shown):
+        hint = "quote a sentence that begins with { or ["
+    elif "mapping values are not allowed" in what:
+        hint = "quote text that holds ': ', and check that this line is indented like its neighbours"
+    elif re.search(r"[:-]\s+[%@`]", shown):
+        hint = "quote text that begins with this character"
+    elif "could not find expected ':'" in what or "expected <block end>" in what or "block mapping" in what:
+        hint = "check that this line is indented like its neighbours, and that quotes are closed"
+    return Problem(message, source.file, line + 1, column + 1, shown, hint)
 
 
-_CONSTRUCTORS = yaml.SafeLoader("")
+class _Reader:
+    """Nodes of the YAML parser to plain data."""
+
+    def __init__(self, source: YamlSource) -> None:
+        self._source = source
+        self._met: set[int] = set()
+        self._copies = 0
+
+    def plain(self, node: Any, path: YamlPath, above: frozenset[int]) -> Any:
+        source = self._source
+        source.marks[path] = (node.start_mark.line, node.start_mark.column)
+        if id(node) in self._met:
+            self._copies += 1
+            if self._copies > MAX_COPIES:
+                raise ValueError(f"aliases that unfold to more than {MAX_COPIES:,} values")
+        else:
+            self._met.add(id(node))
+        if isinstance(node, yaml.ScalarNode):
+            return _scalar(node, path, source)
+        if id(node) in above:
+            raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")
+        above = above | {id(node)}
+        if isinstance(node, yaml.SequenceNode):
+            return [self.plain(child, (*path, index), above) for index, child in enumerate(node.value)]
+        result: dict[str, Any] = {}
+        merged: dict[str, Any] = {}
+        for key_node, value_node in node.value:
+            if not isinstance(key_node, yaml.ScalarNode):
+                source.problem(path, "a key must be plain text", "quote it if it holds brackets")
+                continue
+            key = key_node.value
+            here = (*path, key)
+            if key_node.tag == "tag:yaml.org,2002:merge":
+                mark = source.marks[path]
+                merged |= self._merged(value_node, here, above)
+                source.marks[path] = mark
+                continue
+            source.key_marks[here] = (key_node.start_mark.line, key_node.start_mark.column)
+            if key in result:
+                source.problem(here, f"{key!r} stands twice; the first would be lost", "rename or merge them", key=True)
+            _scalar(key_node, (*here, "\0key"), source)
+            result[key] = self.plain(value_node, here, above)
+        return {**merged, **result}
+
+    def _merged(self, node: Any, path: YamlPath, above: frozenset[int]) -> dict[str, Any]:
+        """What ``<<: *name`` takes over; it stands where the mapping stands that takes it."""
+        found: dict[str, Any] = {}
+        nodes = node.value if isinstance(node, yaml.SequenceNode) else [node]
+        for one in reversed(nodes):
+            value = self.plain(one, path[:-1] if isinstance(one, yaml.MappingNode) else path, above)
+            if isinstance(value, dict):
+                found |= value
+            else:
+                self._source.problem(path, "'<<' takes over mappings alone", "give it the alias of a mapping")
+        return found
+
+
+_CONSTRUCTOR = yaml.SafeLoader("")
+_READ: Mapping[str, Callable[[Any], Any]] = {
+    "bool": _CONSTRUCTOR.construct_yaml_bool,
+    "int": _CONSTRUCTOR.construct_yaml_int,
+    "float": _CONSTRUCTOR.construct_yaml_float,
+    "null": _CONSTRUCTOR.construct_yaml_null,
+    "timestamp": lambda node: node.value,
+}
 
 
 def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
     tag = node.tag.rsplit(":", 1)[-1]
-    if tag == "str":
+    read = _READ.get(tag)
+    if read is None:
         return node.value
-    if tag in ("bool", "int", "float", "null", "timestamp"):
-        source.raw[path] = node.value
-        if tag == "timestamp":
-            return node.value
-        try:
-            return _CONSTRUCTORS.construct_object(node)
-        except (ValueError, yaml.YAMLError):
-            return node.value
-    return node.value
+    source.raw[path] = node.value
+    try:
+        return read(node)
+    except (ValueError, KeyError, yaml.YAMLError):  # "!!bool maybe"
+        return node.value
 
 
 def _neighbours(file: Path) -> Iterable[Path]:

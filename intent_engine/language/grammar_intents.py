@@ -1,0 +1,167 @@
+"""Intents of a grammar file: sentences, action, defaults, conditions and examples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from intent_engine.language.grammar import (
+    ACTION_PARAMETERS,
+    QUANTITY_KINDS,
+    ActionSpec,
+    Condition,
+    Example,
+    Intent,
+    Sentence,
+    Slot,
+)
+from intent_engine.language.grammar_parts import PartReader
+from intent_engine.language.yaml_source import YamlPath, did_you_mean
+
+__all__ = ["merged", "read_intent", "slot_of_parameter"]
+
+RESULTS = ("accepted", "rejected", "ambiguous", "incomplete")
+"""What an example may say of a sentence instead of its slots."""
+
+
+def read_intent(
+    parts: PartReader, path: YamlPath, name: str, spec: Mapping[str, Any], slots: Mapping[str, Slot]
+) -> Intent:
+    """The intent at a path of a file; what is wrong in it is told, and left out of it."""
+    source = parts.source
+    if any(broken[: len(path)] == path for broken in source.broken):
+        parts.draft.partial.add(name)
+    action = _action(parts, (*path, "action"), name, spec.get("action", "custom"))
+    sentences = []
+    for at, _, entry in source.entries((*path, "sentences"), spec.get("sentences")):
+        fixed: Mapping[str, Any] = {}
+        if isinstance(entry, dict):
+            fixed = _values(parts, (*at, "slots"), entry.get("slots"), action, slots)
+            at, entry = (*at, "say"), entry["say"]
+        node = parts.template(at, entry, "sentence", name)
+        if node is None:
+            parts.draft.partial.add(name)
+        else:
+            sentences.append(Sentence(entry, node, fixed, source.place(at)))
+    regex = spec.get("regex", ())
+    conditions = []
+    for at, _, item in source.entries((*path, "when"), spec.get("when")):
+        asked = {key: value for _, key, value in source.entries((*at, "slots"), item["slots"])}
+        conditions.append(Condition(asked, _values(parts, (*at, "defaults"), item["defaults"], action, slots)))
+    patterns = [regex] if isinstance(regex, str) else [text for _, _, text in source.entries((*path, "regex"), regex)]
+    return Intent(
+        name=name,
+        action=action,
+        sentences=tuple(sentences),
+        regex=tuple(patterns),
+        lark=spec.get("lark") if (*path, "lark") not in source.broken else None,
+        defaults=_values(parts, (*path, "defaults"), spec.get("defaults"), action, slots),
+        when=tuple(conditions),
+        requires=frozenset(text for _, _, text in source.entries((*path, "requires"), spec.get("requires"))),
+        excludes=frozenset(text for _, _, text in source.entries((*path, "excludes"), spec.get("excludes"))),
+        priority=spec.get("priority", 0) if (*path, "priority") not in source.broken else 0,
+        examples=tuple(_examples(parts, (*path, "examples"), spec.get("examples"))),
+        description=str(spec.get("description", "")),
+        place=source.place(path, key=True),
+    )
+
+
+def merged(old: Intent, new: Intent) -> Intent:
+    """An intent to which a second file adds sentences and examples, or gives other defaults."""
+    return replace(
+        old,
+        sentences=old.sentences + new.sentences,
+        regex=old.regex + new.regex,
+        lark=new.lark or old.lark,
+        defaults={**old.defaults, **new.defaults},
+        when=old.when + new.when,
+        requires=old.requires | new.requires,
+        excludes=old.excludes | new.excludes,
+        priority=new.priority or old.priority,
+        examples=old.examples + new.examples,
+        description=old.description or new.description,
+    )
+
+
+def slot_of_parameter(action: ActionSpec, parameter: str) -> str:
+    """The label of the slot that a parameter of an action takes: its own name unless the file says another."""
+    taken = action.parameters.get(parameter)
+    return taken.strip("{}") if isinstance(taken, str) and taken.startswith("{") else parameter
+
+
+def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSpec:
+    source = parts.source
+    if path in source.broken or (*path, "type") in source.broken:
+        parts.draft.partial.add(name)
+        return ActionSpec("custom", name)
+    if isinstance(spec, str):
+        if spec not in ACTION_PARAMETERS:
+            own = f"for your own: action: {{type: custom, name: {spec}}}" if spec.isidentifier() else None
+            hint = did_you_mean(spec, ACTION_PARAMETERS) or own or f"one of: {', '.join(ACTION_PARAMETERS)}"
+            source.problem(path, f"no action is called {spec!r}", hint)
+            parts.draft.partial.add(name)
+            return ActionSpec("custom", name)
+        return ActionSpec(spec, name if spec == "custom" else None)
+    kind = spec["type"]
+    known = ACTION_PARAMETERS[kind]
+    parameters: dict[str, Any] = {}
+    for at, key, value in source.entries(path, spec):
+        if key in ("type", "name"):
+            continue
+        if kind != "custom" and key not in known:
+            hint = did_you_mean(key, known) or f"{kind} takes {', '.join(known) or 'nothing'}"
+            source.problem(at, f"{kind} has no parameter {key!r}", hint, key=True)
+        elif known.get(key) in QUANTITY_KINDS and not str(value).startswith("{"):
+            parameters[key] = parts.quantity(at, known[key], value, None)
+        else:
+            parameters[key] = value
+    if kind == "custom":
+        return ActionSpec(kind, spec.get("name", name), parameters)
+    if "name" in spec:
+        source.problem((*path, "name"), f"{kind} has no name; a custom action has one", "remove it", key=True)
+    return ActionSpec(kind, None, parameters)
+
+
+def _values(
+    parts: PartReader, path: YamlPath, values: Any, action: ActionSpec, slots: Mapping[str, Slot]
+) -> dict[str, Any]:
+    """Slot values as a file writes them, quantities in SI."""
+    kinds = ACTION_PARAMETERS.get(action.type, {})
+    result: dict[str, Any] = {}
+    for at, key, value in parts.source.entries(path, values):
+        slot = slots.get(slot_of_parameter(action, key))
+        kind = kinds.get(key) or (slot.type if slot else None)
+        if kind in QUANTITY_KINDS:
+            found = parts.quantity(at, kind, value, None)  # a plain number is in SI: units are for what is said
+            if found is not None:
+                result[key] = found
+        else:
+            result[key] = value
+    return result
+
+
+def _examples(parts: PartReader, path: YamlPath, examples: Any) -> Iterator[Example]:
+    source = parts.source
+    if isinstance(examples, dict):
+        entries = [((*path, text), path, {text: expected}) for text, expected in examples.items()]
+    else:
+        entries = [(at, at, entry) for at, _, entry in source.entries(path, examples)]
+    for at, above, entry in entries:
+        if isinstance(entry, str):
+            yield Example(entry, None, source.place(at))
+            continue
+        if not isinstance(entry, dict) or len(entry) != 1:
+            raw = source.raw.get(at)
+            hint = f'quote it: "{raw}"' if raw else 'write: - "go left": {direction: left}'
+            source.problem(at, "an example is one sentence and its meaning", hint)
+            continue
+        ((text, expected),) = entry.items()
+        meaning = (*above, text)
+        if isinstance(expected, str) and expected not in RESULTS:
+            hint = did_you_mean(expected, RESULTS) or f"write {{slot: value}} or one of: {', '.join(RESULTS)}"
+            source.problem(meaning, f"{expected!r} is no result of a sentence", hint)
+        elif expected is not None and not isinstance(expected, (str, dict)):
+            source.problem(meaning, "the meaning of an example is {slot: value} or rejected", f"not {expected!r}")
+        else:
+            yield Example(text, None if expected == "accepted" else expected, source.place(at))
