@@ -55,6 +55,8 @@ class HeardKind(StrEnum):
     """The reflex heard a stop word: the robot is held."""
     RELEASE = "release"
     """It was none: the robot goes on."""
+    LOST = "lost"
+    """Sound was lost while somebody spoke: what was being said is not acted on."""
     ERROR = "error"
     """Something failed; the robot was stopped and listening goes on."""
 
@@ -149,6 +151,7 @@ class Runtime:
         self._talk = threading.Event()
         self._push_to_talk = False
         self._held = False
+        self._deaf = False
         self._source: AudioSource | None = None
         self._base = 0.0
         self._summary = Summary()
@@ -188,6 +191,7 @@ class Runtime:
         self._base = self.executor.clock.now()
         self._voice.reset()
         self._endpoint.reset()
+        self._deaf = False
         recent: deque[Samples] = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         utterance: _Utterance | None = None
         waiting: list[_Utterance] = []
@@ -197,7 +201,12 @@ class Runtime:
                 if self._closing.is_set():
                     break
                 self._move_clock(frame.time)
-                utterance = self._frame(frame, recent, utterance, waiting)
+                if frame.lost or frame.deaf:
+                    self._gap(frame, recent, utterance, waiting)
+                    utterance = None
+                if not frame.deaf:
+                    self._deaf = False
+                    utterance = self._frame(frame, recent, utterance, waiting)
                 self._collect(frame.time, utterance, waiting)
                 self._summary.seconds = frame.time
             if not self._closing.is_set():
@@ -256,16 +265,34 @@ class Runtime:
             return None
         return utterance
 
+    def _gap(
+        self, frame: Frame, recent: deque[Samples], utterance: _Utterance | None, waiting: list[_Utterance]
+    ) -> None:
+        """Sound is missing, and a "don't" may be what is missing: the utterance under way is not acted on.
+
+        While no sound comes at all, nobody could stop the robot, so it is stopped.
+        """
+        recent.clear()
+        self._endpoint.reset()
+        self._voice.reset()
+        if frame.deaf:
+            if not self._deaf:
+                self._deaf = True
+                waiting.clear()
+                self._failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
+        elif utterance is not None and self._held:
+            self._failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
+        elif utterance is not None:
+            why = f"{frame.lost:.2f} s of sound were lost, so what was being said is not acted on"
+            self._tell(HeardKind.LOST, frame.time, detail=why)
+
     # -- decoding ----------------------------------------------------------------------------------
 
     def _decode(self, utterance: _Utterance, *, final: bool) -> None:
         if not self._decoding.free:
-            if not self._decoding.hung and not final:
-                return
-            if self._stepped or self._decoding.hung:
-                self._decoding.give_up()
-            elif not final:
-                return
+            if not (self._stepped or self._decoding.hung):
+                return  # one decode at a time; what has ended is taken up by _collect
+            self._decoding.give_up()
         utterance.job_frames = len(utterance.frames)
         utterance.job_final = final
         utterance.result = None
@@ -327,6 +354,7 @@ class Runtime:
         while waiting:
             first = waiting[0]
             if first.job is None:
+                self._decoding.settle()
                 self._decode(first, final=True)
             if first.job is not None:
                 self._wait(first.job)

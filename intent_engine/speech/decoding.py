@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from concurrent.futures import Future
@@ -36,6 +37,14 @@ class DecodeThread:
     def free(self) -> bool:
         """Whether a decode can begin."""
         return self._busy is None or self._busy.done()
+
+    def settle(self) -> None:
+        """Wait for the decode under way, but no longer than it may take."""
+        busy = self._busy
+        if busy is not None:
+            left = self._began + self.patience - time.monotonic()
+            with contextlib.suppress(TimeoutError):
+                busy.exception(timeout=max(0.0, left))
 
     def give_up(self) -> None:
         """Forget the decode under way."""

@@ -61,7 +61,11 @@ class SileroVoice:
         sound = np.concatenate((self._context, samples))[np.newaxis]
         self._context = samples[-CONTEXT_SAMPLES:]
         output, self._hidden, self._cell = self._session.run(None, {"input": sound, "h": self._hidden, "c": self._cell})
-        return float(output.reshape(-1)[-1])
+        found = float(output.reshape(-1)[-1])
+        if not 0 <= found <= 1:  # a sample that was no number would stay in the state for ever
+            self.reset()
+            return 0.0
+        return found
 
 
 def _model_file() -> Path:

@@ -1,0 +1,188 @@
+"""What breaks while a robot listens: the sound, the recogniser, the listener. It stops, and hears the next command."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from conftest import Frames, framed
+
+from intent_engine import Executor, Reason, Runtime, SimulatedRobot
+from intent_engine.execution.clock import MonotonicClock, VirtualClock
+from intent_engine.runtime import HeardKind
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.whisper import WhisperRecognizer
+
+
+def twice(sound: np.ndarray) -> tuple[list[Frame], int]:
+    """The same words twice, and the number of frames of the first."""
+    return framed(np.concatenate((sound, sound))), len(framed(sound))
+
+
+def test_nothing_is_done_with_words_of_which_some_are_missing(listen, go_forward):
+    frames, half = twice(go_forward)
+    middle = int(2.2 / FRAME_SECONDS)
+    frames[middle] = replace(frames[middle], lost=0.3)
+    found = listen(frames)
+    assert [event.kind for event in found.events if event.kind is HeardKind.LOST] == [HeardKind.LOST]
+    first = [event for event in found.of(HeardKind.SUBMITTED) if event.time <= half * FRAME_SECONDS]
+    assert first == []
+    assert len(found.goals) == 1, "the second time it is whole"
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def test_sound_lost_while_nobody_speaks_is_no_matter(listen, go_forward):
+    frames = framed(go_forward)
+    frames[5] = replace(frames[5], lost=1.0)
+    found = listen(frames)
+    assert found.of(HeardKind.LOST) == []
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def deaf(start: float, seconds: float) -> list[Frame]:
+    count = int(seconds / 0.128)
+    return [Frame(np.zeros(512, np.float32), start + 0.128 * (n + 1), deaf=True) for n in range(count)]
+
+
+def test_a_robot_that_nobody_can_stop_does_not_move(listen, go_forward):
+    before = framed(go_forward)  # it is driving by now: two meters take four seconds
+    gone = deaf(before[-1].time, 20.0)
+    after = [replace(frame, time=frame.time + gone[-1].time) for frame in framed(go_forward)]
+    found = listen([*before, *gone, *after])
+    (error,) = found.of(HeardKind.ERROR)
+    assert error.time == gone[0].time
+    assert "nobody can stop" in error.detail
+    first, second = found.goals
+    assert (first.succeeded, first.reason) == (False, Reason.STOP)
+    assert second.succeeded, "and when sound comes again, it listens"
+    assert 2.0 < found.robot.pose().x < 3.0
+
+
+def test_what_was_said_just_before_it_went_deaf_is_not_done(listen, go_forward):
+    words_end = int(3.2 / FRAME_SECONDS)
+    before = framed(go_forward)[:words_end]
+    found = listen([*before, *deaf(before[-1].time, 5.0)])
+    assert found.goals == []
+    assert found.moved == 0
+
+
+class Breaks:
+    """A real recogniser that fails the first time, as a driver or a full memory makes it."""
+
+    def __init__(self, real: WhisperRecognizer, how) -> None:
+        self.real, self.how, self.left = real, how, 1
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        if self.left:
+            self.left -= 1
+            self.how()
+        return self.real.transcribe(samples, final=final)
+
+    def close(self) -> None: ...
+
+
+def raises(error: BaseException):
+    def how() -> None:
+        raise error
+
+    return how
+
+
+@pytest.mark.parametrize("error", [RuntimeError("CUDA out of memory"), MemoryError(), SystemExit(1), ValueError("")])
+def test_a_recogniser_that_raises(listen, whisper, go_forward, error):
+    frames, _ = twice(go_forward)
+    found = listen(frames, Breaks(whisper, raises(error)), speculate=False)
+    (told,) = found.of(HeardKind.ERROR)
+    assert f"the recogniser failed: {type(error).__name__}" in told.detail
+    assert found.summary.errors == 1
+    assert len(found.goals) == 1, "the next command is heard"
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def test_a_recogniser_that_raises_while_the_robot_drives_stops_it(listen, whisper, go_forward):
+    class Later(Breaks):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            text = super().transcribe(samples, final=final)
+            self.left = 1
+            return text
+
+    later = Later(whisper, raises(RuntimeError("gone")))
+    later.left = 0
+    soon = go_forward[int(1.3 * SAMPLE_RATE) :]
+    found = listen(np.concatenate((go_forward[: int(3.6 * SAMPLE_RATE)], soon)), later, speculate=False)
+    (goal,) = found.goals
+    assert (goal.succeeded, goal.reason) == (False, Reason.STOP)
+    assert 0 < found.robot.pose().x < 2.0
+
+
+def test_a_recogniser_that_hangs(listen, whisper, go_forward):
+    for_ever = threading.Event()
+    frames, _ = twice(go_forward)
+    found = listen(frames, Breaks(whisper, for_ever.wait), speculate=False, patience=3.0)
+    for_ever.set()
+    (told,) = found.of(HeardKind.ERROR)
+    assert "did not answer within 3 s" in told.detail
+    assert len(found.goals) == 1
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def test_a_listener_that_raises_stops_the_robot(engine, whisper, go_forward):
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+
+    def on_event(event) -> None:
+        if event.kind is HeardKind.SUBMITTED:
+            raise ZeroDivisionError
+
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(engine, executor, whisper, on_event=on_event)
+        with pytest.raises(ZeroDivisionError):
+            runtime.run(Frames(framed(go_forward)))
+        assert executor.idle
+        executor.wait()
+    assert robot.pose().x == pytest.approx(0, abs=0.05)
+
+
+class OneAtATime:
+    """Waits until it is let go, and knows whether two threads were in it."""
+
+    def __init__(self, real: WhisperRecognizer) -> None:
+        self.real = real
+        self.inside, self.most, self.calls = 0, 0, 0
+        self.go = threading.Event()
+        self.begun = threading.Event()
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        self.inside += 1
+        self.most = max(self.most, self.inside)
+        self.calls += 1
+        self.begun.set()
+        self.go.wait(30)
+        found = self.real.transcribe(samples, final=final)
+        self.inside -= 1
+        return found
+
+    def close(self) -> None: ...
+
+
+def test_in_real_time_utterances_queue_for_a_slow_recogniser(engine, whisper, go_forward):
+    """Two commands are said while the first is still being decoded: each is decoded, one after the other."""
+    slow = OneAtATime(whisper)
+    frames, _ = twice(go_forward)
+
+    def played():
+        yield from frames
+        assert slow.begun.wait(30)
+        slow.go.set()
+
+    clock = MonotonicClock()
+    events = []
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        Runtime(engine, executor, slow, on_event=events.append, patience=30).run(Frames(played()))
+        executor.stop()
+    texts = [event.transcript.text for event in events if event.kind is HeardKind.TRANSCRIPT]
+    assert len(texts) == 2
+    assert slow.most == 1
