@@ -130,25 +130,43 @@ def cache_folder() -> Path:
 def _joined(name: str, packaged: Packaged, folders: list[Path]) -> Path | None:
     """The parts of a model that comes in several packages, joined once in the cache."""
     target = cache_folder() / "models" / name
-    if not (target / "model.bin").is_file():
-        parts = sorted(
-            (file for folder in folders for file in folder.rglob("*") if _is_part(file)), key=lambda file: file.name
-        )
-        others = [file for folder in folders for file in folder.rglob("*") if file.suffix in (".json", ".txt")]
-        if not parts:
+    try:
+        if (target / "model.bin").is_file():
+            try:
+                _check(target / "model.bin", packaged)
+            except WeightsError:
+                (target / "model.bin").unlink()  # the join went wrong, as on a full disk; the packages may be right
+        if not (target / "model.bin").is_file() and not _join(target, folders):
             return None
-        target.mkdir(parents=True, exist_ok=True)
-        for file in others:
-            if file.name in ("config.json", "tokenizer.json", "vocabulary.txt", "preprocessor_config.json"):
-                (target / file.name).write_bytes(file.read_bytes())
-        partial = target / f"model.bin.{os.getpid()}"
+    except OSError as error:
+        raise WeightsError(
+            f"model {name} comes in parts that cannot be joined in {target}: {error.strerror}\n"
+            "    make room there, or set XDG_CACHE_HOME to a folder that can be written"
+        ) from None
+    _check(target / "model.bin", packaged)
+    _complete(target, name)
+    return target
+
+
+def _join(target: Path, folders: list[Path]) -> bool:
+    """Write the parts into one folder; False if there are none."""
+    files = [file for folder in folders for file in folder.rglob("*")]
+    parts = sorted(filter(_is_part, files), key=lambda file: file.name)
+    if not parts:
+        return False
+    target.mkdir(parents=True, exist_ok=True)
+    for file in files:
+        if file.name in ("config.json", "tokenizer.json", "vocabulary.txt", "preprocessor_config.json"):
+            (target / file.name).write_bytes(file.read_bytes())
+    partial = target / f"model.bin.{os.getpid()}"
+    try:
         with partial.open("wb") as whole:
             for part in parts:
                 whole.write(part.read_bytes())
         partial.replace(target / "model.bin")
-    _check(target / "model.bin", packaged)
-    _complete(target, name)
-    return target
+    finally:
+        partial.unlink(missing_ok=True)
+    return True
 
 
 def _is_part(file: Path) -> bool:
@@ -163,6 +181,8 @@ def _check(file: Path, packaged: Packaged) -> None:
     try:
         known = json.loads(remembered.read_text("utf-8"))
     except (OSError, ValueError):
+        known = {}
+    if not isinstance(known, dict):
         known = {}
     if known.get(key) == packaged.digest:
         return

@@ -1,0 +1,128 @@
+"""When it is said, in virtual time: probabilities in, signals out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.speech.audio import FRAME_SECONDS
+from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
+
+SPEECH, SILENCE = 0.9, 0.05
+WAITS = {
+    Outlook.COMPLETE: 0.064,
+    Outlook.EXTENDABLE: 0.25,
+    Outlook.INCOMPLETE: 0.7,
+    Outlook.OTHER: 0.35,
+    Outlook.UNKNOWN: 0.5,
+}
+
+
+def frames(seconds: float) -> int:
+    return round(seconds / FRAME_SECONDS)
+
+
+def play(endpoint: Endpointer, *parts: tuple[float, float]) -> list[Signal]:
+    """Signals other than none, for (probability, seconds)."""
+    signals = [endpoint.frame(probability) for probability, seconds in parts for _ in range(frames(seconds))]
+    return [signal for signal in signals if signal is not Signal.NONE]
+
+
+def test_silence_is_nothing():
+    assert play(Endpointer(), (SILENCE, 3600.0)) == []
+
+
+def test_an_utterance():
+    endpoint = Endpointer()
+    assert play(endpoint, (SILENCE, 1.0), (SPEECH, 1.0)) == [Signal.STARTED]
+    assert endpoint.speaking
+    assert play(endpoint, (SILENCE, 1.0)) == [Signal.PAUSED, Signal.ENDED]
+    assert not endpoint.speaking
+
+
+@pytest.mark.parametrize("outlook", WAITS)
+def test_how_long_it_waits_is_what_the_grammar_thinks(outlook):
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0))
+    assert endpoint.frame(SILENCE) is Signal.PAUSED
+    endpoint.judge(outlook)
+    silent = 1
+    while endpoint.frame(SILENCE) is not Signal.ENDED:
+        silent += 1
+        assert silent < 100
+    assert (silent + 1) * FRAME_SECONDS == pytest.approx(WAITS[outlook], abs=FRAME_SECONDS / 2 + 1e-9)
+
+
+def test_every_wait_can_be_set():
+    assert set(WAITS) == set(Outlook)
+    settings = Settings(wait_complete=1.0, wait_extendable=2.0, wait_incomplete=3.0, wait_other=4.0, wait_unknown=5.0)
+    assert sorted(settings.wait(outlook) for outlook in Outlook) == [1.0, 2.0, 3.0, 4.0, 5.0]
+
+
+def test_who_goes_on_is_not_cut_off():
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0), (SILENCE, 0.1))
+    endpoint.judge(Outlook.INCOMPLETE)
+    assert play(endpoint, (SILENCE, 0.4), (SPEECH, 0.5)) == [Signal.RESUMED]
+    assert play(endpoint, (SILENCE, 0.3)) == [Signal.PAUSED], "what the grammar thought is out of date: unknown again"
+    assert play(endpoint, (SILENCE, 0.3)) == [Signal.ENDED]
+
+
+def test_a_knock_is_no_speech():
+    assert play(Endpointer(), (SPEECH, FRAME_SECONDS), (SILENCE, 1.0)) == []
+    assert play(Endpointer(), (SPEECH, 3 * FRAME_SECONDS), (SILENCE, 1.0)) == [Signal.STARTED, Signal.DROPPED]
+
+
+def test_between_the_thresholds_speech_goes_on_but_does_not_begin():
+    endpoint = Endpointer()
+    assert play(endpoint, (0.4, 5.0)) == []
+    assert play(endpoint, (SPEECH, 0.5), (0.4, 2.0)) == [Signal.STARTED]
+    assert play(endpoint, (SILENCE, 0.1), (0.4, 0.1)) == [Signal.PAUSED], "nor does it begin again"
+
+
+def test_an_endless_talker_is_ended():
+    endpoint = Endpointer()
+    assert play(endpoint, (SPEECH, 19.5)) == [Signal.STARTED]
+    assert play(endpoint, (SPEECH, 1.0)) == [Signal.ENDED, Signal.STARTED], "and heard on"
+
+
+def test_reset_forgets():
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0))
+    endpoint.reset()
+    assert play(endpoint, (SILENCE, 2.0)) == []
+
+
+@given(st.lists(st.floats(0, 1), max_size=400), st.lists(st.sampled_from(list(Outlook)), min_size=1, max_size=5))
+def test_signals_come_in_an_order_that_makes_sense(probabilities, outlooks):
+    """started, then paused and resumed by turns, then ended or dropped; and never two utterances at once."""
+    endpoint = Endpointer(replace(Settings(), max_speech=4.0))
+    allowed = {
+        None: {Signal.STARTED},
+        Signal.STARTED: {Signal.PAUSED, Signal.RESUMED, Signal.DROPPED, Signal.ENDED},
+        Signal.PAUSED: {Signal.RESUMED, Signal.ENDED},
+        Signal.RESUMED: {Signal.PAUSED, Signal.RESUMED, Signal.DROPPED, Signal.ENDED},
+    }
+    last: Signal | None = None
+    for count, probability in enumerate(probabilities):
+        signal = endpoint.frame(probability)
+        if signal is Signal.NONE:
+            continue
+        assert signal in allowed[last]
+        if signal is Signal.PAUSED:
+            endpoint.judge(outlooks[count % len(outlooks)])
+        last = None if signal in (Signal.ENDED, Signal.DROPPED) else signal
+        assert endpoint.speaking is (last is not None)
+
+
+@given(st.lists(st.floats(0, 1), max_size=200))
+def test_two_seconds_of_silence_end_everything(probabilities):
+    endpoint = Endpointer()
+    for probability in probabilities:
+        endpoint.frame(probability)
+    for _ in range(frames(2.0)):
+        endpoint.frame(0.0)
+    assert not endpoint.speaking
