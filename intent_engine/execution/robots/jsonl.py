@@ -30,41 +30,16 @@ import math
 import os
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import IO, Any
 
 from intent_engine.errors import RobotError
+from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
 
 __all__ = ["JsonLinesRobot"]
 
 log = logging.getLogger(__name__)
-
-
-class _RemoteTask:
-    def __init__(self, number: int) -> None:
-        self.number = number
-        self.reason = ""
-        self.progress: float | None = None
-        self.state = TaskState.RUNNING
-        self._callbacks: list[Callable[[Task], None]] = []
-        self._lock = threading.Lock()
-
-    def add_done_callback(self, callback: Callable[[Task], None]) -> None:
-        with self._lock:
-            if self.state is TaskState.RUNNING:
-                self._callbacks.append(callback)
-                return
-        callback(self)
-
-    def end(self, state: TaskState, reason: str) -> None:
-        with self._lock:
-            if self.state is not TaskState.RUNNING:
-                return
-            self.reason, self.state = reason, state
-            callbacks, self._callbacks = self._callbacks, []
-        for callback in callbacks:
-            callback(self)
 
 
 class JsonLinesRobot:
@@ -86,7 +61,7 @@ class JsonLinesRobot:
         self._capabilities = frozenset(Capability(name) for name in capabilities)
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
-        self._tasks: dict[int, _RemoteTask] = {}
+        self._tasks: dict[int, RemoteTask] = {}
         self._pose: Pose | None = None
         self._answers = replies is not None
         self._closed = False
@@ -119,7 +94,7 @@ class JsonLinesRobot:
         return self._begin("place", {"object": object_name, "location": location})
 
     def cancel(self, task: Task) -> None:
-        if isinstance(task, _RemoteTask) and task.state is TaskState.RUNNING:
+        if isinstance(task, RemoteTask) and task.state is TaskState.RUNNING:
             self._write({"cancel": task.number})
             if not self._answers:
                 task.end(TaskState.CANCELED, "cancelled")
@@ -133,7 +108,7 @@ class JsonLinesRobot:
             self._closed = True
 
     def _begin(self, kind: str, what: dict[str, Any]) -> Task:
-        task = _RemoteTask(next(self._numbers))
+        task = RemoteTask(next(self._numbers))
         if self._answers:
             self._tasks[task.number] = task
         self._write({"task": task.number, kind: what})

@@ -1,0 +1,213 @@
+"""A robot that listens to ROS 2: velocities on ``cmd_vel``, navigation by Nav2.
+
+In a program, with a ROS of its own::
+
+    robot = Ros2Robot()
+    with Executor(robot) as executor:
+        executor.submit(...)
+    robot.close()
+
+or ``Ros2Robot(node)`` in a node that is spun already. The node ``intent_engine`` of :mod:`intent_engine.ros2` is all
+of it, ready to start.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import threading
+import time
+from typing import Any
+
+from intent_engine.errors import RobotError
+from intent_engine.execution.robots.remote_task import RemoteTask
+from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.execution.robots.ros2_navigation import NavigationAction, NavigationWay, Ros2Navigation
+from intent_engine.execution.robots.ros2_support import import_rclpy, own_node, pose_of
+from intent_engine.execution.robots.ros2_velocity import Stamped, TwistWriter
+
+__all__ = ["Ros2Robot"]
+
+log = logging.getLogger(__name__)
+
+
+class Ros2Robot:
+    """Any robot that drives by ``cmd_vel``. Thread-safe.
+
+    A velocity that is not renewed within its ``valid_for`` is followed by a zero, sent by a thread of this robot. That
+    is no help when the whole program is gone: :class:`~intent_engine.execution.guardian.Guardian` is, and in the end a
+    base must have a command timeout of its own.
+
+    Args:
+        node: an rclpy node that somebody spins; None: one is made, and spun in a thread.
+        cmd_vel: topic of the velocities.
+        stamped: ``Twist``, ``TwistStamped`` or whatever is subscribed to.
+        frame_id: of the stamped velocity.
+        navigation: how goals are given to the navigation, or that there is none.
+        navigate_to_pose: name of the action.
+        goal_pose: topic of goals, where the action is not used.
+        pose: topic of the robot's pose (``geometry_msgs/PoseWithCovarianceStamped``), as AMCL and others give it.
+        action: type of the action, if it is not Nav2's.
+
+    Raises:
+        RobotError: no ROS 2 in this Python, or no nav2_msgs where they are asked for.
+    """
+
+    ZEROS = 3
+    """How many zeros :meth:`close` sends."""
+
+    def __init__(
+        self,
+        node: Any = None,
+        *,
+        cmd_vel: str = "cmd_vel",
+        stamped: Stamped | str = Stamped.AUTO,
+        frame_id: str = "base_link",
+        navigation: NavigationWay | str = NavigationWay.AUTO,
+        navigate_to_pose: str = "navigate_to_pose",
+        goal_pose: str = "goal_pose",
+        pose: str = "amcl_pose",
+        action: NavigationAction | None = None,
+    ) -> None:
+        import_rclpy()
+        self._own: _Spinning | None = None
+        if node is None:
+            self._own = _Spinning("intent_engine_robot")
+            node = self._own.node
+        self.node = node
+        self._writer = TwistWriter(node, cmd_vel, stamped, frame_id)
+        self.navigation: Ros2Navigation | None = None
+        if NavigationWay(navigation) is not NavigationWay.NONE:
+            self.navigation = Ros2Navigation(node, navigation, navigate_to_pose, goal_pose, action)
+        self._pose: Pose | None = None
+        self._listen_for_pose(pose)
+        self._lock = threading.RLock()
+        self._renewed = threading.Condition(self._lock)
+        self._valid_until: float | None = None
+        """s, monotonic; None: nothing but zero was written."""
+        self._closed = False
+        self._watchdog = threading.Thread(target=self._watch, name="cmd_vel-ttl", daemon=True)
+        self._watchdog.start()
+
+    @property
+    def capabilities(self) -> frozenset[Capability]:
+        drives = {Capability.MOVE, Capability.TURN}
+        return frozenset(drives | {Capability.NAVIGATE} if self.navigation is not None else drives)
+
+    @property
+    def topic(self) -> str:
+        """The whole name of the velocities' topic, remapped."""
+        return self._writer.topic
+
+    @property
+    def listeners(self) -> int:
+        """How many subscribe to the velocities."""
+        return self._writer.listeners
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        with self._lock:
+            if self._closed:
+                raise RobotError("the ROS 2 robot is closed")
+            self._writer.write(linear, angular)
+            if not (linear or angular):
+                self._valid_until = None
+                return
+            before, self._valid_until = self._valid_until, time.monotonic() + valid_for
+            if before is None or before > self._valid_until:
+                self._renewed.notify()
+
+    def stop(self) -> None:
+        # No lock: a velocity that hangs must not keep a stop from the robot. The executor's gate sends another zero
+        # after a velocity that was on its way.
+        self._valid_until = None
+        try:
+            self._writer.write(0.0, 0.0)
+        except RobotError as error:
+            log.error("no zero velocity could be sent: %s", error)
+        if self.navigation is not None:
+            self.navigation.stop()
+
+    def navigate(self, goal: Pose) -> Task:
+        if self.navigation is None:
+            raise RobotError("this robot does not navigate")
+        return self.navigation.navigate(goal)
+
+    def pick(self, object_name: str) -> Task:
+        raise RobotError("a robot behind cmd_vel has no arm; register a handler for 'pick'")
+
+    def place(self, object_name: str | None, location: str | None) -> Task:
+        raise RobotError("a robot behind cmd_vel has no arm; register a handler for 'place'")
+
+    def cancel(self, task: Task) -> None:
+        if self.navigation is not None and isinstance(task, RemoteTask):
+            self.navigation.cancel(task)
+
+    def pose(self) -> Pose | None:
+        return self._pose or (self.navigation.pose if self.navigation is not None else None)
+
+    def close(self) -> None:
+        """Zero velocity, every goal ended, and what was made for it let go. A node that was given is left alone."""
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
+            self._renewed.notify()
+        for _ in range(self.ZEROS):
+            self.stop()
+        self._watchdog.join(1.0)
+        if self.navigation is not None:
+            self.navigation.close()
+        self._writer.close()
+        if self._own is not None:
+            self._own.close()
+
+    def _listen_for_pose(self, topic: str) -> None:
+        from geometry_msgs.msg import PoseWithCovarianceStamped
+        from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+        def heard(message: Any) -> None:
+            self._pose = pose_of(message.pose.pose, message.header.frame_id or "map")
+
+        # The least that can be asked for, so that every publisher fits.
+        newest = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+        self.node.create_subscription(PoseWithCovarianceStamped, topic, heard, newest)
+
+    def _watch(self) -> None:
+        with self._renewed:
+            while not self._closed:
+                until = self._valid_until
+                left = None if until is None else until - time.monotonic()
+                if left is None or left > 0:
+                    self._renewed.wait(left)
+                    continue
+                self._valid_until = None
+                try:
+                    self._writer.write(0.0, 0.0)
+                except RobotError as error:
+                    log.error("a velocity ran out and no zero could be sent: %s", error)
+
+
+class _Spinning:
+    """A node of our own, spun in a thread."""
+
+    def __init__(self, name: str) -> None:
+        from rclpy.executors import SingleThreadedExecutor
+
+        self._context, self.node = own_node(name)
+        self._executor = SingleThreadedExecutor(context=self._context)
+        self._executor.add_node(self.node)
+        self._thread = threading.Thread(target=self._spin, name="ros", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        self._executor.shutdown(timeout_sec=1.0)
+        self._thread.join(1.0)
+        with contextlib.suppress(Exception):
+            self.node.destroy_node()
+            self._context.shutdown()
+
+    def _spin(self) -> None:
+        from rclpy.executors import ExternalShutdownException
+
+        with contextlib.suppress(ExternalShutdownException):
+            self._executor.spin()
