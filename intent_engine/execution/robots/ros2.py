@@ -100,6 +100,11 @@ class Ros2Robot:
         return self._writer.topic
 
     @property
+    def stamped(self) -> bool:
+        """Whether velocities are sent as ``TwistStamped`` at present."""
+        return self._writer.stamped
+
+    @property
     def listeners(self) -> int:
         """How many subscribe to the velocities."""
         return self._writer.listeners

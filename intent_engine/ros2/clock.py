@@ -1,0 +1,61 @@
+"""ROS time for the executor: with ``use_sim_time`` a second is a second of the simulator."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+__all__ = ["RosClock"]
+
+
+class RosClock:
+    """The clock of a node, made to only grow.
+
+    When the simulator is reset its time goes back: then this clock goes on from where it was, and ``on_reset`` is
+    called, in the thread that spins the node.
+
+    Args:
+        node: an rclpy node that somebody spins.
+    """
+
+    POLL = 0.005
+    """s of real time between two looks at a simulated clock, which may run at any speed."""
+
+    def __init__(self, node: Any) -> None:
+        from rclpy.clock import JumpThreshold
+        from rclpy.duration import Duration
+
+        self._clock = node.get_clock()
+        self._lock = threading.Lock()
+        self._ahead = 0.0
+        """s by which this clock is ahead of ROS time, after resets"""
+        self._last = 0.0
+        self.on_reset: Callable[[], object] = lambda: None
+        back = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+        self._handle = self._clock.create_jump_callback(back, post_callback=lambda jump: self._jumped())
+        self._last = self._ros()
+
+    def now(self) -> float:
+        with self._lock:
+            time = self._ros() + self._ahead
+            if time < self._last:
+                self._ahead += self._last - time
+                time = self._last
+            self._last = time
+            return time
+
+    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool:
+        if deadline is None:
+            condition.wait()
+            return False
+        if self.now() >= deadline:
+            return True
+        condition.wait(self.POLL)
+        return self.now() >= deadline
+
+    def _ros(self) -> float:
+        return float(self._clock.now().nanoseconds) * 1e-9
+
+    def _jumped(self) -> None:
+        self.on_reset()

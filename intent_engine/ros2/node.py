@@ -1,0 +1,207 @@
+"""The node ``intent_engine``: text in, a moving robot out.
+
+In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), the service ``stop``
+(std_srvs/Trigger). Out: ``voice_commands/command`` and ``voice_commands/status`` (std_msgs/String), ``cmd_vel``,
+goals for the navigation. All names are relative and can be remapped.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Collection, Sequence
+from typing import Any
+
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import IntentEngineError
+from intent_engine.execution.events import Event
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.guardian import Guardian
+from intent_engine.execution.journal import Journal
+from intent_engine.execution.robots.ros2 import Ros2Robot
+from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
+from intent_engine.interpretation import Status
+from intent_engine.resources import find
+from intent_engine.ros2.clock import RosClock
+from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
+from intent_engine.ros2.parameters import NodeParameters, read_parameters
+from intent_engine.ros2.process import run_node
+
+__all__ = ["VoiceCommands", "main"]
+
+
+class VoiceCommands:
+    """What the node does. Callbacks run in the thread that spins it, and none of them waits for a robot.
+
+    Life cycle: made with a node -> the node is spun -> ``close`` while it is still spun: zero velocity, every goal
+    cancelled, the last zeros acknowledged.
+
+    Raises:
+        ConfigError: a parameter, grammar, map or robot file is wrong.
+        RobotError: the velocity's process could not be started, or nav2_msgs is missing and was asked for.
+    """
+
+    def __init__(self, node: Any) -> None:
+        from std_msgs.msg import Bool, String
+
+        self._node, self._log = node, node.get_logger()
+        self._string = String
+        parameters = read_parameters(node)
+        self._form = parameters.command_form
+        self.engine = IntentEngine.from_files(
+            [find("grammars", name) for name in parameters.grammar],
+            locations=[find("locations", name) for name in parameters.locations],
+        )
+        self._commands = node.create_publisher(String, "voice_commands/command", 10)
+        self._status = node.create_publisher(String, "voice_commands/status", 50)
+        self.robot = Ros2Robot(
+            node,
+            stamped=parameters.stamped,
+            frame_id=parameters.frame_id,
+            navigation=parameters.navigation,
+            navigate_to_pose=parameters.navigate_to_pose,
+        )
+        try:
+            self.executor = self._make_executor(parameters)
+        except BaseException:
+            self.robot.close()
+            raise
+        node.create_subscription(String, "voice_commands/text", self._heard, 10)
+        node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
+        self._offer_stop()
+        self._log.info(self._summary(parameters))
+
+    def close(self) -> None:
+        """Zero velocity and the end of every goal. Idempotent."""
+        self.executor.close()
+        self.robot.close()
+
+    # -- in ------------------------------------------------------------------------------------------------------------
+
+    def _heard(self, message: Any, info: Any) -> None:
+        """A text came in."""
+        now = self.executor.clock.now()
+        age = _age(info)
+        try:
+            found = self.engine.parse(message.data, state=self._state())
+            if found.status is Status.ACCEPTED:
+                self.executor.submit(found.actions, spoken_at=now - age, text=found.text)
+        except Exception as error:
+            # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
+            self.executor.stop()
+            self._log.error(f"{message.data[:200]!r}: {type(error).__name__}: {error}; the robot is stopped")
+            self._tell(status_text("error", self._ros_time(now), detail=f"{type(error).__name__}: {error}"))
+            return
+        for text in command_texts(found, self._form):
+            self._commands.publish(self._string(data=text))
+        self._tell(interpretation_text(found, self._ros_time(now)))
+
+    def _held(self, message: Any) -> None:
+        """A stop word may have been heard, or it was none after all."""
+        if message.data:
+            self.executor.hold()
+        else:
+            self.executor.release()
+
+    def _offer_stop(self) -> None:
+        try:
+            from std_srvs.srv import Trigger
+        except ImportError:
+            self._log.warning("no service 'stop': std_srvs is not installed")
+            return
+
+        def stop(request: Any, response: Any) -> Any:
+            self.executor.stop()
+            response.success, response.message = True, "stopped"
+            return response
+
+        self._node.create_service(Trigger, "stop", stop)
+
+    # -- out -----------------------------------------------------------------------------------------------------------
+
+    def _executed(self, event: Event) -> None:
+        """An event of the executor, in its own thread."""
+        self._tell(event_text(event, self._ros_time(event.time)))
+
+    def _ros_time(self, time: float) -> float:
+        """s of the node's clock, of a time on the executor's."""
+        return float(self._node.get_clock().now().nanoseconds) * 1e-9 + time - self.executor.clock.now()
+
+    def _tell(self, text: str) -> None:
+        self._status.publish(self._string(data=text))
+
+    # -- inside --------------------------------------------------------------------------------------------------------
+
+    def _make_executor(self, parameters: NodeParameters) -> Executor:
+        robot_file = parameters.robot
+        clock = guardian = None
+        if self._node.get_parameter("use_sim_time").value:
+            # A simulated second may take any time; a process that counts real ones would stop too early or too late.
+            clock = RosClock(self._node)
+        elif parameters.guardian:
+            guardian = Guardian(
+                GUARDIAN_SINK,
+                {
+                    "topic": self.robot.topic,
+                    "stamped": parameters.stamped.value,
+                    "frame_id": parameters.frame_id,
+                    "node_name": f"{self._node.get_name()}_velocity",
+                    "namespace": self._node.get_namespace(),
+                },
+                limits=robot_file.limits,
+                rates=robot_file.rates,
+            )
+        executor = Executor(
+            self.robot,
+            clock=clock,
+            loop=guardian,
+            journal=Journal(parameters.journal) if parameters.journal else None,
+            on_event=self._executed,
+            handle_sigterm=False,
+            **robot_file.executor_options(),
+        )
+        if clock is not None:
+            clock.on_reset = executor.stop
+        return executor
+
+    def _state(self) -> Collection[str]:
+        linear, angular = self.executor.snapshot().velocity
+        return ("moving",) if linear or angular or not self.executor.idle else ()
+
+    def _summary(self, parameters: NodeParameters) -> str:
+        kind = "TwistStamped" if self.robot.stamped else "Twist"
+        way = self.robot.navigation.way.value if self.robot.navigation is not None else "none"
+        if parameters.stamped == "auto":
+            kind += ", or what is subscribed to"
+        return (
+            f"ready: {self._node.resolve_topic_name('voice_commands/text')} -> {self.robot.topic} ({kind}), "
+            f"navigation by {way}, at most {parameters.robot.limits.linear_velocity:g} m/s and "
+            f"{parameters.robot.limits.angular_velocity:g} rad/s"
+        )
+
+
+def _age(info: Any) -> float:
+    """How long ago a message was published, in s.
+
+    A String has no time of its own; the middleware sends the publisher's. Two computers whose clocks differ by more
+    than ``expire_after`` therefore do not work together, and the status says why: on the safe side.
+    """
+    sent = int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0
+    return max((time.time_ns() - sent) * 1e-9, 0.0) if sent > 0 else 0.0
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """What the script ``intent-engine-ros2`` runs."""
+
+    def make(node: Any, end: Callable[[], None]) -> VoiceCommands:
+        return VoiceCommands(node)
+
+    try:
+        return run_node("intent_engine", make, sys.argv if arguments is None else arguments)
+    except IntentEngineError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return error.exit_code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

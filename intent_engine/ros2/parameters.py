@@ -1,0 +1,166 @@
+"""The node's parameters, declared and checked: every mistake is told at once, with what to write instead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Any, TypeVar
+
+from intent_engine.errors import ConfigError, Problem
+from intent_engine.execution.limits import Limits, OverLimit
+from intent_engine.execution.motion import Rates
+from intent_engine.execution.robots.robot_file import RobotFile, load_robot
+from intent_engine.execution.robots.ros2_navigation import NavigationWay
+from intent_engine.execution.robots.ros2_velocity import Stamped
+from intent_engine.resources import find
+from intent_engine.ros2.messages import CommandForm
+
+__all__ = ["NodeParameters", "Parameters", "read_parameters"]
+
+E = TypeVar("E", bound=StrEnum)
+
+
+class Parameters:
+    """Declares parameters of a node one by one, and keeps what is wrong with their values."""
+
+    def __init__(self, node: Any) -> None:
+        self._node = node
+        self.problems: list[Problem] = []
+
+    def text(self, name: str, default: str, meaning: str) -> str:
+        value = self._declare(name, default, meaning)
+        # `-p robot:=1` is a number to YAML; whoever wrote it meant a name.
+        return str(value)
+
+    def texts(self, name: str, default: str, meaning: str) -> tuple[str, ...]:
+        """One text or a list of texts."""
+        value = self._declare(name, default, f"{meaning}; one, or a list")
+        return tuple(
+            str(each) for each in (value if isinstance(value, Iterable) and not isinstance(value, str) else [value])
+        )
+
+    def truth(self, name: str, default: bool, meaning: str) -> bool:
+        value = self._declare(name, default, meaning)
+        if not isinstance(value, bool):
+            self._wrong(name, value, "true or false")
+            return default
+        return value
+
+    def number(self, name: str, default: float, meaning: str) -> float:
+        """A number above zero; a whole one may be written without its point."""
+        value = self._declare(name, default, meaning)
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value) or value <= 0:
+            self._wrong(name, value, "a number above zero")
+            return default
+        return float(value)
+
+    def choice(self, name: str, kind: Callable[[str], E], default: E, meaning: str) -> E:
+        known = ", ".join(type(default))
+        value = self._declare(name, default.value, f"{meaning}: {known}")
+        try:
+            # `stamped:=true` arrives as a truth value.
+            return kind(str(value).lower())
+        except ValueError:
+            self._wrong(name, value, f"one of {known}")
+            return default
+
+    def _declare(self, name: str, default: Any, meaning: str) -> Any:
+        from rcl_interfaces.msg import ParameterDescriptor
+
+        # Typed here and not by rclpy, which takes no 20 for a 20.0 and says so with a traceback.
+        descriptor = ParameterDescriptor(description=meaning, read_only=True, dynamic_typing=True)
+        return self._node.declare_parameter(name, default, descriptor).value
+
+    def _wrong(self, name: str, value: Any, wanted: str) -> None:
+        self.problems.append(
+            Problem(f"parameter {name}: {value!r} is not {wanted}", hint=f"ros2 run ... -p {name}:=...")
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class NodeParameters:
+    """What the node ``intent_engine`` was told."""
+
+    grammar: tuple[str, ...]
+    locations: tuple[str, ...]
+    robot: RobotFile
+    """Limits, rates and policies; those of a robot file, with what parameters say in their place."""
+    stamped: Stamped
+    frame_id: str
+    navigation: NavigationWay
+    navigate_to_pose: str
+    """Name of the action."""
+    command_form: CommandForm
+    guardian: bool
+    """Whether the velocity is written by a process of its own."""
+    journal: str
+    """File; empty: none."""
+
+
+DEFAULT = RobotFile(
+    name="ros2",
+    file="",
+    limits=Limits(
+        linear_velocity=0.5,
+        angular_velocity=1.0,
+        distance=20.0,
+        angle=4 * math.pi,
+        duration=120.0,
+        over_each={"linear_velocity": OverLimit.CLAMP, "angular_velocity": OverLimit.CLAMP},
+    ),
+)
+"""A robot of which nothing is known: the tutorials' speed and no more."""
+
+
+def read_parameters(node: Any) -> NodeParameters:
+    """Declare the parameters of the node ``intent_engine`` and read them.
+
+    Raises:
+        ConfigError: with everything that is wrong.
+    """
+    declared = Parameters(node)
+    grammar = declared.texts("grammar", "en", "Grammar file, or the name of a shipped one")
+    locations = declared.texts("locations", "home", "Map file, or the name of a shipped one")
+    name = declared.text("robot", "", "Robot file, or the name of a shipped one; empty: the limits given here")
+    robot = DEFAULT
+    if name:
+        try:
+            robot = load_robot(find("robots", name))
+        except ConfigError as error:
+            declared.problems += error.problems
+    limits = replace(
+        robot.limits,
+        linear_velocity=declared.number("max_linear", robot.limits.linear_velocity, "m/s; faster is driven at this"),
+        angular_velocity=declared.number(
+            "max_angular", robot.limits.angular_velocity, "rad/s; faster is turned at this"
+        ),
+    )
+    rate = declared.number("rate", robot.rates.rate, "Hz at which velocities are published while the robot moves")
+    ttl = declared.number("ttl", robot.rates.valid_for, "s; a velocity that is not renewed for so long becomes zero")
+    rates = robot.rates
+    try:
+        rates = Rates(rate, ttl, robot.rates.zeros)
+    except ValueError as error:
+        declared.problems.append(Problem(f"parameters rate and ttl: {error}", hint="ttl must be longer than 1 / rate"))
+    expire = declared.number("expire_after", robot.expire_after, "s; text older than this is not acted on")
+    parameters = NodeParameters(
+        grammar=grammar,
+        locations=locations,
+        robot=replace(robot, limits=limits, rates=rates, expire_after=expire),
+        stamped=declared.choice("stamped", Stamped, Stamped.AUTO, "Twist, TwistStamped or what is subscribed to"),
+        frame_id=declared.text("frame_id", "base_link", "Frame of TwistStamped"),
+        navigation=declared.choice("navigation", NavigationWay, NavigationWay.AUTO, "How goals are given to Nav2"),
+        navigate_to_pose=declared.text("navigate_to_pose", "navigate_to_pose", "Name of Nav2's action"),
+        command_form=declared.choice(
+            "command_form", CommandForm, CommandForm.JSON, "How commands are published on voice_commands/command"
+        ),
+        guardian=declared.truth(
+            "guardian", True, "Write velocities from a process of its own, which outlives this one"
+        ),
+        journal=declared.text("journal", "", "File that every goal is written to, as JSON lines"),
+    )
+    if declared.problems:
+        raise ConfigError(declared.problems)
+    return parameters

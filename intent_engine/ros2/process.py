@@ -1,0 +1,92 @@
+"""The life of a process that is one node: signals, spinning, and an end in the right order."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import threading
+from collections.abc import Callable, Sequence
+from types import FrameType
+from typing import Any, Protocol
+
+from intent_engine.errors import IntentEngineError
+from intent_engine.execution.robots.ros2_support import import_rclpy
+
+__all__ = ["Room", "run_node"]
+
+EXIT_FAULT = 70
+"""A fault of ours (EX_SOFTWARE of sysexits.h), as the command line has it."""
+
+
+class Room(Protocol):
+    """What a node does; made with it, and closed while it is still spun."""
+
+    def close(self) -> None: ...
+
+
+def run_node(name: str, make: Callable[[Any, Callable[[], None]], Room], arguments: Sequence[str] | None = None) -> int:
+    """Run a node until SIGINT, SIGTERM or its own end; returns the exit code.
+
+    The order of the end is the point of this function. rclpy's own signal handlers close the middleware first, and then
+    no zero velocity can be sent and no navigation cancelled; so they are not used. What the node does is closed while
+    the node is still spun, then the spinning ends, then the middleware.
+
+    Args:
+        name: of the node, if it is not remapped.
+        make: makes what the node does, given the node and a function that ends the process.
+        arguments: of the command line, ``--ros-args`` among them; None: those of this process.
+
+    Raises:
+        RobotError: no ROS 2 in this Python.
+    """
+    rclpy = import_rclpy()
+    from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+    from rclpy.signals import SignalHandlerOptions
+
+    ending = threading.Event()
+
+    def end(number: int, frame: FrameType | None) -> None:
+        ending.set()
+
+    signals = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.signal(number, end) for number in signals]
+    context = rclpy.Context()
+    rclpy.init(args=arguments, context=context, signal_handler_options=SignalHandlerOptions.NO)
+    code = 0
+    node = rclpy.create_node(name, context=context)
+    try:
+        room = make(node, ending.set)
+    except IntentEngineError as error:
+        node.get_logger().fatal(str(error))
+        code = error.exit_code
+    else:
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+
+        def spin() -> None:
+            nonlocal code
+            try:
+                executor.spin()
+            except ExternalShutdownException:
+                pass
+            except Exception as error:  # a callback of ours raised what it should have caught
+                code = EXIT_FAULT
+                node.get_logger().fatal(f"the node failed: {type(error).__name__}: {error}; the robot is stopped")
+            finally:
+                ending.set()
+
+        thread = threading.Thread(target=spin, name="ros", daemon=True)
+        thread.start()
+        try:
+            ending.wait()
+        finally:
+            room.close()
+            executor.shutdown(timeout_sec=1.0)
+            thread.join(1.0)
+    finally:
+        with contextlib.suppress(Exception):
+            node.destroy_node()
+            context.shutdown()
+        for number, handler in zip(signals, before, strict=True):
+            signal.signal(number, handler)
+    return code
