@@ -17,6 +17,7 @@ from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.sampler import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
+from intent_engine.language.utterance import PhraseSet
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -103,6 +104,13 @@ class Matcher:
         ]
         self._indexes: dict[str, NameIndex] = {}
         self._index_lock = threading.Lock()
+        # Single words of these are closed to free slots already; phrases are only seen whole.
+        operators = grammar.operators
+        self._operators = PhraseSet(
+            words
+            for words in (*operators.stop, *operators.negation)
+            if len(words) > 1
+        )
         self._add_networks()
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
@@ -293,6 +301,11 @@ class Matcher:
 
     def _text(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         wrong = slot.without.intersection(said)
+        operator = self._operators.find(said) if self._operators.may_stand_in(said) else None
+        if operator is not None:
+            phrase = said[operator[0] : sum(operator)]
+            if not slot.allow.issuperset(phrase):
+                wrong = frozenset((" ".join(phrase),))
         if wrong:
             problem = f"{min(wrong)!r} is nothing for slot {slot.name!r}"
             return SlotReading(label, slot, start, end, None, 0.0, (), "unknown", problem)

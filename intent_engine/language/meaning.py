@@ -112,7 +112,7 @@ class Interpreter:
             return self._not_accepted(text, clause)
         if self._number_restarted(core):
             return self._rejected(text, "the number was said in two pieces; say it again")
-        return self._operated(text, core, state, clause)
+        return self._operated(text, said, core, state, clause)
 
     def _number_restarted(self, core: Utterance) -> bool:
         """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
@@ -124,7 +124,9 @@ class Interpreter:
         language = self._grammar.language
         return is_numeral(word) or (word in NUMBER_WORDS if language == "en" else is_number_word(word, language))
 
-    def _operated(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Interpretation:
+    def _operated(
+        self, text: str, said: Utterance, core: Utterance, state: Collection[str], clause: Clause | None
+    ) -> Interpretation:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
         if self._cancel.may_stand_in(words) and 0 < self._cancel.ends(words) < len(words):
@@ -144,7 +146,7 @@ class Interpreter:
         single = self._clause(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
             return self._accepted(text, single) if single.accepted else self._not_accepted(text, single)
-        if not negated and self._stop.may_stand_in(words) and self._stops_between(core, state):
+        if not negated and self._stop.may_stand_in(words) and self._stops_between(said, state):
             return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0)
         return self._not_understood(text, core, clause or single)
 
@@ -161,7 +163,7 @@ class Interpreter:
         start = self._skip(words, 0)
         if self._only_stops(words, start):
             return True
-        if MOVING in state and self._stop.at(words, start) and self._exact(words, state) is None:
+        if MOVING in state and self._stop.at(words, start) and not self._is_sentence(words, state):
             return True
         if self._corrected_after(words, start):
             return True
@@ -174,9 +176,14 @@ class Interpreter:
                 if self._corrected_after(words, position):
                     return True
                 ends = self._only_stops(words, position)
-                if ends and not self._sequenced(words, position) and self._exact(words, state) is None:
+                if ends and not self._sequenced(words, position) and not self._is_sentence(words, state):
                     return True
         return False
+
+    def _is_sentence(self, words: list[str], state: Collection[str]) -> bool:
+        """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place."""
+        clause = self._exact(words, state)
+        return clause is not None and (clause.accepted or clause.ambiguous)
 
     def _skip(self, words: list[str], position: int) -> int:
         """Past fillers, wake words and words of correction ("no stop", "hey robot stop")."""
@@ -231,21 +238,30 @@ class Interpreter:
             phrases.at(words, after) for phrases in (self._correction, self._cancel, self._negation)
         )
 
-    def _stops_between(self, core: Utterance, state: Collection[str]) -> bool:
+    def _stops_between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
-        words = core.words
-        for position in range(len(words)):
+        words = said.words
+        opened = 0
+        begin = position = self._skip(words, 0)
+        while position <= len(words):
             length = self._stop.at(words, position)
-            if not length or position + length == len(words) or self._sequenced(words, position):
+            if not length and position < len(words):
+                position += 1
                 continue
-            before = core.part(self._skip(words, 0), position)
-            before = before.part(0, len(before) - self._correction.ends(before.words))
-            if before.words and not (self._accepts(before, state) or self._compound(before, state)):
-                continue
-            after = core.part(position + length, len(words))
-            if self._accepts(after, state) or self._compound(after, state):
-                return True
-        return False
+            command = said.part(begin + self._sequence.at(words, begin), position)
+            for joint in (self._correction, self._sequence):
+                command = command.part(0, len(command) - joint.ends(command.words))
+            if not self._only_commands(command, state) and not self._only_commands(said.part(opened, position), state):
+                return False
+            opened = position
+            begin = position = position + max(length, 1)
+        return True
+
+    def _only_commands(self, part: Utterance, state: Collection[str]) -> bool:
+        """Whether a part between stop words is commands, or only fillers, and so no talk about something else."""
+        core = part.without(self._fillers)
+        known = not core.words or self._accepts(part, state) or self._accepts(core, state)
+        return known or self._compound(core, state) is not None
 
     def _negated_before(self, words: list[str], position: int) -> bool:
         return any(self._negation.at(words, back) == position - back for back in range(max(0, position - 3), position))
