@@ -115,7 +115,8 @@ def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
             name = reference.name
             if written.kind == "slot" and name in grammar.slots:
                 message = f"a value of slot {written.name!r} names the slot {name!r}; only phrases can stand there"
-                yield written.problem(message, did_you_mean(name, grammar.phrases), reference.column)
+                hint = "write the slot beside this one in the sentence"
+                yield written.problem(message, hint, reference.column)
             elif name not in known:
                 near = did_you_mean(name, known)
                 hint = near or (f"known: {_listed(known)}" if known else "define it under slots: or phrases:")

@@ -97,9 +97,9 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
         return ActionSpec("custom", name)
     if isinstance(spec, str):
         if spec not in ACTION_PARAMETERS:
-            own = f"for your own: action: {{type: custom, name: {spec}}}" if spec.isidentifier() else None
-            hint = did_you_mean(spec, ACTION_PARAMETERS) or own or f"one of: {', '.join(ACTION_PARAMETERS)}"
-            source.problem(path, f"no action is called {spec!r}", hint)
+            near = did_you_mean(spec, ACTION_PARAMETERS) or f"one of: {', '.join(ACTION_PARAMETERS)};"
+            own = f" for your own: action: {{type: custom, name: {spec}}}" if spec.isidentifier() else ""
+            source.problem(path, f"no action is called {spec!r}", near + own)
             parts.draft.partial.add(name)
             return ActionSpec("custom", name)
         return ActionSpec(spec, name if spec == "custom" else None)

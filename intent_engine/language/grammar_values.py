@@ -48,7 +48,7 @@ def value_problems(grammar: Grammar, intent: Intent, labels: set[str], places: P
         for label, value in condition.slots.items():
             if label not in labels and not _patterns(intent):
                 message = f"'when' asks for slot {label!r}, which no sentence has"
-                yield places.problem((*at, "slots", label), message, did_you_mean(label, labels), key=True)
+                yield places.problem((*at, "slots", label), message, _near(label, labels), key=True)
             else:
                 yield from _value(slots.get(label), value, (*at, "slots", label), places)
         yield from _defaults(intent, condition.defaults, labels, slots, (*at, "defaults"), places)
@@ -75,7 +75,7 @@ def _defaults(
 
 
 def _near(word: str, known: Iterable[str]) -> str:
-    return did_you_mean(word, known) or f"known: {', '.join(sorted(known))}"
+    return did_you_mean(word, known) or f"known: {', '.join(sorted(known)) or 'none'}"
 
 
 def _value(slot: Slot | None, value: Any, at: YamlPath, places: Places) -> Iterator[Problem]:
@@ -121,11 +121,13 @@ def _fixed(
 def _slots_of(grammar: Grammar, intent: Intent) -> dict[str, Slot]:
     """Label to slot, through phrases; the first of several that share a label."""
     found: dict[str, Slot] = {}
+    met: set[str] = set()
 
     def gather(reference: Reference) -> None:
         if reference.name in grammar.slots:
             found.setdefault(reference.label, grammar.slots[reference.name])
-        elif reference.name in grammar.phrases:
+        elif reference.name in grammar.phrases and reference.name not in met:
+            met.add(reference.name)
             for inner in references(grammar.phrases[reference.name]):
                 gather(inner)
 

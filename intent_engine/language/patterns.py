@@ -72,7 +72,9 @@ def _lark(text: str) -> _Compiled:
         found = re.search(r"line (\d+)", detail) or re.search(r"line (\d+)", str(error))
         hint = "see lark's grammar reference; names of rules are small, names of terminals CAPITAL"
         detail = re.sub(r",? at line \d+,? col(umn)? \d+.*| at line \d+.*", "", detail)
-        if "'start'" in detail:
+        if "zero-width" in detail:
+            detail, hint = "a pattern in it may be empty", "let each match a character at least: + instead of *"
+        elif "'start'" in detail:
             detail, hint = "it has no rule called start", "the first rule must be called start"
         return _Compiled(
             problem=(f"the lark grammar cannot be read: {detail}", hint), line=int(found[1]) if found else 0

@@ -140,8 +140,9 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     if raw is not None and "string" in wanted:
         if raw.lower() in _YAML_BOOLEANS:
             message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
-        return _at(source, path, message, f'quote it: "{raw}"' if raw else "something is missing after the ':'")
-    hint = None
+        sign = "-" if path and isinstance(path[-1], int) else ":"
+        return _at(source, path, message, f'quote it: "{raw}"' if raw else f"something is missing after the {sign!r}")
+    hint = "write lines of the form  key: value" if not path else None
     if raw == "":
         hint = "something is missing after the ':'"
     elif "array" in wanted and isinstance(instance, str):

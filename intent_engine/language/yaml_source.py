@@ -118,9 +118,7 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     except yaml.MarkedYAMLError as error:
         source.problems.append(_syntax_problem(error, source))
     except yaml.reader.ReaderError as error:
-        line = text.count("\n", 0, error.position)
-        message = f"holds a character that YAML does not allow: {error.character!r}"
-        source.problems.append(Problem(message, source.file, line + 1, hint="remove it"))
+        source.problems.append(_character_problem(error, text, source))
     except (yaml.YAMLError, ValueError) as error:
         source.problems.append(Problem(f"is not valid YAML: {error}", source.file))
     except RecursionError:
@@ -128,16 +126,30 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     return source
 
 
+def _character_problem(error: Any, text: str, source: YamlSource) -> Problem:
+    place = next((place for place, one in enumerate(text) if yaml.reader.Reader.NON_PRINTABLE.match(one)), 0)
+    message = f"holds a character that YAML does not allow: {text[place]!a}"
+    line, column = text.count("\n", 0, place), place - (text.rfind("\n", 0, place) + 1)
+    shown = text.split("\n")[line].rstrip("\r").replace(text[place], "\N{REPLACEMENT CHARACTER}")
+    return Problem(message, source.file, line + 1, column + 1, shown, "remove it")
+
+
 def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     """What the YAML parser says, at a line that there is, with what people usually did wrong there."""
     mark, opened = error.problem_mark or error.context_mark, error.context_mark
+    hint: str | None = None
+    if error.context == "while scanning a quoted scalar" and opened is not None:
+        message = "is not valid YAML: a quote that is opened here is never closed"
+        hint = "close it, or write the quote of a word as '' inside single quotes"
+        shown = source.lines[opened.line]
+        return Problem(message, source.file, opened.line + 1, opened.column + 1, shown, hint)
     line, column = (mark.line, mark.column) if mark else (0, 0)
     while line > 0 and (line >= len(source.lines) or not source.lines[line].strip()):
         line -= 1
         column = len(source.lines[line]) if line < len(source.lines) else 0
     shown = source.lines[line] if line < len(source.lines) else ""
     what = str(error.problem or error.context)
-    message, hint = f"is not valid YAML: {what}", None
+    message = f"is not valid YAML: {what}"
     indent = shown[: len(shown) - len(shown.lstrip())]
     if "\t" in indent:
         message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"

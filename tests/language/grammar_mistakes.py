@@ -1,0 +1,171 @@
+"""What people get wrong in grammar files. What they are told is in ``golden/grammar_mistakes.txt``."""
+
+from __future__ import annotations
+
+
+def wave(*lines: str, before: str = "") -> str:
+    """A grammar with one intent of its own, whose last lines are given."""
+    head = f"language: en\n{before}intents:\n  wave:\n    action: {{type: custom, name: wave}}\n"
+    return head + "".join(f"    {line}\n" for line in lines)
+
+
+def says(sentence: str, before: str = "") -> str:
+    return wave("sentences:", f"  - '{sentence}'", before=before)
+
+
+def slot(spec: str, sentence: str = "wave {it}") -> str:
+    return says(sentence, f"slots:\n  it: {spec}\n")
+
+
+def move(*lines: str, action: str = "move", sentence: str = "'go {direction} [{distance}] [at {speed}]'") -> str:
+    head = (
+        "language: en\nslots:\n  direction: {values: [forward, backward]}\n"
+        "  distance: {type: distance, min: 0.1 m, max: 5 m}\n  speed: {type: speed, max: 1 m/s}\n"
+        f"intents:\n  move:\n    action: {action}\n    sentences:\n      - {sentence}\n"
+    )
+    return head + "".join(f"    {line}\n" for line in lines)
+
+
+MISTAKES: dict[str, str | bytes] = {
+    # -- brackets and signs of sentences
+    "a bracket that is never closed": says("wave (at|to"),
+    "a bracket that closes nothing": says("wave at)"),
+    "brackets that cross": says("wave (at]"),
+    "an empty alternative": says("wave (at||to)"),
+    "an alternative without brackets that is empty": says("|wave"),
+    "an empty optional": says("wave []"),
+    "empty braces": says("wave {}"),
+    "a name of two words": says("wave {my slot}"),
+    "a semicolon outside brackets": says("wave; hand"),
+    "either and any order in the same brackets": says("(wave;nod|bow)"),
+    "seven parts in any order": says("(a;b;c;d;e;f;g)"),
+    "forty-one brackets": says("(" * 41 + "wave" + ")" * 41),
+    "the angles of another template language": says("wave at <name>"),
+    "the dollar of another template language": says("wave at $name"),
+    "a star for repetition": says("wave (again)*"),
+    "an underscore in a word": says("wave_hand"),
+    "punctuation alone": says("wave ..."),
+    "a sentence of spaces": says("  "),
+    "a sentence without a necessary word": says("[wave] [hand]"),
+    "a sentence of free text alone": slot("{type: text}", "[please] {it}"),
+    "the same slot twice in a sentence": slot("{type: text}", "from {it} to {it}"),
+    # -- names
+    "a misspelt slot": says("wave at {persn}", "slots:\n  person: text\n"),
+    "a misspelt phrase inside a phrase": says("{greet}", "phrases:\n  hi: (hi|hello)\n  greet: '{hii} there'\n"),
+    "nothing is defined": says("wave at {person}"),
+    "a slot inside a value of a slot": says("wave {how}", "slots:\n  who: text\n  how: {values: {at: 'at {who}'}}\n"),
+    "a phrase with a second name": says("{hi:hello}", "phrases:\n  hi: (hi|hello)\n"),
+    "a phrase that holds itself": says("{a}", "phrases:\n  a: 'x [{a}]'\n"),
+    "phrases in a circle": says("{a}", "phrases:\n  a: 'x {b}'\n  b: 'y {c}'\n  c: 'z [{a}]'\n"),
+    "a slot named like a phrase": says("{it}", "phrases:\n  it: this\nslots:\n  it: text\n"),
+    "a name with a space": "language: en\nintents:\n  my wave: {action: stop, sentences: [wave]}\n",
+    # -- YAML
+    "YAML's yes, no and on": wave("sentences: [yes, no, on]"),
+    "YAML's no as the language": says("wave").replace("language: en", "language: no"),
+    "YAML's yes in a choice": slot("{values: {agree: [yes, yeah], refuse: [no]}}"),
+    "a number for a sentence": wave("sentences: [42]"),
+    "nothing for a sentence": wave("sentences:", "  - wave", "  -"),
+    "nothing for the sentences": wave("sentences:"),
+    "an empty sentence": wave("sentences: ['']"),
+    "no list of sentences": wave("sentences: wave"),
+    "a colon in a sentence": wave("sentences:", "  - wave: at me"),
+    "a sentence that begins with a brace": wave("sentences:", "  - {go} there"),
+    "a sentence that begins with a bracket": wave("sentences:", "  - [please] wave"),
+    "a quote that is never closed": wave("sentences:", '  - "wave', "  - bow"),
+    "a bracket of YAML that is never closed": wave("sentences: [wave, bow"),
+    "a tab": "language: en\nintents:\n\twave: {}\n",
+    "a line that is indented too far": "language: en\nintents:\n  wave:\n    action: stop\n     sentences: [wave]\n",
+    "a key twice": wave("sentences: [wave]", "sentences: [bow]"),
+    "an intent twice": says("wave") + "  wave: {action: stop, sentences: [halt]}\n",
+    "two documents": says("wave") + "---\nlanguage: de\n",
+    "an alias that nobody named": wave("sentences: [*wave]"),
+    "an alias that holds itself": wave("sentences: &all [wave, *all]"),
+    "aliases that unfold without end": "".join(
+        f"{name}: &{name} [{', '.join([f'*{below}' if below else 'x'] * 20)}]\n"
+        for name, below in [("a", ""), ("b", "a"), ("c", "b"), ("d", "c"), ("e", "d")]
+    ),
+    "a list for the file": "- wave\n- bow\n",
+    "text for the file": "wave\n",
+    "nothing in the file": "",
+    "comments alone": "# language: en\n",
+    "Latin-1": says("wave at the café").encode("latin-1"),
+    "UTF-16": says("wave").encode("utf-16"),
+    "a picture": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(256)),
+    "a control character": says("wave \x07"),
+    # -- keys of the file
+    "a misspelt key": says("wave").replace("intents:", "intent:"),
+    "a misspelt key of an intent": wave("sentence: [wave]"),
+    "a misspelt key of a slot": slot("{type: distance, maximum: 3 m}"),
+    "a language in words": says("wave").replace("language: en", "language: English"),
+    "a language that is not known": says("wave").replace("language: en", "language: tlh"),
+    "no intents": "language: en\nfillers: [please]\n",
+    "an intent without an action": "language: en\nintents:\n  wave: {sentences: [wave]}\n",
+    "an intent without sentences": wave("description: nothing can be said"),
+    "fillers that are no list": says("wave", "fillers: please\n"),
+    "a filler that says no": says("wave", "fillers: [please, 'do not']\n"),
+    "a filler that stops": says("wave", "fillers: [please, 'stop it']\n"),
+    "sound-alikes of two words": says("wave", "sound_alikes: {the wave: [wave]}\n"),
+    "an include that is not there": says("wave", "include: [gramar/base.yaml]\n"),
+    "an include of a shipped grammar that is not there": says("wave", "include: [klingon]\n"),
+    "an include that includes itself": says("wave", "include: [grammar.yaml]\n"),
+    # -- slots
+    "a misspelt type": slot("{type: distnace}"),
+    "a misspelt type in short": slot("distnace"),
+    "a slot without a type": slot("{max_words: 2}"),
+    "a choice without values": slot("{type: choice}"),
+    "two values that are said alike": slot("{values: {small: [little, tiny], large: [big, little]}}"),
+    "a value that needs no word": slot("{values: {small: '[very] [small]', large: big}}"),
+    "a boolean that is neither": slot("{type: boolean, values: {open: [open], closed: [closed]}}"),
+    "values for a distance": slot("{type: distance, values: [one meter]}"),
+    "a limit for a choice": slot("{values: [a, b], max: 3}"),
+    "min larger than max": slot("{type: distance, min: 5 m, max: 10 cm}"),
+    "a limit in the wrong unit": slot("{type: distance, min: 5 kg}"),
+    "a limit in words that are no number": slot("{type: duration, max: long}"),
+    "a unit of something else": slot("{type: angle, unit: m}"),
+    "too many words": slot("{type: text, max_words: 40}"),
+    # -- actions and their values
+    "a misspelt action": move(action="mvoe"),
+    "an action of one's own without its type": move(action="dance"),
+    "a misspelt parameter": move(action="{type: move, distnce: '{distance}'}"),
+    "a parameter from a slot that no sentence has": move(action="{type: move, distance: '{far}'}"),
+    "a parameter from a slot of another kind": move(action="{type: move, distance: '{speed}'}"),
+    "a direction that no robot knows": move(action="{type: move, direction: sideways}"),
+    "directions in another language": move().replace("[forward, backward]", "{vor: [vor], zurück: [zurück]}"),
+    "navigation by free text": "language: en\nslots:\n  place: {type: text}\nintents:\n  go:\n"
+    "    action: {type: navigate, location: '{place}'}\n    sentences: ['go to {place}']\n",
+    "a sentence that cannot give what its action needs": "language: en\nintents:\n  go:\n    action: navigate\n"
+    "    sentences: ['go there']\n",
+    "a default that nothing takes": move("defaults: {sped: 0.3 m/s}"),
+    "a default in the wrong unit": move("defaults: {speed: 0.3 kg}"),
+    "a default above the slot's largest": move("defaults: {speed: 3 m/s}"),
+    "a default below the slot's smallest": move("defaults: {distance: 1 cm}"),
+    "a default that is no value": move("defaults: {direction: fwd}"),
+    "a condition on a slot that no sentence has": move("when: [{slots: {side: left}, defaults: {speed: 0.3}}]"),
+    "a condition on a value that there is not": move("when: [{slots: {direction: back}, defaults: {speed: 0.3}}]"),
+    "a fixed slot that nothing takes": move(sentence="{say: back up, slots: {dirction: backward}}"),
+    "a fixed slot in the wrong unit": move(sentence="{say: inch ahead, slots: {direction: forward, distance: 1 s}}"),
+    "a state that is required and excluded": wave("sentences: [wave]", "requires: [docked]", "excludes: [docked]"),
+    # -- sentences that meet
+    "the same sentence in two intents": says("wave") + "  bow:\n    action: stop\n    sentences: [wave]\n",
+    # -- patterns
+    "a regex with an open bracket": wave("regex: 'wave (at'"),
+    "a regex that looks ahead": wave("regex:", "  - 'bow'", "  - 'wave (?=at)'"),
+    "a regex that repeats too much": wave("regex: 'wave ((a{500}){500}){500}'"),
+    "a regex that fills no slot": wave("regex: 'wave at (?P<persn>.+)'", before="slots:\n  person: text\n"),
+    "a regex that fits everything": wave("regex: '(?P<it>.*)'", before="slots:\n  it: text\n"),
+    "a regex in capitals": wave("regex: 'Wave'"),
+    "a lark grammar that is none": wave("lark: |", '  start: "wave" person', "  person: (", ""),
+    "a lark rule that there is not": wave("lark: |", '  start: "wave" person'),
+    "a lark grammar without a start": wave("lark: |", '  begin: "wave"'),
+    "a lark grammar that fits everything": wave("lark: |", "  start: /.*/"),
+    # -- examples
+    "a misspelt result of an example": wave("sentences: [wave]", "examples:", "  - 'do not wave': rejcted"),
+    "an example with a slot that there is not": wave("sentences: [wave]", "examples:", "  - wave: {person: me}"),
+    "an example of two sentences": wave("sentences: [wave]", "examples:", "  - {wave: {}, bow: {}}"),
+    # -- many at once
+    "everything at once": move("defaults: {sped: 1}", "examples:", "  - yes", sentence="'go {driection} (now'").replace(
+        "max: 1 m/s", "max: 1 m"
+    )
+    + "  wave:\n    sentences: [wave]\n    action: custom\n    regexp: wave\n"
+    + "  bow: {action: bow, sentences: ['bow {who}']}\n",
+}
