@@ -5,7 +5,7 @@ BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test lint format types docs check bench clean
+.PHONY: help setup demo test test-ros2 lint format types docs check bench clean
 
 help: ## list the targets
 	@awk 'BEGIN {FS = ":.*## "} /^[a-z0-9-]+:.*## / {printf "  %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -24,6 +24,9 @@ demo: $(STAMP) ## play a spoken session on the simulated robot and draw its way 
 
 test: $(STAMP) ## run the whole test suite
 	$(BIN)/python -m pytest
+
+test-ros2: ## the tests that need ROS 2, in an environment of their own; skipped with the reason where there is none
+	@PYTHON=$(PYTHON) scripts/test_ros2.sh
 
 lint: $(STAMP) ## ruff, rules and format
 	$(BIN)/ruff check .

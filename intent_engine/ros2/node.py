@@ -52,6 +52,7 @@ class VoiceCommands:
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
         )
+        self._warm_up()
         self._commands = node.create_publisher(String, "voice_commands/command", 10)
         self._status = node.create_publisher(String, "voice_commands/status", 50)
         self.robot = Ros2Robot(
@@ -163,6 +164,13 @@ class VoiceCommands:
         if clock is not None:
             clock.on_reset = executor.stop
         return executor
+
+    def _warm_up(self) -> None:
+        """The automaton is worked out where sentences go for the first time: better now than at the first command."""
+        for grammar in self.engine.grammars:
+            for intent in grammar.intents.values():
+                for example in intent.examples:
+                    self.engine.parse(example.text, language=grammar.language)
 
     def _state(self) -> Collection[str]:
         linear, angular = self.executor.snapshot().velocity

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from types import FrameType
 from typing import Any, Protocol
 
-from intent_engine.errors import IntentEngineError
+from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.execution.robots.ros2_support import import_rclpy
 
 __all__ = ["Room", "run_node"]
@@ -51,9 +51,14 @@ def run_node(name: str, make: Callable[[Any, Callable[[], None]], Room], argumen
     signals = (signal.SIGINT, signal.SIGTERM)
     before = [signal.signal(number, end) for number in signals]
     context = rclpy.Context()
-    rclpy.init(args=arguments, context=context, signal_handler_options=SignalHandlerOptions.NO)
     code = 0
-    node = rclpy.create_node(name, context=context)
+    try:
+        rclpy.init(args=arguments, context=context, signal_handler_options=SignalHandlerOptions.NO)
+        node = rclpy.create_node(name, context=context)
+    except Exception as error:  # rclpy has an exception for each mistake in a ROS argument, of no common kind
+        raise ConfigError(
+            Problem(f"--ros-args: {str(error).strip()}", hint="ros2 run ... --ros-args -p name:=value")
+        ) from None
     try:
         room = make(node, ending.set)
     except IntentEngineError as error:

@@ -1,0 +1,162 @@
+"""What the tests stand on: the node in a process of its own, and a program that speaks and listens to it."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import rclpy
+from geometry_msgs.msg import Twist, TwistStamped
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from std_msgs.msg import Bool, String
+
+from intent_engine.execution.robots.ros2_support import own_node
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+_names = itertools.count(1)
+LIMIT = 20.0
+"""s after which a test that waits is broken; no test asserts how long something took."""
+
+
+def until(condition: Callable[[], object], what: str = "") -> None:
+    """Wait for something that must happen."""
+    end = time.monotonic() + LIMIT
+    while not condition():
+        assert time.monotonic() < end, f"did not happen within {LIMIT:g} s: {what or condition}"
+        time.sleep(0.005)
+
+
+class Peer:
+    """A node in this process: publishes text, and remembers everything that it hears, in order."""
+
+    def __init__(self, stamped: bool | None = False) -> None:
+        self.namespace = f"/test{os.getpid()}_{next(_names)}"
+        self.context, self.node = own_node("peer", self.namespace)
+        self.twists: list[tuple[float, float]] = []
+        """m/s and rad/s"""
+        self.frames: list[str] = []
+        self.commands: list[str] = []
+        self.status: list[dict] = []
+        if stamped is not None:
+            self.listen(TwistStamped if stamped else Twist)
+        self.node.create_subscription(String, "voice_commands/command", lambda m: self.commands.append(m.data), 50)
+        self.node.create_subscription(
+            String, "voice_commands/status", lambda m: self.status.append(json.loads(m.data)), 500
+        )
+        self.text = self.node.create_publisher(String, "voice_commands/text", 10)
+        self.hold = self.node.create_publisher(Bool, "voice_commands/hold", 10)
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self.thread = threading.Thread(target=self._spin, daemon=True)
+        self.thread.start()
+
+    def _spin(self) -> None:
+        with contextlib.suppress(ExternalShutdownException):
+            self.executor.spin()
+
+    def listen(self, kind: type, topic: str = "cmd_vel") -> None:
+        self.node.create_subscription(kind, topic, self._heard, 100)
+
+    def _heard(self, message) -> None:
+        if isinstance(message, TwistStamped):
+            self.frames.append(message.header.frame_id)
+            message = message.twist
+        self.twists.append((round(message.linear.x, 6), round(message.angular.z, 6)))
+
+    def meet(self) -> None:
+        """Wait until the node and its velocity process are connected."""
+        until(lambda: self.text.get_subscription_count() >= 1, "the node subscribes to text")
+        until(lambda: self.node.count_publishers(f"{self.namespace}/voice_commands/status") >= 1)
+        until(lambda: self.node.count_publishers(f"{self.namespace}/cmd_vel") >= 2, "both publish velocities")
+
+    def say(self, text: str) -> None:
+        self.text.publish(String(data=text))
+
+    def moving(self) -> bool:
+        return bool(self.twists) and any(self.twists[-1])
+
+    def standing(self) -> bool:
+        return bool(self.twists) and not any(self.twists[-1])
+
+    def goals(self, state: str) -> list[dict]:
+        return [each for each in list(self.status) if each["event"] == "goal" and each["state"] == state]
+
+    def heard_texts(self) -> list[str]:
+        return [e["interpretation"]["text"] for e in list(self.status) if e["event"] == "interpretation"]
+
+    def forget(self) -> None:
+        """Stop the robot, wait for silence, and begin with empty lists."""
+        self.say("stop")
+        until(lambda: "stop" in self.heard_texts())
+        time.sleep(0.25)
+        for each in (self.twists, self.frames, self.commands, self.status):
+            each.clear()
+
+    def __enter__(self) -> Peer:
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.executor.shutdown(timeout_sec=1.0)
+        self.thread.join(2.0)
+        self.node.destroy_node()
+        rclpy.shutdown(context=self.context)
+
+
+class NodeProcess:
+    """A node of ours, started as its script starts it."""
+
+    def __init__(self, peer: Peer, *arguments: str, module: str = "intent_engine.ros2.node", **parameters) -> None:
+        given = [part for name, value in parameters.items() for part in ("-p", f"{name}:={_yaml(value)}")]
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", module, "--ros-args", "-r", f"__ns:={peer.namespace}", *given, *arguments],
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.output = ""
+
+    @property
+    def pid(self) -> int:
+        return self.process.pid
+
+    def children(self) -> list[int]:
+        return [int(pid) for pid in Path(f"/proc/{self.pid}/task/{self.pid}/children").read_text().split()]
+
+    def end(self, number: int = signal.SIGTERM) -> int:
+        self.process.send_signal(number)
+        return self.wait()
+
+    def wait(self) -> int:
+        self.output = self.process.communicate(timeout=LIMIT)[0]
+        return self.process.returncode
+
+    def __enter__(self) -> NodeProcess:
+        return self
+
+    def __exit__(self, *_) -> None:
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGCONT)
+            self.end()
+
+
+def _yaml(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def alive(pid: int) -> bool:
+    """Whether a process runs."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().split(") ")[1][0] != "Z"
+    except OSError:
+        return False

@@ -1,0 +1,252 @@
+"""Every way in which the node ends, or hangs, or is late: the robot stands."""
+
+from __future__ import annotations
+
+import json
+import signal
+import time
+
+import pytest
+
+pytestmark = pytest.mark.ros2
+
+
+def driving(peer, **parameters):
+    """A node that drives 20 m."""
+    from ros_stage import NodeProcess, until
+
+    node = NodeProcess(peer, **parameters)
+    peer.meet()
+    peer.say("go forward twenty meters")
+    until(peer.moving)
+    return node
+
+
+def stays_still(peer) -> bool:
+    """Whether nothing but zero comes after the first zero, and the node's processes have had time to say otherwise."""
+    time.sleep(0.5)
+    zeros = len(peer.twists) - next(i for i, twist in enumerate(reversed(peer.twists)) if any(twist))
+    return not any(any(twist) for twist in peer.twists[zeros:]) and peer.standing()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_clean_end_leaves_zero_and_no_process(peer, number):
+    from ros_stage import alive, until
+
+    node = driving(peer)
+    children = node.children()
+    assert children  # the velocity's own process
+    assert node.end(number) == 0, node.output
+    until(peer.standing)
+    assert stays_still(peer)
+    until(lambda: not any(alive(pid) for pid in children))
+    assert "Traceback" not in node.output
+
+
+def test_a_killed_node_leaves_zero(peer):
+    from ros_stage import alive, until
+
+    node = driving(peer)
+    children = node.children()
+    node.process.kill()
+    until(peer.standing)
+    assert stays_still(peer)
+    node.wait()
+    until(lambda: not any(alive(pid) for pid in children))
+
+
+def test_a_frozen_node_leaves_zero(peer):
+    from ros_stage import until
+
+    with driving(peer) as node:
+        node.process.send_signal(signal.SIGSTOP)
+        until(peer.standing)
+        assert stays_still(peer)
+        node.process.send_signal(signal.SIGCONT)
+        until(lambda: peer.goals("aborted"))
+        assert peer.goals("aborted")[0]["reason"] == "watchdog"
+        assert stays_still(peer)
+
+
+def test_a_killed_velocity_process_leaves_zero(peer):
+    import os
+
+    from ros_stage import until
+
+    with driving(peer) as node:
+        (child,) = node.children()
+        os.kill(child, signal.SIGKILL)
+        until(peer.standing)
+        until(lambda: peer.goals("aborted"))
+        assert peer.goals("aborted")[0]["reason"] == "velocity_loop"
+        assert stays_still(peer)
+
+
+def test_without_a_guardian_the_end_leaves_zero_too(peer):
+    from ros_stage import NodeProcess, until
+
+    node = NodeProcess(peer, guardian=False)
+    until(lambda: peer.text.get_subscription_count() >= 1)
+    until(lambda: peer.node.count_publishers(f"{peer.namespace}/cmd_vel") >= 1)
+    peer.say("go forward twenty meters")
+    until(peer.moving)
+    assert node.children() == []
+    assert node.end() == 0
+    until(peer.standing)
+    assert stays_still(peer)
+
+
+def test_text_that_waited_too_long_is_not_acted_on_but_a_stop_is(peer):
+    from ros_stage import NodeProcess, until
+
+    with NodeProcess(peer, expire_after=0.5) as node:
+        peer.meet()
+        time.sleep(0.2)
+        node.process.send_signal(signal.SIGSTOP)
+        peer.say("go forward one meter")
+        peer.say("stop")
+        time.sleep(1.0)
+        node.process.send_signal(signal.SIGCONT)
+        until(lambda: peer.goals("rejected") and peer.goals("succeeded"))
+        assert peer.goals("rejected")[0]["reason"] == "expired"
+        assert peer.goals("succeeded")[0]["action"] == {"type": "stop"}
+        assert not any(any(twist) for twist in peer.twists)
+
+
+def test_simulated_time(peer):
+    """A second is a second of the simulator: none goes by while it stands still."""
+    from builtin_interfaces.msg import Time
+    from ros_stage import NodeProcess, until
+    from rosgraph_msgs.msg import Clock
+
+    now = [100.0]
+    clock = peer.node.create_publisher(Clock, "/clock", 1)
+
+    def tick(seconds: float) -> None:
+        now[0] += seconds
+        clock.publish(Clock(clock=Time(sec=int(now[0]), nanosec=int(now[0] % 1 * 1e9))))
+
+    with NodeProcess(peer, use_sim_time=True) as node:
+        until(lambda: clock.get_subscription_count() and peer.text.get_subscription_count())
+        until(lambda: peer.node.count_publishers(f"{peer.namespace}/cmd_vel") >= 1)
+        assert node.children() == []
+        for _ in range(10):
+            tick(0.01)
+            time.sleep(0.02)
+        peer.say("go forward one meter")  # 2 s
+        until(peer.moving)
+        time.sleep(0.5)
+        assert not peer.goals("succeeded")
+        for _ in range(19):
+            tick(0.1)
+            time.sleep(0.02)
+        assert not peer.goals("succeeded")
+        for _ in range(3):
+            tick(0.1)
+            time.sleep(0.02)
+        until(lambda: peer.goals("succeeded"))
+        # The simulator is reset in the middle of a motion: the robot is stopped, and can be told to move again.
+        peer.say("go forward one meter")
+        until(lambda: len(peer.goals("executing")) == 2)
+        tick(-50.0)
+        until(lambda: peer.goals("canceled"))
+        until(peer.standing)
+        tick(0.1)
+        peer.say("turn left")
+        until(lambda: len(peer.goals("executing")) == 3)
+
+
+def test_stamped_by_parameter():
+    from ros_stage import NodeProcess, Peer, until
+
+    with Peer(stamped=True) as stamped, NodeProcess(stamped, stamped=True, frame_id="base_footprint"):
+        stamped.meet()
+        stamped.say("turn left ten degrees")
+        until(lambda: stamped.goals("succeeded"))
+        assert (0.0, 0.5) in stamped.twists
+        assert set(stamped.frames) == {"base_footprint"}
+
+
+def test_what_is_subscribed_to_is_what_is_sent():
+    """The base comes up after the node, and takes TwistStamped."""
+    from geometry_msgs.msg import TwistStamped
+    from ros_stage import NodeProcess, Peer, until
+
+    with Peer(stamped=None) as late, NodeProcess(late):
+        until(lambda: late.text.get_subscription_count() >= 1)
+        until(lambda: late.node.count_publishers(f"{late.namespace}/cmd_vel") >= 2)
+        kinds = lambda: {  # noqa: E731
+            info.topic_type for info in late.node.get_publishers_info_by_topic(f"{late.namespace}/cmd_vel")
+        }
+        assert kinds() == {"geometry_msgs/msg/Twist"}
+        late.listen(TwistStamped)
+        until(lambda: kinds() == {"geometry_msgs/msg/TwistStamped"})
+        late.say("turn left ten degrees")
+        until(lambda: late.goals("succeeded"))
+        assert (0.0, 0.5) in late.twists
+
+
+def test_names_can_be_remapped_and_commands_have_the_form_of_the_tutorials(peer):
+    from geometry_msgs.msg import Twist
+    from ros_stage import NodeProcess, until
+
+    peer.listen(Twist, "base/cmd")
+    with NodeProcess(peer, "-r", "cmd_vel:=base/cmd", "-r", "__node:=ears", command_form="tutorial", rate=10) as node:
+        until(lambda: peer.text.get_subscription_count() >= 1)
+        until(lambda: peer.node.count_publishers(f"{peer.namespace}/base/cmd") >= 2)
+        peer.say("go to the kitchen")
+        until(lambda: peer.goals("aborted"))
+        peer.say("turn left ten degrees")
+        until(lambda: peer.goals("succeeded"))
+        assert peer.commands == ["navigate:go to the kitchen", "turn:turn left ten degrees"]
+        assert (0.0, 0.5) in peer.twists
+        assert "ears" in peer.node.get_node_names()
+        assert node.end() == 0
+    assert "/base/cmd" in node.output
+
+
+def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
+    from ros_stage import NodeProcess
+
+    node = NodeProcess(
+        peer, max_linear=-1, rate=2, ttl=0.1, stamped="maybe", guardian=3, max_angular="fast", robot="nonesuch"
+    )
+    assert node.wait() == 2
+    for name in ("max_linear: -1 is not a number above zero", "rate and ttl", "stamped: 'maybe'", "guardian: 3",
+                 "max_angular: 'fast'", "nonesuch"):  # fmt: skip
+        assert name in node.output
+    assert "Traceback" not in node.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "said"),
+    [
+        (["-p", "grammar:=no_such.yaml"], 2, "no_such.yaml"),
+        (["-p", "navigation:=action"], 6, "nav2_msgs is not installed"),
+        (["-p", "broken"], 2, "broken"),
+        (["-r", "cmd_vel:=not a name"], 2, "not a name"),
+    ],
+)
+def test_other_mistakes_end_it_with_a_reason(peer, arguments, code, said):
+    from ros_stage import NodeProcess
+
+    node = NodeProcess(peer, *arguments)
+    assert node.wait() == code, node.output
+    assert said in node.output
+    assert "Traceback" not in node.output
+
+
+def test_a_robot_file_and_a_journal(peer, tmp_path):
+    from ros_stage import NodeProcess, until
+
+    path = tmp_path / "journal.jsonl"
+    with NodeProcess(peer, robot="turtlebot3", journal=path, max_angular=0.25):
+        peer.meet()
+        peer.say("go forward ten centimeters")
+        until(lambda: peer.goals("succeeded"))
+        assert max(twist[0] for twist in peer.twists) <= 0.22
+        peer.say("turn left ten degrees")
+        until(lambda: len(peer.goals("succeeded")) == 2)
+        assert max(twist[1] for twist in peer.twists) <= 0.25
+    lines = [json.loads(line) for line in path.read_text().splitlines()]
+    assert any(line.get("text") == "go forward ten centimeters" for line in lines)

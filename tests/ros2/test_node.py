@@ -1,0 +1,131 @@
+"""Text in, velocities out: the node in its own process, as it is started."""
+
+from __future__ import annotations
+
+import json
+import time
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+
+pytestmark = pytest.mark.ros2
+
+
+@pytest.fixture
+def talk(driven):
+    """The shared peer, with nothing left of the test before."""
+    peer, _ = driven
+    peer.forget()
+    return peer
+
+
+@pytest.fixture(scope="module")
+def engine(root):
+    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
+
+
+def until(condition, what=""):
+    from ros_stage import until as wait
+
+    wait(condition, what)
+
+
+def test_text_drives(talk, engine):
+    talk.say("go forward half a meter")
+    until(lambda: talk.goals("succeeded"))
+    until(talk.standing)
+    driven = [twist for twist in talk.twists if any(twist)]
+    assert set(driven) == {(0.5, 0.0)}
+    assert len(driven) >= 10  # 1 s at 20 Hz, on a machine that has other things to do
+    until(lambda: talk.twists[-3:] == [(0.0, 0.0)] * 3)
+    (command,) = talk.commands
+    assert json.loads(command) == engine.parse("go forward half a meter").to_json()
+
+
+def test_a_turn_to_the_right_is_negative(talk):
+    talk.say("turn right ten degrees")
+    until(lambda: talk.goals("succeeded"))
+    assert {twist for twist in talk.twists if any(twist)} == {(0.0, -0.5)}
+
+
+def test_stop_text_stops_and_nothing_follows(talk):
+    talk.say("go forward five meters")
+    until(talk.moving)
+    talk.say("stop")
+    until(talk.standing)
+    first_zero = talk.twists.index((0.0, 0.0))
+    time.sleep(0.3)
+    assert not any(any(twist) for twist in talk.twists[first_zero:])
+    assert [goal["reason"] for goal in talk.goals("canceled")] == ["stop"]
+
+
+def test_what_is_no_command_moves_nothing(talk):
+    for text in ["don't move forward", "I was going to go to the kitchen", "", "  ", "vorwärts ☃", "x " * 5000, "\0"]:
+        talk.say(text)
+    talk.say("turn left")
+    until(lambda: talk.goals("executing"))
+    assert [json.loads(command)["intent"] for command in talk.commands] == ["turn"]
+    statuses = [e["interpretation"]["status"] for e in talk.status if e["event"] == "interpretation"]
+    assert "accepted" not in statuses[:-1]
+
+
+def test_a_newer_command_takes_the_place_of_the_older(talk):
+    talk.say("go forward five meters")
+    until(talk.moving)
+    talk.say("turn left")
+    until(lambda: talk.twists and talk.twists[-1] == (0.0, 0.5))
+    assert [goal["reason"] for goal in talk.goals("canceled")] == ["preempted"]
+
+
+def test_several_commands_in_one_sentence(talk):
+    talk.say("go forward ten centimeters then turn left ten degrees")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    moved = [twist for twist in talk.twists if any(twist)]
+    assert list(dict.fromkeys(moved)) == [(0.5, 0.0), (0.0, 0.5)]
+
+
+def test_faster_than_allowed_is_driven_at_the_limit_and_said(talk):
+    talk.say("go forward 10 centimeters at 2 meters per second")
+    until(lambda: talk.goals("succeeded"))
+    assert {twist for twist in talk.twists if any(twist)} == {(0.5, 0.0)}
+    assert "cut from 2 to 0.5 m/s" in talk.goals("succeeded")[0]["detail"]
+
+
+def test_a_robot_without_an_arm_refuses_to_pick(talk):
+    talk.say("pick up the bottle")
+    until(lambda: talk.goals("rejected"))
+    assert talk.goals("rejected")[0]["reason"] == "capability"
+
+
+def test_navigation_without_a_server_says_so(talk):
+    talk.say("go to the kitchen")
+    until(lambda: talk.goals("aborted"))
+    assert "is the navigation running" in talk.goals("aborted")[0]["detail"]
+
+
+def test_stop_service(talk):
+    from std_srvs.srv import Trigger
+
+    client = talk.node.create_client(Trigger, "stop")
+    until(client.service_is_ready)
+    talk.say("go forward five meters")
+    until(talk.moving)
+    answer = client.call_async(Trigger.Request())
+    until(answer.done)
+    assert answer.result().success
+    until(talk.standing)
+    talk.node.destroy_client(client)
+
+
+def test_hold_and_release(talk):
+    from std_msgs.msg import Bool
+
+    talk.say("go forward one meter")
+    until(talk.moving)
+    talk.hold.publish(Bool(data=True))
+    until(talk.standing)
+    assert not talk.goals("canceled")
+    talk.hold.publish(Bool(data=False))
+    until(talk.moving)
+    until(lambda: talk.goals("succeeded"))
