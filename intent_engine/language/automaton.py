@@ -183,6 +183,7 @@ class Automaton:
         free = word not in self._closed
         alikes = self._alikes.get(word, ())
         onward: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
+        guessed: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
         swallowed: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
         for index, (place, stack) in enumerate(state.members):
             for target in place.arcs.get(word, ()):
@@ -193,14 +194,14 @@ class Automaton:
                 onward.extend((target, stack, index, ()) for target in place.number)
             for meant in alikes:
                 for target in place.arcs.get(meant, ()):
-                    onward.append((target, stack, index, (("alike", meant),)))
+                    guessed.append((target, stack, index, (("alike", meant),)))
             if free or word in place.allowed:
                 swallowed.extend((target, stack, index, ()) for target in place.wild)
-        if not onward and not swallowed:
+        if not (onward or guessed or swallowed):
             return None
-        # A word of the grammar is read as such before a free slot takes it: "the cup from the table" is a thing and
-        # where it is, "lift up the cup" no "up the cup".
-        return self._close(onward + swallowed)
+        # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from
+        # the table" is a thing and where it is, "lift up the cup" no "up the cup".
+        return self._close(onward + guessed + swallowed)
 
     def _close(
         self, entries: list[tuple[State, _Stack, int, tuple[Mark, ...]]]

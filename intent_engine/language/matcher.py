@@ -106,11 +106,8 @@ class Matcher:
         self._index_lock = threading.Lock()
         # Single words of these are closed to free slots already; phrases are only seen whole.
         operators = grammar.operators
-        self._operators = PhraseSet(
-            words
-            for words in (*operators.stop, *operators.negation)
-            if len(words) > 1
-        )
+        changing = (*operators.stop, *operators.negation, *operators.correction, *operators.cancel)
+        self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._add_networks()
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
@@ -294,16 +291,18 @@ class Matcher:
         if slot.type in QUANTITY_KINDS:
             return self._quantity(slot, label, words[start:end], start, end)
         if slot.type in ("text", "object"):
-            return self._text(slot, label, words[start:end], start, end)
+            return self._text(slot, label, words, start, end)
         if not loosely:
             return SlotReading(label, slot, start, end, value)
         return self._name(slot, label, words[start:end], start, end)
 
-    def _text(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+    def _text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
+        said = words[start:end]
         wrong = slot.without.intersection(said)
-        operator = self._operators.find(said) if self._operators.may_stand_in(said) else None
+        # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
+        operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
         if operator is not None:
-            phrase = said[operator[0] : sum(operator)]
+            phrase = words[operator[0] : sum(operator)]
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         if wrong:

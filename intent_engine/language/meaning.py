@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.action_builder import CannotActError, build_action
-from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.matcher import Matcher, Reading, SlotReading
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.patterns import Patterns
-from intent_engine.language.quantities import Relative, is_number_word, is_numeral
+from intent_engine.language.quantities import Relative, evaluate, is_number_word, is_numeral
+from intent_engine.language.sampler import own_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 
 if TYPE_CHECKING:
@@ -29,6 +31,7 @@ MAX_WORDS = 80
 MAX_CHARACTERS = 2_000
 MAX_PARTS = 8
 """Commands in one utterance."""
+_WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "ordinal"))
 MOVING = "moving"
 """The robot state in which any utterance that begins with a stop word stops it."""
 
@@ -60,6 +63,9 @@ class Interpreter:
         self._patterns = Patterns(grammar)
         operators = grammar.operators
         self._fillers = PhraseSet(grammar.fillers)
+        own = own_words(grammar)
+        self._idle = PhraseSet(words for words in grammar.fillers if not own.issuperset(words))
+        """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
         self._wake = PhraseSet(grammar.wake)
         self._stop = PhraseSet(operators.stop)
         self._negation = PhraseSet(operators.negation)
@@ -97,13 +103,16 @@ class Interpreter:
                 return self._rejected(text, f"did not begin with {' '.join(self._grammar.wake[0])!r}")
             said = woken or said
         clause = self._exact(said.words, state)
-        if clause is not None and clause.accepted:
-            return self._accepted(text, clause)
         core = said.without(self._fillers)
+        free = clause.reading is not None and clause.reading.free_words > 0 if clause is not None else False
+        if clause is not None and clause.accepted and (core is said or not free):
+            return self._accepted(text, clause)  # else the fillers may stand in free words: "the cup please"
         if not core.words:
             return self._rejected(text, "no command in it")
         if core is not said and not self._number_restarted(core):
             again = self._exact(core.words, state)
+            if again is None and self._idle is not self._fillers:
+                again = self._exact(said.without(self._idle).words, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
@@ -485,11 +494,16 @@ class Interpreter:
             return meant if whole else None
         kept: dict[int, dict[tuple[Any, ...], list[str]]] = {}
         first = next((reading for reading in self.matcher.read(said) if not reading.problem), None)
-        for words, count in self._replacements(said, meant, first, whole) if first is not None else ():
+        for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
             old = first.values()
             for reading in self.matcher.read(words)[:1]:
                 if reading.problem or reading.intent is not first.intent:
+                    continue
+                touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
+                if label is not None and label not in (slot.label for slot in touched):
+                    continue
+                if any(self._grafted(slot, at, meant, whole) for slot in touched):
                     continue
                 new = reading.values()
                 if set(new) != set(old) or sum(old[label] != value for label, value in new.items()) > 1:
@@ -507,7 +521,9 @@ class Interpreter:
 
     def _replacements(
         self, said: list[str], meant: list[str], reading: Reading, whole: bool
-    ) -> Iterator[tuple[list[str], int]]:
+    ) -> Iterator[tuple[list[str], int, int, str | None]]:
+        """Each way to put ``meant`` into ``said``: the words, how many of the old are kept, where the new ones begin,
+        and the slot that they are for."""
         within: set[int] = set()
         for slot in reading.slots:
             if slot.slot.type in ("text", "object"):
@@ -517,10 +533,25 @@ class Interpreter:
             else:
                 ends = list(range(slot.end, slot.start, -1))
             for end in ends:
-                yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start)
+                yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start), slot.start, slot.label
         for start in range(len(said) - 1, 0, -1):
             if start not in within:
-                yield said[:start] + meant, start
+                yield said[:start] + meant, start, start, None
+
+    def _grafted(self, slot: SlotReading, at: int, meant: list[str], whole: bool) -> bool:
+        """Whether a slot would hold what was said and what was meant as one: "point" + "20 degrees per second".
+
+        A number alone may take the unit that was said before ("two meters, no, three"), a value with its unit takes
+        the place of all. Free words take nothing over, and never hold what is a command by itself.
+        """
+        mixed = slot.start < at or slot.end > at + len(meant)
+        if slot.slot.type in ("text", "object"):
+            return mixed or whole
+        if not mixed:
+            return False
+        if slot.slot.type in QUANTITY_KINDS:
+            return any(evaluate(meant, kind, self._grammar.language) is not None for kind in _WITH_UNITS)
+        return self.matcher.slot_from_words(slot.slot, slot.label, meant).status == "exact"
 
     def _whole(self, words: list[str], state: Collection[str]) -> bool:
         clause = self._exact(words, state)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample", "spellings"]
+__all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "own_words", "sample", "spellings"]
 
 T = TypeVar("T")
 
@@ -132,6 +132,7 @@ class Sampler:
         locations: the map whose names are said.
         state: states that the robot is in.
         texts: slot name to what is said for it, for text slots.
+        without: intents that are left out.
     """
 
     def __init__(
@@ -141,11 +142,13 @@ class Sampler:
         *,
         state: Collection[str] = (),
         texts: Mapping[str, Sequence[str]] | None = None,
+        without: Collection[str] = (),
     ) -> None:
         self.grammar = grammar
         self.locations = locations
         self._state = frozenset(state)
         self._texts = dict(texts or {})
+        self._without = frozenset(without)
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
         self._said: dict[str, Sequence[Sequence[_Said]]] = {}
@@ -155,7 +158,7 @@ class Sampler:
         """The intents that can be said in this state, each with its sentences; the shortest first."""
         found: dict[str, tuple[Sentence, ...]] = {}
         for intent in self.grammar.intents.values():
-            if intent.requires - self._state or intent.excludes & self._state:
+            if intent.requires - self._state or intent.excludes & self._state or intent.name in self._without:
                 continue
             sayable = [item for item in intent.sentences if math.isfinite(self.length(item.template))]
             if sayable:
@@ -333,12 +336,16 @@ class Sampler:
             operators.sequence, operators.contrast, operators.stop,
         ):  # fmt: skip
             found.update(word for phrase in phrases for word in phrase)
-        nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
-        nodes.extend(grammar.phrases.values())
-        nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
-        for node in nodes:
-            found.update(_literal(node))
+        found.update(own_words(grammar))
         return frozenset(found)
+
+
+def own_words(grammar: Grammar) -> frozenset[str]:
+    """The words that the grammar's sentences, phrases and choices are written in."""
+    nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+    nodes.extend(grammar.phrases.values())
+    nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
+    return frozenset(word for node in nodes for word in _literal(node))
 
 
 def _one(choices: Choices, count: int) -> int:

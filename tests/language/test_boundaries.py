@@ -44,3 +44,34 @@ def test_each_word_belongs_to_one_part(engine, text, slots):
     assert set(found.slots) == set(slots)
     for label, value in slots.items():
         assert found.slots[label] == (value if isinstance(value, str) else pytest.approx(value))
+
+
+@pytest.mark.parametrize(
+    ("text", "slots"),
+    [
+        # Fillers stand in no free words, and take nothing from a sentence that needs them.
+        ("pick up uh the cup please", {"thing": "cup"}),
+        ("put the um cup on like the table", {"thing": "cup", "target": "table"}),
+        ("wait for me uh in the kitchen", {"place": "kitchen"}),
+        ("okay turn about", {"side": "left", "angle": math.pi}),
+        # A value with its unit takes the place of all that was said before, a number alone that of the number.
+        ("back up point seven five meters no three meters", {"direction": "backward", "distance": 3.0}),
+        ("go forward for 1 minute and 45 seconds oh no three minutes", {"direction": "forward", "duration": 180.0}),
+        ("go forward two meters no three", {"direction": "forward", "distance": 3.0}),
+        ("spin anti clockwise no clockwise", {"side": "right"}),
+        # Free words hold no command that is meant instead, and no words that take something back.
+        ("pick the hammer up, no, pick up the box", {"thing": "box"}),
+        ("check on the ball, scratch that, go to the dock", {"place": "dock"}),
+    ],
+)
+def test_fillers_and_corrections_touch_only_what_they_mean(engine, text, slots):
+    test_each_word_belongs_to_one_part(engine, text, slots)
+
+
+@pytest.mark.parametrize(
+    "text", ["get hold of the parcel sorry locate the umbrella", "check the ball scratch that home"]
+)
+def test_what_replaces_what_is_not_guessed(engine, text):
+    thing = engine.parse(text).slots.get("thing", "")
+    assert "locate" not in thing
+    assert "scratch" not in thing

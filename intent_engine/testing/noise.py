@@ -1,0 +1,187 @@
+"""What people and recognisers do to a sentence, with what it means then.
+
+Each function takes the words of a sample apart and puts them together otherwise; none asks the parser.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import StrEnum
+
+from intent_engine.actions import Stop
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.matcher import NEGATED
+from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.sampler import Choices, Piece, Sample, Sampler, own_words
+from intent_engine.language.utterance import PhraseSet
+
+__all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
+
+
+class Noise(StrEnum):
+    """Kinds of noise for :func:`~intent_engine.testing.sentences`."""
+
+    FILLERS = "fillers"
+    """Up to three of the grammar's fillers between the parts of a sentence. The meaning stays."""
+    SPELLING = "spelling"
+    """What recognisers write: capitals, punctuation, hyphens, digits for words, the grammar's sound-alikes. The
+    meaning stays."""
+    NEGATION = "negation"
+    """A word that negates, before or in the sentence. Nothing may move."""
+    CORRECTION = "correction"
+    """A value or the whole command said again, after "no" or "I mean". The last word counts."""
+
+
+CONTRACTED = {("do", "not"): "don't", ("should", "not"): "shouldn't", ("can", "not"): "can't"}
+MOST_FILLERS = 3
+_VALUES = frozenset((*QUANTITY_KINDS, "choice", "boolean", "location"))
+"""Slots whose value can be corrected by saying it alone; for words of free text nobody knows what they replace."""
+_FREE = frozenset(("text", "object"))
+
+
+def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list[Piece]:
+    """The pieces with fillers between them, never inside a number or what was said for a slot.
+
+    A sentence with a filler of its own ("wait for me") gets only such as no sentence needs.
+    """
+    said = list(pieces)
+    fillers = PhraseSet(grammar.fillers)
+    own = own_words(grammar) if fillers.find(_words(said)) is not None else frozenset()
+    usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
+    for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
+        filler = usable[choices.below(len(usable))]
+        place = choices.below(len(said) + 1)
+        while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
+            place += 1
+        longer = [*said[:place], Piece(" ".join(filler)), *said[place:]]
+        if _count(fillers, _words(longer)) == _count(fillers, _words(said)) + _count(fillers, filler):
+            said = longer  # else it makes another filler with the word beside it: "around" + "about"
+    return said
+
+
+def _words(pieces: Sequence[Piece]) -> list[str]:
+    return [word for piece in pieces for word in piece.text.split()]
+
+
+def _count(phrases: PhraseSet, words: Sequence[str]) -> int:
+    return sum(len(phrases.lengths_at(words, position)) for position in range(len(words)))
+
+
+def _belong_together(piece: Piece, after: Piece, grammar: Grammar) -> bool:
+    """Whether nothing can be said between two pieces: "one" and "eighty", "never" and "mind"."""
+    closed = grammar.operators.closed
+    return (_is_number(piece) and _is_number(after)) or piece.text in closed or after.text in closed
+
+
+def _is_number(piece: Piece) -> bool:
+    return piece.text.isdigit() or piece.text in NUMBER_WORDS
+
+
+def negated(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list[Piece]:
+    """The pieces with a negation among them; most often at the beginning."""
+    ways = [*NEGATED.get(grammar.language, ()), *grammar.operators.negation]
+    words = ways[choices.below(len(ways))]
+    text = " ".join(words)
+    for plain, short in CONTRACTED.items():
+        text = text.replace(" ".join(plain), short)
+    place = 0 if choices.below(2) == 0 else choices.below(len(pieces))
+    return [*pieces[:place], Piece(text), *pieces[place:]]
+
+
+def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[Piece], Sample] | None:
+    """A sentence that is corrected as it is said, and what it means in the end; None where nobody could tell.
+
+    Either its last value is said again ("turn left, no, right") or a command of another kind follows.
+    """
+    grammar = sampler.grammar
+    if not grammar.operators.correction or _holds_operator(first, grammar):
+        return None
+    again = Piece(" ".join(grammar.operators.correction[choices.below(len(grammar.operators.correction))]))
+    last = first.pieces[-1]
+    types = [piece.slot.type for piece in first.pieces if piece.slot is not None]
+    if last.slot is not None and last.slot.type in _VALUES and types.count(last.slot.type) == 1:
+        assert last.label is not None
+        if choices.below(2) == 0:
+            piece = sampler.spoken(last.slot, last.label, choices)
+            if _is_bare_number(piece):
+                return None  # "a meter and a half, no, two": and a half?
+            meant = sampler.finish(first.intent, first.sentence, [*first.pieces[:-1], piece])
+            return None if meant is None else ([*first.pieces, again, piece], meant)
+    other = sampler.attempt(choices)
+    if other is None or other.intent == first.intent or len(other.pieces) < 2 or _FREE.intersection(types):
+        return None  # what follows could be a new value of the first, or free text
+    if _holds_operator(other, grammar):
+        return None
+    return [*first.pieces, again, *other.pieces], other
+
+
+def _holds_operator(sample: Sample, grammar: Grammar) -> bool:
+    """Whether a sentence has words of its own that correct, take back, stop or mean nothing ("wait for me")."""
+    words = tuple(sample.text.split())
+    if words in grammar.operators.cancel or PhraseSet(grammar.fillers).find(words) is not None:
+        return True  # "drop it"; "turn about", where "about" is a filler as well
+    return not grammar.operators.closed.isdisjoint(words) or isinstance(sample.actions[0], Stop)
+
+
+def _is_bare_number(piece: Piece) -> bool:
+    last = piece.text.split()[-1]
+    return piece.slot is not None and piece.slot.unit is not None and (last[-1].isdigit() or last in NUMBER_WORDS)
+
+
+def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Sequence[Piece]:
+    """One word in place of which recognisers write another, where nothing else could be meant by it.
+
+    Not in a sentence with free text, which any word could be part of; not beside an operator's word, where the engine
+    takes no guess; and nothing that is a number.
+    """
+    words = [piece.text.split() for piece in pieces]
+    plain = all(piece.slot is None or piece.slot.type not in _FREE for piece in pieces)
+    if not plain or any(not grammar.operators.closed.isdisjoint(said) for said in words) or choices.below(3) != 2:
+        return pieces
+    found = [
+        (place, number, heard)
+        for place, piece in enumerate(pieces)
+        if piece.slot is None
+        for number, word in enumerate(words[place])
+        for heard, meant in grammar.sound_alikes.items()
+        if meant == (word,) and heard not in NUMBER_WORDS
+    ]
+    if not found:
+        return pieces
+    place, number, heard = found[choices.below(len(found))]
+    words[place][number] = heard
+    return [*pieces[:place], replace(pieces[place], text=" ".join(words[place])), *pieces[place + 1 :]]
+
+
+def spelled(pieces: Sequence[Piece], choices: Choices, *, whole: bool = True) -> str:
+    """The pieces as a recogniser might write them.
+
+    Args:
+        pieces: of the sentence.
+        choices: see :class:`~intent_engine.language.sampler.Choices`.
+        whole: whether the pieces are one plain command, so that a pause among them means nothing.
+    """
+    texts = [_written(piece, choices).text for piece in pieces]
+    if whole and len(texts) > 1 and choices.below(4) == 3:
+        place = choices.below(len(texts) - 1)
+        texts[place] += ","
+    text = " ".join(texts)
+    style = choices.below(4)
+    text = (text, text[:1].upper() + text[1:], text.upper(), text.title())[style]
+    return text + ("", ".", "!", "...", " .")[choices.below(5)]
+
+
+def _written(piece: Piece, choices: Choices) -> Piece:
+    """A value with digits for its number words, or with a hyphen."""
+    kind = piece.slot.type if piece.slot is not None else None
+    if kind not in QUANTITY_KINDS or kind == "ordinal":
+        return piece
+    words = piece.text.split()
+    style = choices.below(3)
+    if style == 1 and NUMBER_WORDS.intersection(words) and "point" not in words:
+        return replace(piece, text=" ".join(in_digits(words)))
+    if style == 2 and len(words) > 1 and words[0].isalpha() and words[1].isalpha():
+        return replace(piece, text="-".join(words[:2]) + "".join(f" {word}" for word in words[2:]))
+    return piece
