@@ -303,8 +303,11 @@ class _Reader:
 
     def _known(self, step: Step) -> None:
         if step.intent not in self.intents:
+            message = f"intent {step.intent!r} is not in the grammar"
+            if any(problem.message == message for problem in self.problems):
+                return  # a wrong grammar is one mistake, not one of every row
             self.wrong(
-                f"intent {step.intent!r} is not in the grammar",
+                message,
                 "intent",
                 hint=f"it has {', '.join(sorted(self.intents))}; another grammar: --grammar FILE",
             )

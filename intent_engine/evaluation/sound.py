@@ -14,11 +14,14 @@ from intent_engine.evaluation.labels import MOST_PROBLEMS, Row
 from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler, Samples
 from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
 
-__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "load", "mix", "read_whole"]
+__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "end_of_speech", "load", "mix", "read_whole"]
 
 ENERGY_FRAME = 2048
 """Samples of a frame whose energy is compared, as Picovoice's speech-to-intent benchmark does: pauses in the speech
 then do not count."""
+
+SPEECH_FLOOR = 35.0
+"""dB below the loudest 10 ms: speech ends where it stays below this. A final s or t is some 25 dB below a vowel."""
 
 
 class SamplesSource:
@@ -108,6 +111,20 @@ def _energy(samples: Samples) -> float:
         return float(np.square(samples, dtype=np.float64).sum())
     frames = samples[: whole * ENERGY_FRAME].reshape(whole, ENERGY_FRAME)
     return float(np.square(frames, dtype=np.float64).sum(axis=1).max())
+
+
+def end_of_speech(samples: Samples) -> float:
+    """s: where the sound last is louder than :data:`SPEECH_FLOOR` below its loudest; for quiet recordings.
+
+    This is the end of the last word as one would cut it by hand, give or take 10 ms; 0 for silence.
+    """
+    size = SAMPLE_RATE // 100
+    whole = samples.size // size
+    energies = np.square(samples[: whole * size].reshape(whole, size), dtype=np.float64).mean(axis=1)
+    if not np.any(energies):
+        return 0.0
+    loud = np.nonzero(energies >= energies.max() * 10 ** (-SPEECH_FLOOR / 10))[0]
+    return float((loud[-1] + 1) * size / SAMPLE_RATE)
 
 
 @dataclass(frozen=True)

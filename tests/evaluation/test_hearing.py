@@ -1,0 +1,100 @@
+"""Recordings through the real runtime: times that count the decode, and whatever a recogniser does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import soundfile
+
+from intent_engine.engine import IntentEngine
+from intent_engine.evaluation.hearing import Listener
+from intent_engine.evaluation.labels import Row, read_labels
+from intent_engine.evaluation.scoring import Condition, Verdict
+from intent_engine.evaluation.sound import Noise, SamplesSource, load
+from intent_engine.evaluation.trial import Trial, scores
+from intent_engine.execution.robots.robot_file import load_robot
+from intent_engine.speech.audio import FRAME_SECONDS
+from intent_engine.speech.recognizer import Transcript
+
+DECODE = 0.4
+
+
+class Scripted:
+    """A recogniser that says what it was told to, as a slow one would."""
+
+    def __init__(self, *texts: str | Exception) -> None:
+        self.texts = list(texts)
+
+    def transcribe(self, samples, *, final: bool = True) -> Transcript:
+        text = self.texts[0] if len(self.texts) == 1 else self.texts.pop(0)
+        if isinstance(text, Exception):
+            raise text
+        return Transcript(text, free_text=text, decode_seconds=DECODE)
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.fixture(scope="module")
+def engine(root) -> IntentEngine:
+    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
+
+
+@pytest.fixture(scope="module")
+def rows(root, engine) -> list[Row]:
+    return read_labels(root / "examples" / "ten_commands" / "labels.jsonl", engine)
+
+
+@pytest.fixture(scope="module")
+def robot(root):
+    return load_robot(root / "robots" / "simulated.yaml")
+
+
+def test_an_act_comes_after_its_decode(engine, rows, robot):
+    listener = Listener(engine, Scripted("go to the kitchen"), robot)
+    hearing = listener.hear(SamplesSource(load(rows[2])))
+    (act,) = hearing.acts
+    assert act.meaning.intent == "navigate"
+    # The first silent frame follows the last of speech; it asked for the decode that was acted on.
+    assert act.time - act.speech_ended >= FRAME_SECONDS + DECODE
+    assert act.time - act.speech_ended < DECODE + 0.8
+    assert (act.time / FRAME_SECONDS) == pytest.approx(round(act.time / FRAME_SECONDS))
+
+
+def test_recordings_do_not_know_of_each_other(engine, rows, robot):
+    """The robot that was told to drive is not the one that hears the next recording."""
+    listener = Listener(engine, Scripted("go forward", "whoa there", "go forward"), robot)
+    first, second, third = (listener.hear(SamplesSource(load(rows[0]))) for _ in range(3))
+    assert first.actions == third.actions
+    assert second.texts == ["whoa there"]
+
+
+def test_a_recogniser_that_fails_is_told_and_the_next_recording_heard(engine, rows, robot):
+    listener = Listener(engine, Scripted(RuntimeError("out of memory"), "turn left"), robot)
+    failed = listener.hear(SamplesSource(load(rows[0])))
+    assert not failed.acts
+    assert any("out of memory" in error for error in failed.errors)
+    assert [act.meaning.intent for act in listener.hear(SamplesSource(load(rows[0]))).acts] == ["turn"]
+
+
+def test_silence_and_noise_alone_do_nothing(engine, robot):
+    listener = Listener(engine, Scripted("go forward"), robot)
+    assert listener.hear(SamplesSource(np.zeros(0, np.float32))).acts == []
+    assert listener.hear(SamplesSource(np.zeros(32_000, np.float32))).acts == []
+
+
+def test_conditions_go_from_quiet_to_loud_and_are_scored_apart(engine, rows, robot, tmp_path):
+    chance = np.random.default_rng(1)
+    soundfile.write(tmp_path / "noise.wav", chance.normal(0, 0.1, 16_000), 16_000)
+    trial = Trial(Noise.read([tmp_path / "noise.wav"]), [6.0, 24.0, 6.0])
+    assert trial.conditions("a") == [Condition("a"), Condition("a", 24.0), Condition("a", 6.0)]
+    listener = Listener(engine, Scripted("go forward two meters"), robot)
+    heard = list(trial.hear(rows[:2], listener, "a"))
+    assert [len(outcomes) for outcomes in heard] == [3, 3]
+    assert [outcome.verdict for outcomes in heard for outcome in outcomes[:1]] == [Verdict.RIGHT, Verdict.WRONG]
+    assert [found.noise for found in scores(outcome for outcomes in heard for outcome in outcomes)] == [
+        "none",
+        "24 dB",
+        "6 dB",
+    ]
+    assert Trial(None, [6.0]).conditions("a") == [Condition("a")]
