@@ -61,8 +61,8 @@ def test_silence_stays_what_it_is():
 def test_a_row_gets_the_same_noise_whatever_else_is_heard():
     ramps = tuple(np.linspace(-1, 1, size, dtype=np.float32) for size in (RATE, 3 * RATE))
     noise = Noise(ramps, ("short", "long"))
-    pieces = [noise.piece(f"row {index}", RATE) for index in range(20)]
-    assert all(np.array_equal(noise.piece(f"row {index}", RATE), piece) for index, piece in enumerate(pieces))
+    pieces = [noise.piece(f"row {index}", RATE // 2) for index in range(20)]
+    assert all(np.array_equal(noise.piece(f"row {index}", RATE // 2), piece) for index, piece in enumerate(pieces))
     assert len({piece.tobytes() for piece in pieces}) == 20
     assert noise.piece("long", 10 * RATE).shape == (10 * RATE,)
 
