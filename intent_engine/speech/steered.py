@@ -41,6 +41,9 @@ RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
 RETRY_GAP = 0.6
 """nats a word beyond which a longer encoder input is tried."""
+RUNAWAY = 1.5
+"""Words of a hinted draft for each word heard without the hint, beyond which it has gone round in a loop: scoring what
+is like it would take seconds."""
 POOR_SCORE = -0.7
 """Mean log probability of the free words below which they are tried again though no command is near them."""
 
@@ -123,7 +126,8 @@ class SteeredWhisper(WhisperRecognizer):
                     break
                 continue
             hinted, _, _ = self.greedy(encoded, language, hint=self._hint(language))
-            if hinted and hinted != free and not _is_refusal(self._parse(hinted, language)):
+            runaway = len(hinted.split()) > RUNAWAY * len(free.split()) + 2
+            if hinted and hinted != free and not runaway and not _is_refusal(self._parse(hinted, language)):
                 hints.append(hinted)
             ranked = self._ranked(encoded, drafts, hints, language)
             if not ranked:

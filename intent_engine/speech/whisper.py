@@ -162,9 +162,13 @@ class WhisperRecognizer:
             tokenizer = self.tokenizer(language)
             prompt = [tokenizer.sot_prev, *tokenizer.encode(" " + hint)[:MAX_HINT], *prompt]
         limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
-        # CTranslate2 halves max_length for Whisper, as OpenAI's code halves its context for prompts.
+        # CTranslate2 gives at most half of max_length, as OpenAI's code does, and no more than the prompt leaves of it.
         result = self._model.model.generate(
-            encoded.features, [prompt], beam_size=1, max_length=min(2 * (len(prompt) + limit), 448), return_scores=True
+            encoded.features,
+            [prompt],
+            beam_size=1,
+            max_length=min(max(2 * limit, len(prompt) + limit), 448),
+            return_scores=True,
         )[0]
         return list(result.sequences_ids[0]), float(result.scores[0])
 
