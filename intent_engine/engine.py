@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
@@ -21,6 +21,7 @@ from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
     from intent_engine.language.automaton import WordState
+    from intent_engine.language.explain import Explanation
     from intent_engine.language.locations import LocationMap
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
@@ -197,15 +198,22 @@ class IntentEngine:
         """
         if language is not None or len(self._parsers) == 1:
             return self._interpreter(language).interpret(text, state, spoken=spoken)
-        first: Interpretation | None = None
-        for parser in self._parsers:
-            found = parser.interpret(text, state, spoken=spoken)
-            if found.status is Status.ACCEPTED:
-                return found
-            if first is None or (first.status is Status.REJECTED and found.status is not Status.REJECTED):
-                first = found
-        assert first is not None
-        return first
+        return _first_accepted(self._parsers, text, state, spoken)[0]
+
+    def explain(
+        self,
+        text: str,
+        *,
+        state: Collection[str] = (),
+        language: str | None = None,
+        spoken: bool = False,
+    ) -> Explanation:
+        """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
+        from intent_engine.language.explain import Witness
+
+        parsers = self._parsers if language is None else (self._interpreter(language),)
+        found, witness = _first_accepted([Witness(parser) for parser in parsers], text, state, spoken)
+        return witness.explanation(found)
 
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
@@ -215,6 +223,24 @@ class IntentEngine:
         if reached is None:
             return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
         return Prefix(_status(matcher, reached), next_words(matcher, reached), count)
+
+
+_Parser = TypeVar("_Parser", bound=Interpreter)
+
+
+def _first_accepted(
+    parsers: Sequence[_Parser], text: str, state: Collection[str], spoken: bool
+) -> tuple[Interpretation, _Parser]:
+    """The interpretation of the first language that accepts a text; else the one that says most about it."""
+    first: tuple[Interpretation, _Parser] | None = None
+    for parser in parsers:
+        found = parser.interpret(text, state, spoken=spoken)
+        if found.status is Status.ACCEPTED:
+            return found, parser
+        if first is None or (first[0].status is Status.REJECTED and found.status is not Status.REJECTED):
+            first = found, parser
+    assert first is not None
+    return first
 
 
 def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:

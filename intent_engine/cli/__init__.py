@@ -65,7 +65,8 @@ app.command(
 
 app.command(
     epilog='Examples:\n\nintent-engine parse "go to the kitchen"\n\n'
-    'intent-engine parse --json "turn left ninety degrees"\n\nintent-engine parse - < sentences.txt',
+    'intent-engine parse --json "turn left ninety degrees"\n\n'
+    'intent-engine parse --explain "go to the kitchen I mean the bedroom"\n\nintent-engine parse - < sentences.txt',
     rich_help_panel=_UNDERSTAND,
 )(parse)
 

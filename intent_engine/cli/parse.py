@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
-from typing import Annotated, BinaryIO
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Annotated, Any, BinaryIO
 
 import typer
 
 from intent_engine.cli.describe import interpretation_lines
+from intent_engine.cli.explaining import explanation_lines
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.errors import TextTooLongError
 from intent_engine.interpretation import Interpretation, Status
+
+if TYPE_CHECKING:
+    from intent_engine.engine import IntentEngine
 
 __all__ = ["parse"]
 
@@ -30,6 +34,7 @@ def parse(
     state: Annotated[
         list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
     ] = None,
+    explain: Annotated[bool, typer.Option("--explain", help="Show every step from the words to the actions.")] = False,
     as_json: Json = False,
 ) -> int:
     """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
@@ -38,8 +43,8 @@ def parse(
     if text == "-":
         accepted, too_long = True, 0
         for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
-            found = engine.parse(line[:MAX_TEXT], state=states, language=language)
-            json_line(found.to_json())
+            found, data = _understood(engine, line[:MAX_TEXT], states, language, explain)
+            json_line(data)
             accepted = accepted and found.status is Status.ACCEPTED
             too_long = too_long or (number if len(line) > MAX_TEXT else 0)
         if too_long:
@@ -47,16 +52,31 @@ def parse(
         return 0 if accepted else EXIT_NOT_ACCEPTED
     if len(text) > MAX_TEXT:
         raise _too_long(f"the text ({len(text)} characters)")
-    found = engine.parse(text, state=states, language=language)
     if as_json:
-        json_line(found.to_json())
+        found, data = _understood(engine, text, states, language, explain)
+        json_line(data)
+    elif explain:
+        explanation = engine.explain(text, state=states, language=language)
+        found = explanation.interpretation
+        _show(explanation_lines(explanation))
     else:
-        _show(found)
+        found = engine.parse(text, state=states, language=language)
+        _show(interpretation_lines(found))
     return 0 if found.status is Status.ACCEPTED else EXIT_NOT_ACCEPTED
 
 
-def _show(found: Interpretation) -> None:
-    for line, style in interpretation_lines(found):
+def _understood(
+    engine: IntentEngine, text: str, states: tuple[str, ...], language: str | None, explain: bool
+) -> tuple[Interpretation, dict[str, Any]]:
+    if explain:
+        explanation = engine.explain(text, state=states, language=language)
+        return explanation.interpretation, explanation.to_json()
+    found = engine.parse(text, state=states, language=language)
+    return found, found.to_json()
+
+
+def _show(lines: Iterable[tuple[str, str | None]]) -> None:
+    for line, style in lines:
         say(line, style)
 
 

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.language.grammar import Intent
+from intent_engine.language.grammar import Condition, Intent
 from intent_engine.language.quantities import Relative
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["CannotActError", "build_action"]
+__all__ = ["CannotActError", "build_action", "defaults_of", "holds"]
 
 MOVE_SPEED = 0.5
 """m/s, where a grammar gives no default."""
@@ -46,10 +46,7 @@ def build_action(intent: Intent, said: Mapping[str, Any], locations: LocationMap
     spec = intent.action
     if spec.type == "stop":
         return Stop()
-    defaults = dict(intent.defaults)
-    for condition in intent.when:
-        if all(_same(said.get(label), value) for label, value in condition.slots.items()):
-            defaults.update(condition.defaults)
+    defaults = defaults_of(intent, said)
     if spec.type == "custom":
         return _custom(intent, said, defaults)
     parameters = _Parameters(spec.parameters, said, defaults)
@@ -63,6 +60,20 @@ def build_action(intent: Intent, said: Mapping[str, Any], locations: LocationMap
         return Pick(str(parameters.need("object")))
     thing, location = parameters.get("object"), parameters.get("location")
     return Place(None if thing is None else str(thing), None if location is None else str(location))
+
+
+def defaults_of(intent: Intent, said: Mapping[str, Any]) -> dict[str, Any]:
+    """The defaults that hold for what was said; a later condition wins over an earlier one."""
+    defaults = dict(intent.defaults)
+    for condition in intent.when:
+        if holds(condition, said):
+            defaults.update(condition.defaults)
+    return defaults
+
+
+def holds(condition: Condition, said: Mapping[str, Any]) -> bool:
+    """Whether a condition's slots have its values."""
+    return all(_same(said.get(label), value) for label, value in condition.slots.items())
 
 
 def _same(value: Any, wanted: Any) -> bool:

@@ -1,0 +1,136 @@
+"""An explanation is told by the code that decides: it always ends in what ``parse`` says, and shows why."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language import explain
+from intent_engine.language.explain import Explanation, Step
+from intent_engine.language.meaning import Interpreter
+
+
+@pytest.fixture(scope="module")
+def engine(root) -> IntentEngine:
+    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
+
+
+WORDS = st.lists(
+    st.sampled_from(
+        "go move turn left right forward to the kitchen bedroom kitchn two meters ninety degrees no not don't then and "
+        "pick up cup stop wait please uh i mean , . actually never at half speed love 3 back".split()
+    ),
+    max_size=12,
+).map(" ".join)
+
+
+@settings(max_examples=150, deadline=None)
+@given(text=WORDS | st.text(max_size=60), moving=st.booleans())
+def test_it_ends_in_what_parse_says(engine, text, moving):
+    state = ("moving",) if moving else ()
+    found = engine.explain(text, state=state)
+    assert found.interpretation == engine.parse(text, state=state)
+    assert json.loads(json.dumps(found.to_json()))["status"] == found.interpretation.status
+    if found.interpretation.status is Status.ACCEPTED and found.interpretation.intent != "stop":
+        assert len(found.slots) == len(found.interpretation.actions)
+        assert any(candidate.refused == "" for step in _all(found) for candidate in step.candidates)
+
+
+def _all(found: Explanation) -> list[Step]:
+    steps, pending = [], list(found.steps)
+    while pending:
+        step = pending.pop(0)
+        steps.append(step)
+        pending.extend(step.steps)
+    return steps
+
+
+def test_the_methods_that_are_watched_exist():
+    for name in (*explain._TOLD, *explain._CLAUSES, "_choose", "_forbidden"):
+        assert callable(getattr(Interpreter, name)), name
+
+
+def test_a_parse_is_not_watched(engine):
+    engine.explain("go to the kitchen")
+    parser = engine._parsers[0]
+    assert type(parser) is Interpreter
+    assert not {*explain._TOLD, *explain._CLAUSES, "_choose"} & set(vars(parser))
+
+
+STEPS = [
+    ("uh go forward please", "sentence", "understood as move"),
+    ("stop", "stop", "a command to stop"),
+    ("the bus stop", "stop", "no command to stop"),
+    ("don't go to the kitchen", "negation", "negated: 'not'"),
+    ("don't turn left, turn right", "negation", "only this is wanted: 'turn right'"),
+    ("turn left no right", "correction", "understood as turn (corrected to 'turn right')"),
+    ("turn left then go forward", "compound", "2 commands"),
+    ("go to the kitchn", "misheard", "understood as navigate (heard 'kitchn' as 'kitchen')"),
+    ("go to the", "otherwise", "incomplete: the sentence is not finished"),
+    ("turn nine uh forty degrees left", "numbers", "one number was begun twice"),
+]
+
+
+@pytest.mark.parametrize(("text", "name", "outcome"), STEPS, ids=[text for text, _, _ in STEPS])
+def test_each_step_is_told(engine, text, name, outcome):
+    assert (name, outcome) in [(step.name, step.outcome) for step in _all(engine.explain(text))]
+
+
+def test_every_value_has_its_source(engine):
+    (slots,) = engine.explain("turn around").slots
+    assert [(slot.name, slot.source) for slot in slots] == [
+        ("side", "sentence"), ("angle", "sentence"), ("speed", "default"),
+    ]  # fmt: skip
+    (slots,) = engine.explain("go back two meters").slots
+    assert [(slot.name, slot.value, slot.source, slot.words) for slot in slots] == [
+        ("direction", "backward", "said", "back"),
+        ("distance", 2.0, "said", "two meters"),
+        ("speed", 0.3, "condition", "direction: backward"),
+    ]
+    (slots,) = engine.explain("go to the kitchn").slots
+    assert (slots[0].how, slots[0].rivals[0][0]) == ("fuzzy", "kitchen")
+    assert engine.explain("love").slots[0][0].how == "unknown"
+
+
+def test_words_keep_what_was_written(engine):
+    found = engine.explain("Don't GO, please!")
+    assert [(word.word, word.text) for word in found.words[:3]] == [("do", "Don't"), ("not", "Don't"), ("go", "GO")]
+    assert found.words[3].pause
+    assert ("negation", "not") in [(one.kind, one.words) for one in found.noticed]
+
+
+def test_refused_readings_say_why(tmp_path):
+    path = tmp_path / "g.yaml"
+    path.write_text(
+        "language: en\nslots: {thing: text}\nintents:\n"
+        "  low: {action: {type: custom, name: low}, sentences: ['paint it'], priority: -1}\n"
+        "  free: {action: {type: custom, name: free}, sentences: ['paint {thing}']}\n"
+        "  plain: {action: {type: custom, name: plain}, sentences: ['(paint|draw) it']}\n"
+        "  docked: {action: {type: custom, name: docked}, sentences: ['paint [it]'], requires: [docked]}\n"
+    )
+    engine = IntentEngine.from_files(path)
+    step = engine.explain("paint it").steps[0]
+    refused = {candidate.intent: candidate.refused for candidate in step.candidates}
+    assert refused == {
+        "plain": "",
+        "docked": "docked needs the robot to be docked",
+        "free": "more of its words fall into free text",
+        "low": "intent 'plain' has a higher priority",
+    }
+    assert f"{path}:6" in {candidate.place for candidate in step.candidates}
+
+
+def test_the_language_that_accepted_explains(tmp_path):
+    files = []
+    for language, words in (("en", "wave"), ("de", "winken")):
+        files.append(tmp_path / f"{language}.yaml")
+        files[-1].write_text(f"language: {language}\nintents: {{wave: {{action: custom, sentences: [{words}]}}}}\n")
+    engine = IntentEngine.from_files(files)
+    assert engine.explain("winken").language == "de"
+    assert engine.explain("winken").interpretation == engine.parse("winken")
+    assert engine.explain("winken", language="en").interpretation.status is Status.REJECTED
