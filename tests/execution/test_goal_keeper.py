@@ -69,17 +69,17 @@ class World:
             self.travel("answer", lambda: self.keeper.heard_answer(uuid, True, self.now))
 
     def take_cancel(self, uuid: bytes | None, number: int) -> None:
-        if self.deaf:
+        driven = [each for each, state in self.states.items() if state == EXECUTING and uuid in (None, each)]
+        refused = bool(driven) and self.deaf > 0
+        if refused:
             self.deaf -= 1
         else:
-            for each, state in list(self.states.items()):
-                if state == EXECUTING and uuid in (None, each):
-                    self.states[each] = CANCELING
-                    self.at(
-                        self.now + self.random.uniform(0, self.delay), lambda each=each: self.finish(each, CANCELED)
-                    )
+            for each in driven:
+                self.states[each] = CANCELING
+                braked = self.now + self.random.uniform(0, self.delay)
+                self.at(braked, lambda each=each: self.finish(each, CANCELED))
             self.tell()
-        self.travel("cancel answer", lambda: self.keeper.heard_cancel(number, self.now))
+        self.travel("cancel answer", lambda: self.keeper.heard_cancel(number, refused, self.now))
 
     def finish(self, uuid: bytes, state: int) -> None:
         if self.states[uuid] in (EXECUTING, CANCELING):

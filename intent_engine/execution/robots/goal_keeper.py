@@ -41,7 +41,7 @@ class GoalLink(Protocol):
     def cancel(self, uuid: bytes | None, number: int) -> bool:
         """Ask the server to end a goal (None: all that it has). False: there is no server to ask.
 
-        Its answer comes back as ``heard_cancel(number)``.
+        Its answer comes back as ``heard_cancel``.
         """
         ...
 
@@ -183,9 +183,13 @@ class GoalKeeper:
                 self._end(sent, TaskState.FAILED, reason or "the navigation gave up and did not say why")
         self.step(now)
 
-    def heard_cancel(self, number: int, now: float) -> None:
-        """The server answered a cancel. What it says does not matter: the goals' states do."""
+    def heard_cancel(self, number: int, refused: bool, now: float) -> None:
+        """The server answered a cancel. That it will end a goal does not matter, the goals' states do; a no does."""
         self._answered = max(self._answered, number)
+        if refused and self._sweep is not None:
+            # There is something that drives, whether we have heard of it or not: this was not the last cancel.
+            since, before = self._sweep
+            self._sweep = (since, max(before, number))
         self.step(now)
 
     def heard_progress(self, uuid: bytes, left: float) -> None:

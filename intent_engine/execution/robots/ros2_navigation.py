@@ -146,7 +146,7 @@ class _Link:
         if uuid is not None:
             request.goal_info.goal_id.uuid = list(uuid)
         future = self._canceller.call_async(request)
-        future.add_done_callback(lambda _: self._put(lambda keeper, now: keeper.heard_cancel(number, now)))
+        future.add_done_callback(lambda future: self._heard_cancel(number, future))
         return True
 
     # -- heard, in the thread that spins the node ----------------------------------------------------------------------
@@ -166,6 +166,11 @@ class _Link:
             request = self._action.type.Impl.GetResultService.Request()
             request.goal_id.uuid = list(uuid)
             self._results.call_async(request).add_done_callback(lambda future: self._heard_result(uuid, future))
+
+    def _heard_cancel(self, number: int, future: Any) -> None:
+        if future.exception() is None and future.result() is not None:
+            refused = future.result().return_code == self._cancel_goal.Response.ERROR_REJECTED
+            self._put(lambda keeper, now: keeper.heard_cancel(number, refused, now))
 
     def _heard_result(self, uuid: bytes, future: Any) -> None:
         if future.exception() is not None or future.result() is None or self._action is None:
