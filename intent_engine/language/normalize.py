@@ -49,6 +49,7 @@ _TOKEN = re.compile(
     r"(?P<number>(?:(?<![\w.,])|^)(?:[-−]|^[-−]\s+)(?=\d|\.\d))?"
     r"(?:(?P<mixed>\d+(?:\s*-\s*|\s+)\d+\s?[/⁄]\s?\d+(?![\d/]))"
     r"|(?P<fraction>(?<![/\d])\d+[/⁄]\d+(?![\d/]))"
+    r"|(?P<comma>(?<![\d.,])(?:0,\d+|\d+,(?:\d{1,2}|\d{4,}))(?![\d.,]*\d))"
     r"|(?P<grouped>\d{1,3}(?:,\d{3})+(?:\.\d+)?(?!\d))"
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
@@ -127,11 +128,16 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
         number = f"{whole}-{top}/{bottom}"
     elif kind == "grouped":
         number = found.lstrip("-− ").replace(",", "")
+    elif kind == "comma":
+        number = found.lstrip("-− ").replace(",", ".")
     else:
         number = found.lstrip("-− ").replace("⁄", "/")
     if number.startswith("."):
         number = "0" + number
-    return ("-" + number if match.group("number") else number,)
+    # "75 -300 mm" is a range, and no number below zero.
+    start = match.start()
+    negative = match.group("number") and not (start > 1 and text[start - 1].isspace() and text[start - 2].isdigit())
+    return ("-" + number if negative else number,)
 
 
 def _sign(sign: str, text: str, place: int, before: list[Token]) -> tuple[str, ...]:

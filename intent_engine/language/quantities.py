@@ -60,8 +60,10 @@ _Numbers = Callable[[Sequence[str], int], Iterator[tuple[float, int]]]
 
 
 def is_number_word(word: str, language: str = "en") -> bool:
-    """Whether a word is a number, or part of one, in a language whose numbers are not English."""
-    return language != "en" and foreign.is_number_word(word, language)
+    """Whether a word is a number of a language, or part of one. Templates spell out the English ones, but not "3rd"."""
+    if language == "en":
+        return word[:1].isdigit() and not is_numeral(word) and english.ordinal([word]) is not None
+    return foreign.is_number_word(word, language)
 
 
 def _numbers(language: str) -> _Numbers:
@@ -95,6 +97,10 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
         relative = RELATIVE_SPEEDS.get(" ".join(words)) if language == "en" else None
         if relative is not None:
             return Relative(relative)
+        share = words[:-1] if words[-1] == "speed" else words
+        percent = _whole(_quantities(share, 0, "percent", language, table), len(share)) if len(share) > 1 else None
+        if percent is not None and math.isfinite(percent):
+            return Relative(percent) if 0 < percent <= 2 else None
     value = _whole(_quantities(words, 0, kind, language, table), len(words))
     if value is None and unit is not None:
         number = _whole(_numbers(language)(words, 0), len(words))
@@ -175,8 +181,10 @@ def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Itera
             yield value, onward
         if after < len(words) and words[after] in one and value != int(value):
             yield value, after + 1
+        if after < len(words) and words[after] in table.words.get("more", ()):
+            yield value, after + 1
         yield value, after
-    if at < len(words) and words[at] in one:
+    if at < len(words) and (words[at] in one or words[at] in table.words.get("another", ())):
         yield 1.0, at + 1
         if at + 1 < len(words) and words[at + 1] in ("whole", "full", "single"):
             yield 1.0, at + 2
@@ -288,7 +296,9 @@ def templates(language: str) -> Mapping[str, str]:
     base["one"] = f"{one} [whole|full|single]" if language == "en" else one
     article = f"[{of}] [{one}|the]" if language == "en" else f"[{of}] [{one}]"
     base["count"] = (
-        f"({{number}} {article}|{{one}}|full|whole)" if language == "en" else f"({{number}} {article}|{{one}})"
+        f"({{number}} [{article}|more|further|extra|additional]|{{one}}|another|full|whole)"
+        if language == "en"
+        else f"({{number}} {article}|{{one}})"
     )
     for kind in ("distance", "duration", "angle", "percent"):
         base[f"{kind}_unit"] = table.spoken(kind)
@@ -303,5 +313,5 @@ def templates(language: str) -> Mapping[str, str]:
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
         base[kind] = f"{{count}} {{{top}_unit}} {per} {{duration_unit}}{single}"
         if language == "en":
-            base[kind] += f"|{relative}"
+            base[kind] += f"|{relative}|{{percent}} [speed]"
     return base

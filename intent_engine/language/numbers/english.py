@@ -238,6 +238,7 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         after = at + 2 if tuple(words[at + 1 : at + 2]) == ("of",) else at + 1
         yield (12.0 if word == "dozen" else 2.0), after
         return
+    # "ten and a half thousand" is below, with what may follow "and".
     if word in ("quarter", "half") and tuple(words[at + 1 : at + 2]) in (("million",), ("billion",)):
         yield SCALES[words[at + 1]] / HALVES[word], at + 2
         return
@@ -261,7 +262,7 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         if following[:1] == ("and",):
             part = fraction(words, here + 1)
             if part is not None and part[0] < 1:
-                yield value + part[0], part[1]
+                yield from _scaled(words, (value + part[0], part[1]))
                 yield value, here
                 return
         joined = _hundreds_and_fraction(words, at)
@@ -326,7 +327,7 @@ def ordinal(words: Sequence[str]) -> float | None:
         return None
     if len(words) == 1:
         return float(value)
-    before = number(words[:-1])
+    before = number(words[: -2 if words[-2] == "and" else -1])
     if before is None or value >= 100 or (before % 100 if value >= 10 else before % 10):
         return None
     return before + value
@@ -335,22 +336,22 @@ def ordinal(words: Sequence[str]) -> float | None:
 TEMPLATES: Mapping[str, str] = {
     "digit": "(one|two|three|four|five|six|seven|eight|nine)",
     "teen": "(" + "|".join(TEENS) + ")",
-    "tens": "(twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety)",
+    "tens": "(twenty|thirty|forty|fourty|fifty|sixty|seventy|eighty|ninety)",
     "zero": "(zero|oh|o)",
     "below_hundred": "({digit}|{teen}|{tens} [{digit}])",
     "group": "([({below_hundred}|a|{#})] hundred [[and] ({below_hundred}|{#})]|{below_hundred}"
     "|{digit} ({tens} [{digit}]|{teen}|{zero} {digit})|{#})",
     "thousands": "({group} [thousand [[and] {group}]]|a thousand [[and] {group}])",
     "cardinal": "({thousands}|({group}|a) (million|billion) [[and] {thousands}]|{#} k)",
-    "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) [({digit}|{zero}) [({digit}|{zero}) [({digit}|{zero})]]]",
+    "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) " + "[({digit}|{zero}) " * 8 + "]" * 8,
     "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
     "|ninth|ninths|tenth|tenths|hundredths|thousandths|half|halves)",
     "fraction": "([a|one] half|[a|one] quarter|(a|{digit}|{teen}|{#}) {part})",
-    "number": "[minus|negative] ({cardinal} [and {fraction}|{fraction}|(point {decimals})|over {cardinal}]"
+    "number": "[minus|negative] ({cardinal} [and {fraction} [thousand|million]|{fraction}|(point {decimals})"
+    "|(over|out of) {cardinal}]"
     "|[{zero}] point {decimals}|{fraction}|{zero}|[a] couple [of]|[a|{below_hundred}|half a] dozen|a pair of)",
     "ordinal_unit": "(" + "|".join(_ORDINAL_UNITS) + ")",
-    "ordinal": "([number] {#}|[the] last|[{tens}|{below_hundred} hundred [and]] {ordinal_unit}|"
-    + "|".join(_ORDINAL_TENS)
-    + ")",
+    "ordinal": "([number] {#}|{#word}|[the] last|[{tens}|{group} hundred [and] [{tens}]] {ordinal_unit}"
+    "|[{group} hundred [and]] (" + "|".join(_ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth))",
 }
 """Spoken forms, as sentence templates: a little more than :func:`number` accepts, for looking ahead."""

@@ -14,10 +14,21 @@ LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
 """What text2num knows, besides English."""
 MAX_WORDS = 12
 
+SCALES: Mapping[str, float] = {"thousand": 1e3, "million": 1e6, "billion": 1e9}
+"""Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
+RESPELLED: Mapping[str, Mapping[str, str]] = {
+    "es": {
+        "dieciseis": "dieciséis", "veintiun": "veintiuno", "veintiún": "veintiuno", "veintidos": "veintidós",
+        "veintitres": "veintitrés", "veintiseis": "veintiséis",
+    },
+    "de": {"eine": "ein", "einen": "ein", "zwo": "zwei"},
+}  # fmt: skip
+"""Spellings that text2num does not know, as it knows them."""
+
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
     "fraction": "{#word} [{#word}]",
-    "number": "({#}|{#word} [{#word} [{#word} [{#word} [{#word} [{#word} [{#word} [{#word}]]]]]]])",
+    "number": "([{#word}] {#} [{#word} [{#word} [{#word}]]]|{#word} " + "[{#word} " * 7 + "]" * 7 + ")",
     "ordinal": "({#}|{#word} [{#word}])",
 }
 
@@ -38,20 +49,29 @@ def _text2num(text: str, language: str) -> float | None:
 def is_number_word(word: str, language: str) -> bool:
     """Whether a word is a number of the language, or a word that stands inside numbers ("und", "komma", "halbe")."""
     table = units(language)
-    if table is not None and any(
-        word in table.words.get(key, ()) for key in ("one", "half", "halves", "quarter", "and", "point")
-    ):
+    inside = ("one", "half", "halves", "quarter", "and", "point", "minus", *SCALES)
+    if table is not None and any(word in table.words.get(key, ()) for key in inside):
         return True
-    return _text2num(word, language) is not None
+    return _whole([word], language) is not None or _ending_in_half(word, language) is not None
 
 
 def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[float, int]]:
     """Every number that begins at a place, longest first."""
     if at >= len(words):
         return
+    table = units(language)
+    if table is not None and words[at] in table.words.get("minus", ()):
+        yield from ((-value, end) for value, end in numbers_at(words, at + 1, language) if value >= 0)
+        return
     if is_numeral(words[at]):
         value = numeral_value(words[at])
         if value is not None:
+            scale = _scale(words[at + 1], language) if at + 1 < len(words) else None
+            if scale is not None:
+                half = _and_half(words, at + 2, language)
+                if half is not None:
+                    yield (value + half[0]) * scale, half[1]
+                yield value * scale, at + 2
             half = _and_half(words, at + 1, language)
             if half is not None:
                 yield value + half[0], half[1]
@@ -71,24 +91,63 @@ def _value(words: Sequence[str], at: int, end: int, language: str) -> float | No
     assert table is not None
     for place in range(at + 1, end - 1):
         if words[place] in table.words.get("point", ()):
-            whole = _text2num(" ".join(words[at:place]), language)
-            digits = [_text2num(word, language) for word in words[place + 1 : end]]
+            whole = _whole(words[at:place], language)
+            digits = [_whole([word], language) for word in words[place + 1 : end]]
             if whole is None or any(digit is None or not 0 <= digit < 100 for digit in digits):
                 return None
             return whole + float("0." + "".join(str(int(digit or 0)) for digit in digits))
-    whole = _text2num(" ".join(words[at:end]), language)
+    whole = _whole(words[at:end], language)
     if whole is not None:
         return whole
     if end - at == 1:
-        return {"anderthalb": 1.5, "eineinhalb": 1.5}.get(words[at]) or _part(words[at], table.words)
-    if end - at == 2 and words[at] in table.words.get("one", ()):
-        return _part(words[at + 1], table.words)
+        return _ending_in_half(words[at], language) or _part(words[at], table.words)
+    if end - at == 2:
+        part = _part(words[at + 1], table.words)
+        if words[at] in table.words.get("one", ()):
+            return part
+        top = _whole(words[at : at + 1], language)
+        if part == 0.25 and top is not None and top > 1:
+            return top * part  # "drei viertel", "trois quarts"
     for place in range(at + 1, end):
         half = _and_half(words, place, language)
         if half is not None and half[1] == end:
-            before = _text2num(" ".join(words[at:place]), language)
+            before = _whole(words[at:place], language)
             return before + half[0] if before is not None else None
     return None
+
+
+def _whole(words: Sequence[str], language: str) -> float | None:
+    """A whole number in words: as text2num has it, and millions, whose plurals it does not know everywhere."""
+    respelled = RESPELLED.get(language, {})
+    known = [respelled.get(word, word) for word in words]
+    value = _text2num(" ".join(known), language)
+    if value is not None:
+        return value
+    for place, word in enumerate(words):
+        scale = _scale(word, language)
+        if scale is None or scale < 1e6:
+            continue
+        before = _text2num(" ".join(known[:place]), language) if place else 1.0
+        after = _whole(words[place + 1 :], language) if place + 1 < len(words) else 0.0
+        return before * scale + after if before is not None and after is not None and after < scale else None
+    return None
+
+
+def _scale(word: str, language: str) -> float | None:
+    table = units(language)
+    if table is None:
+        return None
+    return next((scale for key, scale in SCALES.items() if word in table.words.get(key, ())), None)
+
+
+def _ending_in_half(word: str, language: str) -> float | None:
+    """ "anderthalb", "zweieinhalb"."""
+    if language != "de" or not word.endswith("halb"):
+        return None
+    if word == "anderthalb":
+        return 1.5
+    whole = _text2num(word.removesuffix("einhalb"), language) if word.endswith("einhalb") else None
+    return whole + 0.5 if whole is not None else None
 
 
 def _part(word: str, words: Mapping[str, frozenset[str]]) -> float | None:
