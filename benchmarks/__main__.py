@@ -1,6 +1,7 @@
 """Run the benchmarks, merge their rows into ``results.json``, and write ``docs/benchmarks.md`` from it.
 
-Every module of this folder with a function ``run(quick: bool) -> list[dict]`` is a benchmark. A row has these keys:
+Every module of this folder with a function ``run(quick: bool)`` is a benchmark. It gives a list of rows, or a
+:class:`~benchmarks.report.Report`: rows, tables and plots. A row has these keys:
 
 ``figure``      what was measured, in words
 ``value``       the number (the smaller the better, unless the words say otherwise)
@@ -23,8 +24,11 @@ import os
 import platform
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+from benchmarks.report import Report, draw, markdown
 
 HERE = Path(__file__).resolve().parent
 RESULTS = HERE / "results.json"
@@ -75,11 +79,15 @@ def checked(name: str, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{"module": name, **row, "measured": day, "machine": machine()} for row in rows]
 
 
-def merge(old: dict[str, Any], name: str, rows: list[dict[str, Any]], quick: bool) -> dict[str, Any]:
-    """Replace the rows of one module and leave those of the others."""
-    kept = [row for row in old.get("rows", []) if row["module"] != name]
-    merged = sorted([*kept, *({**row, "quick": quick} for row in rows)], key=lambda row: str(row["module"]))
-    return {"rows": merged}
+def merge(old: dict[str, Any], name: str, report: Report, quick: bool) -> dict[str, Any]:
+    """Replace what one module found and leave that of the others."""
+    tables, plots = report.extras(name)
+    fresh = {"rows": [{**row, "quick": quick} for row in report.rows], "tables": tables, "plots": plots}
+    merged = {}
+    for kind, found in fresh.items():
+        kept = [one for one in old.get(kind, []) if one["module"] != name]
+        merged[kind] = sorted([*kept, *found], key=lambda one: str(one["module"]))
+    return merged
 
 
 def number(value: Any) -> str:
@@ -125,9 +133,19 @@ def page(results: dict[str, Any]) -> str:
         )
         parts.append("| " + " | ".join(COLUMNS) + " |\n|" + "---|" * len(COLUMNS) + "\n")
         parts += ["| " + " | ".join(cell.replace("|", "\\|") for cell in cells(row)) + " |\n" for row in rows]
+        parts += ["\n" + markdown(table) for table in results.get("tables", []) if table["module"] == name]
+        for file in dict.fromkeys(plot["file"] for plot in results.get("plots", []) if plot["module"] == name):
+            parts.append(f"\n![{name.replace('_', ' ')}: cost over size](images/{file})\n")
         commands = list(dict.fromkeys(row["command"] for row in rows if row["command"]))
         parts.append("\nRepeat: " + ", ".join(f"`{command}`" for command in commands) + "\n")
     return "".join(parts)
+
+
+def illustrate(results: dict[str, Any], name: str) -> None:
+    """Draw the pictures of one module."""
+    plots = [plot for plot in results["plots"] if plot["module"] == name]
+    for file in dict.fromkeys(plot["file"] for plot in plots):
+        draw([plot for plot in plots if plot["file"] == file], PAGE.parent / "images" / file)
 
 
 def show(rows: list[dict[str, Any]]) -> None:
@@ -157,14 +175,16 @@ def main() -> int:
             parser.error(f"there is no benchmark {name!r}; there are: {', '.join(modules())}")
         print(f"{name} ...", file=sys.stderr, flush=True)
         try:
-            rows = checked(name, importlib.import_module(f"benchmarks.{name}").run(options.quick))
+            report = Report.of(importlib.import_module(f"benchmarks.{name}").run(options.quick))
+            report = replace(report, rows=checked(name, report.rows))
         except Exception as error:
             # One that cannot run (a peer that is not installed) must not cost the others their hour.
             failed.append(name)
             print(f"{name}: {type(error).__name__}: {error}", file=sys.stderr)
             continue
-        show(rows)
-        results = merge(results, name, rows, options.quick)
+        show(report.rows)
+        results = merge(results, name, report, options.quick)
+        illustrate(results, name)
         RESULTS.write_text(json.dumps(results, indent=1) + "\n", "utf-8")
     PAGE.parent.mkdir(exist_ok=True)
     PAGE.write_text(page(results), "utf-8")

@@ -7,19 +7,19 @@ from importlib.metadata import version
 from typing import Any
 
 import yaml
-from hassil import Intents, TextSlotList, recognize
+from hassil import Intents, SlotList, TextSlotList, recognize
 
 from benchmarks.peers import HERE, Peer, Places, Step
 
 QUANTITIES = ("distance", "duration", "speed", "angle")
 
 
-def load(places: Places, text: str | None = None) -> tuple[Intents, dict[str, TextSlotList]]:
+def load(places: Places, text: str | None = None) -> tuple[Intents, dict[str, SlotList]]:
     """The grammar, and the map as a list of values."""
     source = text or (HERE / "hassil.yaml").read_text("utf-8")
     intents = Intents.from_dict(yaml.load(source, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)))
     # Names are no templates: told so, hassil keeps them in a trie.
-    return intents, {"place": TextSlotList.from_tuples(places.items(), allow_template=False, name="place")}
+    return intents, {"place": TextSlotList.from_tuples(list(places.items()), allow_template=False, name="place")}
 
 
 def peers(places: Places) -> list[Peer]:

@@ -37,6 +37,8 @@ def load(places: Places) -> IntentContainer:
     container = IntentContainer()
     for name, samples in description["intents"].items():
         container.add_intent(name, samples)
+        # Samples of one length stand in the order of a set, another one in each process: the most words first, always.
+        container.intent_samples[name].sort(key=lambda sample: (-len(sample), -len(sample.split()), sample))
         container.exclude_keywords(name, list(description["excluded"]))
     container.add_entity("place", list(places))
     return container

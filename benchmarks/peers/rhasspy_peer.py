@@ -12,14 +12,17 @@ from benchmarks.peers import HERE, Peer, Places, Step, plain
 
 # The networkx that rhasspy-nlu pins asks NumPy, if there is one, for names that NumPy 2 no longer has; it needs none.
 with mock.patch.dict(sys.modules, {"numpy": None}):
-    from rhasspynlu import Sentence, intents_to_graph, parse_ini, recognize, replace_numbers
-    from rhasspynlu.numbers import number_to_words
+    from rhasspynlu.fsticuffs import recognize
+    from rhasspynlu.ini_jsgf import parse_ini
+    from rhasspynlu.jsgf import Expression, Sentence
+    from rhasspynlu.jsgf_graph import intents_to_graph
+    from rhasspynlu.numbers import number_to_words, replace_numbers
 
 QUANTITIES = ("distance", "duration", "speed", "angle")
-STOP_WORDS = frozenset(
-    "uh um er erm hmm well so like ok okay alright hey hi hello robot now please kindly thanks just could can would "
-    "will you i want need to".split()
-)
+STOP_WORDS = {
+    "uh", "um", "er", "erm", "hmm", "well", "so", "like", "ok", "okay", "alright", "hey", "hi", "hello", "robot", "now",
+    "please", "kindly", "thanks", "just", "could", "can", "would", "will", "you", "i", "want", "need", "to",
+}  # fmt: skip
 """Words that cost it little to skip: its place for fillers."""
 
 
@@ -31,7 +34,9 @@ def load(places: Places, text: str | None = None) -> Any:
         "$number": [_number(value) for value in range(101)],
         "$degrees": [_number(value) for value in range(361)],
     }
-    replacements = {name: [Sentence.parse(line) for line in lines] for name, lines in slots.items()}
+    replacements: dict[str, list[Expression]] = {
+        name: [Sentence.parse(line) for line in lines] for name, lines in slots.items()
+    }
     return intents_to_graph(intents, replacements)
 
 

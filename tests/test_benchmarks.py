@@ -1,0 +1,148 @@
+"""The benchmarks' sentences through our engine, the collector, and the peers' grammars. No times are asserted here."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from benchmarks import __main__ as collector
+from benchmarks import judging
+from benchmarks.judging import REFUSED, RIGHT, WRONG, Sentence, verdict
+from benchmarks.peers import Peer, Step, plain
+from benchmarks.report import Plot, Report, Table
+
+KINDS = ("plain", "filler", "misheard", "negated", "corrected", "compound", "out of scope")
+
+
+@pytest.fixture(scope="module")
+def ours() -> Peer:
+    return judging.ours()
+
+
+# -- our engine ---------------------------------------------------------------------------------------------------
+
+
+def test_the_list_has_every_kind_of_sentence_and_none_twice() -> None:
+    sentences = judging.sentences()
+    assert len(sentences) >= 80
+    kinds = Counter(sentence.kind for sentence in sentences)
+    assert tuple(kinds) == KINDS
+    assert min(kinds.values()) >= 12
+    assert len({plain(sentence.text) for sentence in sentences}) >= len(sentences) - 2, "digits may repeat words"
+
+
+def test_every_sentence_is_understood_but_the_known_defects(ours: Peer) -> None:
+    found = {
+        sentence.text: verdict(sentence, ours.steps(sentence.text))
+        for sentence in judging.sentences()
+        if verdict(sentence, ours.steps(sentence.text)) != RIGHT
+    }
+    assert found == judging.known_defects(), "`ours` at the end of benchmarks/sentences.yaml is the list to correct"
+
+
+def test_no_defect_moves_a_robot() -> None:
+    assert set(judging.known_defects().values()) <= {REFUSED}
+
+
+@pytest.mark.parametrize(
+    ("wanted", "found", "expected"),
+    [
+        ([("turn", {"angle": 1.5708})], [("turn", {"angle": 1.5707963})], RIGHT),
+        ([("turn", {"angle": 1.5708})], [("turn", {"angle": 1.6})], WRONG),
+        ([("pick", {"thing": "cup"})], [("pick", {"thing": "the cup"})], RIGHT),
+        ([("pick", {"thing": "cup"})], [("pick", {})], WRONG),
+        ([("pick", {"thing": "cup"})], [("pick", {"thing": "cup", "source": "table"})], WRONG),
+        ([("stop", {})], [("move", {})], WRONG),
+        ([("stop", {})], [], REFUSED),
+        ([], [], RIGHT),
+        ([], [("stop", {})], WRONG),
+        ([("stop", {}), ("come", {})], [("stop", {})], WRONG),
+    ],
+)
+def test_verdicts(wanted: list[Step], found: list[Step], expected: str) -> None:
+    assert verdict(Sentence("plain", "", tuple(wanted)), found) == expected
+
+
+# -- the peers ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("module", ["hassil_peer", "rhasspy_peer", "adapt_peer", "padacioso_peer"])
+def test_a_peers_grammar_is_as_good_as_its_engine_allows(module: str) -> None:
+    """Plain sentences, with and without fillers: what a peer has wrong elsewhere is then not its grammar's fault."""
+    try:
+        peers = import_module(f"benchmarks.peers.{module}").peers(judging.places())
+    except ImportError as error:
+        pytest.skip(f"the bench extra is not installed: {error}")
+    for peer in peers:
+        found = judging.verdicts(peer)
+        assert found["plain"] == Counter({RIGHT: found["plain"].total()}), peer.name
+        assert found["filler"] == Counter({RIGHT: found["filler"].total()}), peer.name
+
+
+def test_plain_words_for_peers() -> None:
+    assert plain("Turn left, 45° NOW!") == "turn left 45 degrees now"
+    assert plain("go 2.5 meters. Don't stop...") == "go 2.5 meters don't stop"
+
+
+# -- the collector ------------------------------------------------------------------------------------------------
+
+
+def a_row(**changed: object) -> dict[str, object]:
+    row: dict[str, object] = {
+        "figure": "a | b", "value": 0.0123, "unit": "ms", "peer": None, "peer_value": None, "ratio": None,
+        "spread": [1, 2.5], "runs": 3, "command": "python -m benchmarks --only it",
+    }  # fmt: skip
+    return row | changed
+
+
+def test_rows_without_a_peer_and_with_one() -> None:
+    assert collector.cells(a_row()) == ["a | b", "0.0123 ms", "1 .. 2.5", "", "", "", "3"]
+    assert collector.cells(a_row(peer="p", peer_value=1234.5, ratio=100.4))[3:6] == ["p", "1,234 ms", "100x"]
+
+
+@pytest.mark.parametrize("wrong", [{"extra": 1}, None])
+def test_a_row_of_another_form_is_refused(wrong: dict[str, object] | None) -> None:
+    row = a_row(**wrong) if wrong else {"figure": "alone"}
+    with pytest.raises(ValueError, match="it: a row has wrong keys"):
+        collector.checked("it", [row])
+
+
+def test_one_module_replaces_only_what_is_its_own() -> None:
+    report = Report(
+        collector.checked("one", [a_row()]),
+        [Table("T", ["a"], [["1|2"]], "A note.")],
+        [Plot("P", "one.svg", "x", "y", {"ours": [[1, 2]]})],
+    )
+    results = collector.merge({"rows": []}, "one", report, quick=False)
+    results = collector.merge(results, "two", Report.of(collector.checked("two", [a_row()])), quick=True)
+    results = collector.merge(results, "one", report, quick=False)
+    assert [row["module"] for row in results["rows"]] == ["one", "two"]
+    assert [len(results[kind]) for kind in ("tables", "plots")] == [1, 1]
+    page = collector.page(json.loads(json.dumps(results)))
+    assert page.count("Quick runs") == 1
+    assert "| a \\| b | 0.0123 ms |" in page
+    assert "**T**\n\n| a |\n|---|\n| 1\\|2 |\n\nA note.\n" in page
+    assert "](images/one.svg)" in page
+
+
+def test_pictures_are_the_same_for_the_same_numbers(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the plot extra is not installed")
+    from benchmarks.report import draw
+
+    plots = [{"title": "P", "x": "x", "y": "y", "series": {"ours": [[1, 2], [10, 3]], "other": [[1, 9]]}}]
+    for name in ("a.svg", "b.svg"):
+        draw(plots, tmp_path / name)
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+
+
+def test_the_page_is_what_the_results_say() -> None:
+    results = json.loads(collector.RESULTS.read_text("utf-8"))
+    assert collector.page(results) == collector.PAGE.read_text("utf-8"), "run python -m benchmarks --page"
+    for plot in results.get("plots", []):
+        assert (collector.PAGE.parent / "images" / plot["file"]).stat().st_size < 100_000
+    for row in results["rows"]:
+        assert set(row) == {*collector.KEYS, "module", "measured", "machine", "quick"}
