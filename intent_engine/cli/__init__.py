@@ -13,9 +13,11 @@ import typer
 from intent_engine.cli.complete import complete
 from intent_engine.cli.drill import drill
 from intent_engine.cli.evaluate import evaluate
+from intent_engine.cli.examples import run_examples
 from intent_engine.cli.guard import DEBUG
 from intent_engine.cli.listening import run
 from intent_engine.cli.parse import parse
+from intent_engine.cli.sample import sample
 from intent_engine.cli.terminal import LogNotes
 
 __all__ = ["app", "main"]
@@ -75,7 +77,21 @@ app.command(
     rich_help_panel=_UNDERSTAND,
 )(complete)
 
+app.command(
+    epilog="Examples:\n\nintent-engine sample\n\nintent-engine sample -n 5 --intent turn --seed 7\n\n"
+    "intent-engine sample --grammar my_grammar.yaml --json > sentences.jsonl",
+    rich_help_panel=_UNDERSTAND,
+)(sample)
+
 _TRUST = "Measure and trust"
+
+app.command(
+    "test",
+    epilog="Examples:\n\nintent-engine test my_grammar.yaml\n\n"
+    "intent-engine test --locations warehouse my_grammar.yaml tests/doors.intents.yaml\n\n"
+    "intent-engine test --json | jq 'select(.passed | not)'",
+    rich_help_panel=_TRUST,
+)(run_examples)
 
 app.command(
     epilog="Examples:\n\nintent-engine evaluate examples/ten_commands\n\n"

@@ -25,6 +25,7 @@ from intent_engine.language.quantities import Relative
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template import Sequence as Parts
+from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -177,7 +178,8 @@ class Sampler:
             return
         known: Intent | None = self.grammar.intents.get(intent)
         if known is None:
-            raise ConfigError(f"there is no intent {intent!r}; there is {', '.join(self.grammar.intents)}")
+            hint = did_you_mean(intent, self.grammar.intents) or f"there is {', '.join(self.grammar.intents)}"
+            raise ConfigError(f"there is no intent {intent!r}; {hint}")
         if not known.sentences:
             raise ConfigError(f"intent {intent!r} has patterns only (regex, lark); sentences come from templates")
         if known.requires - self._state or known.excludes & self._state:
@@ -221,7 +223,7 @@ class Sampler:
     # -- trees --------------------------------------------------------------------------------------------------
 
     def length(self, node: Node) -> float:
-        """Words of the shortest way to say a template; infinite if there is none."""
+        """Words of the shortest way to say a template, and a little for its letters; infinite if there is none."""
         known = self._lengths.get(id(node))  # trees live as long as their grammar, and hashing one walks all of it
         if known is None:
             known = self._lengths[id(node)] = self._length(node)
@@ -229,8 +231,8 @@ class Sampler:
 
     def _length(self, node: Node) -> float:
         match node:
-            case Word():
-                return 1.0
+            case Word(text):
+                return _size(text)
             case WordClass(name):
                 return 1.0 if name == "#" else math.inf
             case Choice(items):
@@ -245,7 +247,7 @@ class Sampler:
                 slot = self.grammar.slots[name]
                 if slot.values:
                     return min(self.length(item) for _, item in slot.values)
-                return min((_words(form[0].text) for form in self._ways(slot)), default=math.inf)
+                return min((_size(form[0].text) for form in self._ways(slot)), default=math.inf)
         raise AssertionError(node)
 
     def _drawn(self, node: Node, choices: Choices) -> list[Piece]:
@@ -301,7 +303,7 @@ class Sampler:
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),
-                    key=lambda spoken: (_words(spoken.text), len(spoken.text), spoken.text),
+                    key=lambda spoken: (_size(spoken.text), spoken.text),
                 )
                 ways = (said,) if said else ()
             self._said[slot.name] = ways
@@ -359,6 +361,11 @@ def _pick(choices: Choices, items: Sequence[T]) -> T:
 
 def _words(text: str) -> int:
     return len(text.split())
+
+
+def _size(text: str) -> float:
+    """Words, and of as many words the fewest letters."""
+    return _words(text) + len(text) / 10_000
 
 
 def _joined(pieces: Sequence[Piece]) -> str:

@@ -73,6 +73,12 @@ def sentences(
     return _sentences(sampler, intent, kinds)
 
 
+DRAWS_PER_WORD = 3
+"""Hypothesis shrinks to the fewest draws. A word draws nothing by itself, so each is given some weight: otherwise a
+long sentence of few decisions would pass for shorter than a short one with a slot more."""
+_NOTHING = st.booleans()
+
+
 class _Drawn:
     """Decisions that Hypothesis makes, and shrinks: towards 0, which is always the shortest."""
 
@@ -98,6 +104,8 @@ def _sentences(draw: DrawFn, sampler: Sampler, intent: str | None, kinds: frozen
         said = negated(said, grammar, choices)
     if Noise.FILLERS in kinds:
         said = with_fillers(said, grammar, choices)
+    for _ in range(DRAWS_PER_WORD * sum(len(piece.text.split()) for piece in said)):
+        draw(_NOTHING)
     spelling = Noise.SPELLING in kinds
     text = spelled(said, choices, whole=whole) if spelling else " ".join(piece.text for piece in said)
     return Sentence(text, _expected(text, sample, negation=Noise.NEGATION in kinds))

@@ -1,0 +1,75 @@
+"""``intent-engine test``: the examples of grammar files, and test files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.options import Json, Locations
+from intent_engine.cli.terminal import json_line, note, say, table
+from intent_engine.resources import find
+
+if TYPE_CHECKING:
+    from intent_engine.testing.examples import Outcome
+
+__all__ = ["run_examples"]
+
+
+@verb
+def run_examples(
+    files: Annotated[
+        list[str] | None,
+        typer.Argument(help="Grammar files, names of shipped ones, or test files (*.intents.yaml).", show_default="en"),
+    ] = None,
+    locations: Locations = None,
+    as_json: Json = False,
+) -> int:
+    """Run the examples that stand in grammar files, and the sentences of test files."""
+    from intent_engine.testing.examples import load_examples, run_case
+
+    maps = [find("locations", name) for name in locations or ()]
+    loaded = [load_examples(find("grammars", name), maps) for name in files or ["en"]]
+    outcomes = [(run_case(examples.engine, case), examples.file) for examples in loaded for case in examples.cases]
+    failed = [(outcome, file) for outcome, file in outcomes if not outcome.passed]
+    if as_json:
+        for outcome, file in outcomes:
+            json_line(_record(outcome, file))
+    else:
+        if failed:
+            rows = [row for outcome, file in failed for row in _rows(outcome, file)]
+            table("", ("where", "sentence", "part", "expected", "found"), rows)
+        style = "red" if failed else "green"
+        say(f"{len(outcomes)} examples: {len(outcomes) - len(failed)} passed, {len(failed)} failed", style)
+    if not outcomes:
+        note("there are none: write examples: below the sentences of an intent")
+    return EXIT_NOT_ACCEPTED if failed else 0
+
+
+def _where(outcome: Outcome, file: Path) -> str:
+    place = outcome.case.place
+    return f"{file}:{place.line}" if place is not None else str(file)
+
+
+def _rows(outcome: Outcome, file: Path) -> Iterator[tuple[str, str, str, str, str]]:
+    head = (_where(outcome, file), outcome.case.text)
+    for row in outcome.differences:
+        yield (*head, row.part, row.expected, row.found)
+        head = ("", "")
+
+
+def _record(outcome: Outcome, file: Path) -> dict[str, object]:
+    place = outcome.case.place
+    return {
+        "file": str(file),
+        "line": place.line if place is not None else None,
+        "text": outcome.case.text,
+        "passed": outcome.passed,
+        "differences": [
+            {"part": row.part, "expected": row.expected, "found": row.found} for row in outcome.differences
+        ],
+        "found": outcome.found.to_json(),
+    }

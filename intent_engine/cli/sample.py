@@ -1,0 +1,45 @@
+"""``intent-engine sample``: random sentences of a grammar, each with its meaning."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from intent_engine.cli.describe import action_text, slots_text
+from intent_engine.cli.guard import verb
+from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.terminal import json_line, say
+
+__all__ = ["sample"]
+
+
+@verb
+def sample(
+    grammar: Grammars = None,
+    locations: Locations = None,
+    language: Language = None,
+    count: Annotated[int, typer.Option("--count", "-n", min=1, help="How many sentences.")] = 20,
+    intent: Annotated[str | None, typer.Option(help="Only sentences of this intent.")] = None,
+    seed: Annotated[int, typer.Option(help="The same seed gives the same sentences.")] = 0,
+    state: Annotated[
+        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
+    ] = None,
+    as_json: Json = False,
+) -> int:
+    """Show what can be said: random sentences with the meaning that they were made from."""
+    from intent_engine.actions import to_json
+    from intent_engine.language.sampler import sample as draw
+
+    engine = load_engine(grammar, locations, language)
+    spoken = engine.matcher(language).grammar
+    for drawn in draw(spoken, engine.locations, count, intent=intent, seed=seed, state=state or ()):
+        if as_json:
+            actions = [to_json(action) for action in drawn.actions]
+            json_line({"text": drawn.text, "intent": drawn.intent, "slots": dict(drawn.slots), "actions": actions})
+        else:
+            say(drawn.text)
+            meaning = f"    {drawn.intent} {slots_text(drawn.slots)}".rstrip()
+            actions_text = "; ".join(action_text(action) for action in drawn.actions if action.type != "custom")
+            say(f"{meaning} -> {actions_text}" if actions_text else meaning, "dim")
+    return 0

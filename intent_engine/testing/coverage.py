@@ -1,0 +1,197 @@
+"""What of a grammar the tests reach: intents, sentences and slots.
+
+Every interpretation is watched, whoever asks for it, so that a user's own tests count as well as examples.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.grammar import Grammar, Intent, Place
+from intent_engine.language.matcher import Reading
+from intent_engine.language.meaning import Interpreter
+from intent_engine.language.template import Node, references
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["Coverage", "Missed"]
+
+
+@dataclass(frozen=True, slots=True)
+class Missed:
+    """A part of a grammar that no test reached."""
+
+    kind: str
+    """``intent``, ``sentence`` or ``slot``."""
+    intent: str
+    name: str
+    """Of the intent or slot; of a sentence its template."""
+    place: Place | None
+
+
+@dataclass
+class _Seen:
+    """What was reached of one grammar."""
+
+    grammar: Grammar
+    intents: set[str] = field(default_factory=set)
+    sentences: set[tuple[str, str]] = field(default_factory=set)
+    slots: set[tuple[str, str]] = field(default_factory=set)
+
+
+class Coverage:
+    """Watches every parse between :meth:`start` and :meth:`stop`."""
+
+    def __init__(self) -> None:
+        self._seen: dict[tuple[str, ...], _Seen] = {}
+        self._undo: list[Callable[[], None]] = []
+
+    def start(self) -> None:
+        """Watch all interpreters of this process."""
+        watch = self
+
+        def accepted(original: Any) -> Any:
+            @functools.wraps(original)
+            def _accepted(interpreter: Interpreter, text: str, clause: Any) -> Interpretation:
+                watch._reached(interpreter, (clause.reading,))
+                found: Interpretation = original(interpreter, text, clause)
+                return found
+
+            return _accepted
+
+        def joined(original: Any) -> Any:
+            @functools.wraps(original)
+            def _joined(interpreter: Interpreter, text: str, parts: Any) -> Interpretation:
+                watch._reached(interpreter, [part.reading for part in parts])
+                found: Interpretation = original(interpreter, text, parts)
+                return found
+
+            return _joined
+
+        def interpret(original: Any) -> Any:
+            @functools.wraps(original)
+            def _interpret(interpreter: Interpreter, text: str, *args: Any, **kwargs: Any) -> Interpretation:
+                found: Interpretation = original(interpreter, text, *args, **kwargs)
+                watch._asked(interpreter, text, found)
+                return found
+
+            return _interpret
+
+        for name, wrapper in (("_accepted", accepted), ("_joined", joined), ("interpret", interpret)):
+            original = getattr(Interpreter, name)
+            setattr(Interpreter, name, wrapper(original))
+            self._undo.append(functools.partial(setattr, Interpreter, name, original))
+
+    def stop(self) -> None:
+        """Watch no longer. Idempotent."""
+        while self._undo:
+            self._undo.pop()()
+
+    def _of(self, grammar: Grammar) -> _Seen:
+        key = tuple(str(Path(name).resolve()) for name in grammar.files) or (str(id(grammar)),)
+        seen = self._seen.get(key)
+        if seen is None:
+            seen = self._seen[key] = _Seen(grammar)
+        return seen
+
+    def _asked(self, interpreter: Interpreter, text: str, found: Interpretation) -> None:
+        seen = self._of(interpreter.matcher.grammar)
+        if found.status is Status.ACCEPTED and found.intent is not None:
+            seen.intents.add(found.intent)
+            if not found.slots:  # a stop is heard before any sentence is looked at
+                readings = interpreter.matcher.read(Utterance.of(text).words)
+                self._reached(interpreter, [one for one in readings[:1] if one.intent.name == found.intent])
+
+    def _reached(self, interpreter: Interpreter, readings: Any) -> None:
+        seen = self._of(interpreter.matcher.grammar)
+        for reading in readings:
+            if not isinstance(reading, Reading):
+                continue
+            name = reading.intent.name
+            seen.intents.add(name)
+            seen.sentences.add((name, reading.sentence.text))
+            seen.slots.update((name, label) for label, value in reading.values().items() if value is not None)
+
+    # -- telling ------------------------------------------------------------------------------------------------
+
+    def missed(self) -> dict[str, list[Missed]]:
+        """By the grammar's files: what no test reached, intents first."""
+        return {_title(seen.grammar): list(_missed(seen)) for seen in self._seen.values()}
+
+    def lines(self) -> Iterator[str]:
+        """The report for a terminal."""
+        if not self._seen:
+            yield "no grammar was used"
+        for seen in self._seen.values():
+            missed = list(_missed(seen))
+            counts = []
+            for kind, total in _totals(seen.grammar).items():
+                reached = total - sum(1 for item in missed if item.kind == kind)
+                counts.append(f"{reached} of {total} {kind}s")
+            yield f"{_title(seen.grammar)}: {', '.join(counts)}"
+            for item in missed:
+                where = f"{_short(item.place.file)}:{item.place.line}" if item.place is not None else ""
+                name = item.name if item.kind == "intent" else f"{item.intent}: {item.name}"
+                yield f"  {item.kind:<8} {where:<28} {name}"
+
+
+def _parts(intent: Intent) -> dict[str, Place | None]:
+    """The sentences and patterns of an intent."""
+    found: dict[str, Place | None] = {sentence.text: sentence.place for sentence in intent.sentences}
+    found.update(dict.fromkeys(intent.regex, intent.place))
+    if intent.lark is not None:
+        found[intent.lark] = intent.place
+    return found
+
+
+def _slot_labels(grammar: Grammar, node: Node) -> Iterator[str]:
+    for reference in references(node):
+        if reference.name in grammar.slots:
+            yield reference.label
+        elif reference.name in grammar.phrases:
+            yield from _slot_labels(grammar, grammar.phrases[reference.name])
+
+
+def _labels(grammar: Grammar, intent: Intent) -> tuple[str, ...]:
+    said = (label for sentence in intent.sentences for label in _slot_labels(grammar, sentence.template))
+    fixed = (label for sentence in intent.sentences for label in sentence.fixed)
+    return tuple(dict.fromkeys((*said, *fixed)))
+
+
+def _totals(grammar: Grammar) -> dict[str, int]:
+    intents = grammar.intents.values()
+    return {
+        "intent": len(intents),
+        "sentence": sum(len(_parts(intent)) for intent in intents),
+        "slot": sum(len(_labels(grammar, intent)) for intent in intents),
+    }
+
+
+def _missed(seen: _Seen) -> Iterator[Missed]:
+    intents = seen.grammar.intents
+    for name, intent in intents.items():
+        if name not in seen.intents:
+            yield Missed("intent", name, name, intent.place)
+    for name, intent in intents.items():
+        for text, place in _parts(intent).items():
+            if (name, text) not in seen.sentences:
+                yield Missed("sentence", name, text.strip().replace("\n", " "), place)
+    for name, intent in intents.items():
+        for label in _labels(seen.grammar, intent):
+            if (name, label) not in seen.slots:
+                yield Missed("slot", name, label, intent.place)
+
+
+def _title(grammar: Grammar) -> str:
+    return ", ".join(_short(file) for file in grammar.files) or f"grammar of {grammar.language!r}"
+
+
+def _short(file: str) -> str:
+    """A path as a person standing in this folder writes it."""
+    path = Path(file).resolve()
+    here = Path.cwd()
+    return str(path.relative_to(here)) if path.is_relative_to(here) else file

@@ -1,0 +1,236 @@
+"""Sentences with their meaning, from files: the ``examples`` of grammars, and test files (``*.intents.yaml``).
+
+Both the pytest plugin and ``intent-engine test`` run them from here.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from intent_engine.actions import Action, from_json
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language import quantities
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
+from intent_engine.language.normalize import tokenize
+from intent_engine.language.schema_problems import schema_problems
+from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
+from intent_engine.resources import default_grammar, default_locations, find
+from intent_engine.testing.comparison import Difference, differences
+
+__all__ = ["Case", "Examples", "Outcome", "is_test_file", "load_examples", "run_case"]
+
+SUFFIXES = (".intents.yaml", ".intents.yml")
+RESULTS = tuple(status.value for status in Status)
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A sentence and what is expected of it."""
+
+    text: str
+    status: Status = Status.ACCEPTED
+    intent: str | None = None
+    """None: any."""
+    slots: Mapping[str, Any] | None = None
+    """All of them; a quantity as an SI number, or as text with its unit ("90 deg"). None: any."""
+    actions: tuple[Action, ...] | None = None
+    """None: any."""
+    state: tuple[str, ...] = ()
+    """States that the robot is in."""
+    language: str | None = None
+    place: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Examples:
+    """What a file asks for, and the engine that shall answer."""
+
+    file: Path
+    engine: IntentEngine
+    cases: tuple[Case, ...] = field(default_factory=tuple)
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a case went."""
+
+    case: Case
+    found: Interpretation
+    differences: tuple[Difference, ...]
+
+    @property
+    def passed(self) -> bool:
+        return not self.differences
+
+
+def is_test_file(path: Path) -> bool:
+    """Whether a file is a test file, by its name."""
+    return path.name.endswith(SUFFIXES)
+
+
+def load_examples(path: Path, locations: Sequence[Path] = ()) -> Examples:
+    """The examples of a grammar file, or the tests of a test file.
+
+    Args:
+        path: a grammar, or a file whose name ends with ``.intents.yaml``.
+        locations: map files, where the file names none; without any, the map that comes with the engine.
+
+    Raises:
+        ConfigError: with everything that is wrong in the file, or in the grammar and map that it names.
+    """
+    if is_test_file(path):
+        return _tests(path, locations)
+    engine = IntentEngine.from_files(path, locations=list(locations) or default_locations())
+    own = {str(path), str(path.resolve())}
+    cases = [case for grammar in engine.grammars for case in _examples(grammar)]
+    # What the grammar includes has examples of its own, and is tested for itself.
+    return Examples(path, engine, tuple(case for case in cases if case.place is None or case.place.file in own))
+
+
+def run_case(engine: IntentEngine, case: Case) -> Outcome:
+    """Parse a case's text and compare."""
+    found = engine.parse(case.text, state=case.state, language=case.language)
+    expected = Interpretation(
+        case.text,
+        case.status,
+        found.intent if case.intent is None else case.intent,
+        found.slots if case.slots is None else _in_si(case.slots, found.slots),
+        found.actions if case.actions is None and case.status is Status.ACCEPTED else case.actions or (),
+    )
+    return Outcome(case, found, differences(expected, found))
+
+
+def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
+    """The expected slots, with quantities that are written with a unit as numbers."""
+    values = dict(expected)
+    for label, value in expected.items():
+        got = found.get(label)
+        if isinstance(value, str) and isinstance(got, float):
+            words = [token.word for token in tokenize(value)]
+            for kind in QUANTITY_KINDS:
+                number = quantities.evaluate(words, kind)
+                if isinstance(number, float) and (kind != "ordinal" or math.isclose(number, got)):
+                    values[label] = number
+                    if math.isclose(number, got, rel_tol=1e-6):
+                        break
+    return values
+
+
+# -- grammars -------------------------------------------------------------------------------------------------
+
+
+def _examples(grammar: Grammar) -> Iterator[Case]:
+    for intent in grammar.intents.values():
+        for example in intent.examples:
+            case = Case(
+                example.text, state=tuple(sorted(intent.requires)), language=grammar.language, place=example.place
+            )
+            if isinstance(example.expected, str):
+                yield replace(case, status=Status(example.expected))
+            else:
+                yield replace(case, intent=intent.name, slots=example.expected)
+
+
+# -- test files -----------------------------------------------------------------------------------------------
+
+
+@cache
+def _schema() -> dict[str, Any]:
+    text = resources.files("intent_engine.testing").joinpath("tests.schema.json").read_text("utf-8")
+    loaded: dict[str, Any] = json.loads(text)
+    return loaded
+
+
+def _tests(path: Path, locations: Sequence[Path]) -> Examples:
+    source = read_yaml(path)
+    if source.data is not None:
+        source.problems.extend(schema_problems(source, _schema()))
+    if source.problems:
+        raise ConfigError(source.problems)
+    data = source.data
+    grammars = [_named(path, "grammars", name) for name in _texts(data.get("grammar", ()))] or [default_grammar()]
+    maps = [_named(path, "locations", name) for name in _texts(data.get("locations", ()))] or list(locations)
+    engine = IntentEngine.from_files(grammars, locations=maps or default_locations())
+    common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
+    cases = tuple(_test_cases(source, engine, common))
+    if source.problems:
+        raise ConfigError(source.problems)
+    return Examples(path, engine, cases)
+
+
+def _texts(value: Any) -> tuple[str, ...]:
+    return (value,) if isinstance(value, str) else tuple(value)
+
+
+def _named(path: Path, kind: str, name: str) -> Path:
+    """A file beside the test file, or one that comes with the engine."""
+    beside = path.parent / name
+    return beside if beside.exists() else find(kind, name)
+
+
+def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Iterator[Case]:
+    tests = source.data["tests"]
+    known = {name for grammar in engine.grammars for name in grammar.intents}
+    if isinstance(tests, dict):
+        for intent, entries in tests.items():
+            path: YamlPath = ("tests", intent)
+            if intent not in known:
+                source.problem(path, f"there is no intent {intent!r}", f"known: {', '.join(sorted(known))}", key=True)
+            elif not isinstance(entries, list):
+                source.problem(path, "the tests of an intent are a list", "- go left: {direction: left}")
+            else:
+                for index, entry in enumerate(entries):
+                    yield from _entry(source, (*path, index), entry, replace(common, intent=intent))
+        return
+    for index, entry in enumerate(tests):
+        yield from _entry(source, ("tests", index), entry, common)
+
+
+def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case) -> Iterator[Case]:
+    common = replace(common, place=source.place(path))
+    if isinstance(entry, str):
+        yield replace(common, text=entry)
+    elif isinstance(entry, dict) and "say" in entry:
+        yield from _long_entry(source, path, entry, common)
+    elif isinstance(entry, dict) and len(entry) == 1:
+        ((text, expected),) = entry.items()
+        if isinstance(expected, str) and expected in RESULTS:
+            status = Status(expected)
+            intent = common.intent if status is Status.ACCEPTED else None
+            yield replace(common, text=text, status=status, intent=intent)
+        elif expected is None or isinstance(expected, dict):
+            yield replace(common, text=text, slots=expected)
+        else:
+            source.problem((*path, text), f"{expected!r} is no meaning", "write {slot: value}, or rejected")
+    else:
+        source.problem(path, "a test is one sentence and its meaning", '- "go left": {direction: left}')
+
+
+def _long_entry(source: YamlSource, path: YamlPath, entry: Mapping[str, Any], common: Case) -> Iterator[Case]:
+    status = Status(entry.get("status", Status.ACCEPTED))
+    actions: list[Action] | None = [] if "actions" in entry else None
+    for index, action in enumerate(entry.get("actions", ())):
+        try:
+            assert actions is not None
+            actions.append(from_json(action))
+        except ValueError as error:
+            source.problem((*path, "actions", index), str(error), "see docs/json.md for actions")
+    for text in _texts(entry["say"]):
+        yield replace(
+            common,
+            text=text,
+            status=status,
+            intent=entry.get("intent", common.intent if status is Status.ACCEPTED else None),
+            slots=entry.get("slots"),
+            actions=None if actions is None else tuple(actions),
+            state=_texts(entry["state"]) if "state" in entry else common.state,
+        )
