@@ -250,24 +250,24 @@ class Interpreter:
     def _stops_between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
         words = said.words
-        opened = 0
-        begin = position = self._skip(words, 0)
+        begins = [self._skip(words, 0), 0]
+        position = begins[0]
         while position <= len(words):
             length = self._stop.at(words, position)
             if not length and position < len(words):
                 position += 1
                 continue
-            command = said.part(begin + self._sequence.at(words, begin), position)
-            for joint in (self._correction, self._sequence):
-                command = command.part(0, len(command) - joint.ends(command.words))
-            if not self._only_commands(command, state) and not self._only_commands(said.part(opened, position), state):
+            if not any(self._only_commands(said.part(begin, position), state) for begin in begins):
                 return False
-            opened = position
-            begin = position = position + max(length, 1)
+            begins = [position + shorter for shorter in self._stop.lengths_at(words, position)] + [position]
+            position += max(length, 1)
         return True
 
     def _only_commands(self, part: Utterance, state: Collection[str]) -> bool:
         """Whether a part between stop words is commands, or only fillers, and so no talk about something else."""
+        part = part.part(self._sequence.at(part.words, 0), len(part))
+        for joint in (self._correction, self._sequence):
+            part = part.part(0, len(part) - joint.ends(part.words))
         core = part.without(self._fillers)
         known = not core.words or self._accepts(part, state) or self._accepts(core, state)
         return known or self._compound(core, state) is not None
