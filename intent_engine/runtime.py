@@ -240,9 +240,8 @@ class Runtime:
         if signal is Signal.STARTED:
             utterance = _Utterance(list(recent), frame.time)
             if self._reflex is not None:
-                self._reflex.reset()
-                for samples in utterance.frames:
-                    self._listen(samples, frame.time)
+                self._reflex.begin(utterance.frames[:-1])
+                self._listen(frame.samples, frame.time)
             self._tell(HeardKind.SPEECH, frame.time)
             return utterance
         if utterance is None:

@@ -88,7 +88,7 @@ def test_text_needs_no_audio():
         "result = CliRunner().invoke(app, ['parse', 'go to the kitchen'])\n"
         "assert result.exit_code == 0, result.output\n"
         "heavy = {'faster_whisper', 'ctranslate2', 'sounddevice', 'soundfile', 'onnxruntime', 'av', 'soxr', 'numpy',\n"
-        "         'pocketsphinx', 'rclpy', 'matplotlib', 'huggingface_hub'}\n"
+        "         'rclpy', 'matplotlib', 'huggingface_hub'}\n"
         "print(sorted(heavy & set(sys.modules)))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.reflex import Reflex
 
 __all__ = ["run"]
 
@@ -28,6 +29,9 @@ Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name
 
 
 Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
+NoReflex = Annotated[
+    bool, typer.Option("--no-reflex", help="Do not hold the robot while a stop word is still being said.")
+]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
 Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
 JournalFile = Annotated[
@@ -44,6 +48,7 @@ def run(
     language: Language = None,
     model: Model = "tiny.en",
     free: Free = False,
+    no_reflex: NoReflex = False,
     realtime: Annotated[
         bool, typer.Option("--realtime", help="Play at the speed of the recording, not as fast as possible.")
     ] = False,
@@ -65,6 +70,7 @@ def run(
         model=model,
         language=language,
         free=free,
+        reflex=not no_reflex,
         as_json=as_json,
         plot=plot,
         draw=draw,
@@ -83,6 +89,7 @@ class _Session:
     model: str
     language: str | None
     free: bool
+    reflex: bool
     as_json: bool
     plot: Path | None = None
     draw: bool = False
@@ -108,7 +115,7 @@ class _Session:
 
             options["journal"] = Journal(self.journal)
         with Executor(robot, clock=self.clock, on_event=reporter.executed, **options) as executor:
-            runtime = Runtime(self.engine, executor, recognizer, on_event=reporter.heard)
+            runtime = Runtime(self.engine, executor, recognizer, reflex=self._reflex(), on_event=reporter.heard)
             reporter.start = self.clock.now()
             try:
                 summary = runtime.run(source)
@@ -136,6 +143,14 @@ class _Session:
             self.plot.parent.mkdir(parents=True, exist_ok=True)
             plot_path(robot, self.plot, title="The way of the robot")
             note(f"the way of the robot is drawn in {self.plot}")
+
+    def _reflex(self) -> Reflex | None:
+        if not self.reflex:
+            return None
+        from intent_engine.execution.clock import SteppedClock
+        from intent_engine.speech.reflex import reflex_for
+
+        return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
 
     def _recognizer(self) -> Recognizer:
         if self.free:

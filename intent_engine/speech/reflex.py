@@ -1,81 +1,288 @@
-"""The reflex stop: a small keyword recogniser that is always listening for nothing but the stop words.
+"""The reflex stop: while somebody speaks, is the word being said a word that stops the robot?
 
-It hears "stop" before the word has ended, and is wrong one time in twenty; so it only *holds* the robot, and the
-recogniser then confirms the stop or releases it. Two partial results in a row are asked for.
+A small Whisper is shown the last second of sound every 64 ms and asked for one thing only: how likely the first words
+are a stop phrase. It need not be likely, only far likelier than in any other speech: a stop word half said is guessed
+at one in a hundred, other words below one in ten thousand. So "stop" is heard before it has ended. The robot is then
+only *held*; the recogniser, which hears the whole utterance, confirms the stop or releases the robot.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable
-from typing import Any, Protocol
+import logging
+import threading
+from collections import deque
+from collections.abc import Iterable, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Samples
+from intent_engine.speech.whisper import WhisperRecognizer
 
-__all__ = ["PocketsphinxReflex", "Reflex"]
+if TYPE_CHECKING:
+    from intent_engine.engine import IntentEngine
 
-AGREEING = 2
-"""Partial results in a row that must hold a stop word."""
+__all__ = ["Reflex", "WhisperReflex", "reflex_for"]
+
+THRESHOLD = 0.005
+"""Probability of a stop phrase above which the robot is held. Measured: docs/decisions/speech-reflex.md."""
+WINDOW_SECONDS = 1.0
+"""Sound that is looked at, so that a stop at the end of a long utterance is heard as well."""
+INPUT_SECONDS = 2.0
+"""Length of the encoder's input."""
+EVERY_FRAMES = 2
+"""Frames between two looks."""
+MAX_PIECES = 5
+"""Tokens of a phrase; longer ones are left to the recogniser."""
+MAX_LEADS = 80
+"""Words before a stop that are known; more would only slow the start."""
+MAX_OPEN = 6
+"""Beginnings of phrases that are followed up in one look."""
 
 
 class Reflex(Protocol):
-    """Listens for stop words in the stream."""
+    """Listens for stop words in the stream. Fed every frame of an utterance, in order."""
+
+    def begin(self, frames: Sequence[Samples]) -> None:
+        """A new utterance begins, with this sound."""
+        ...
 
     def heard(self, samples: Samples) -> bool:
         """Whether a stop word is being said, as of this frame."""
         ...
 
-    def reset(self) -> None:
-        """A new utterance begins."""
+    def close(self) -> None:
+        """Let go of model and thread. Idempotent."""
         ...
 
 
-class PocketsphinxReflex:
-    """Pocketsphinx on a grammar of the stop words against everything else that is short, with its own model.
+class WhisperReflex:
+    """A Whisper model that only listens for stop phrases.
+
+    Life cycle: made (model loaded) -> ``begin``, ``heard`` ... for each utterance -> ``close``. Used by one thread.
 
     Args:
-        stop_phrases: what stops the robot; phrases with a word that the dictionary lacks are left out.
-        others: words of the language that sound like none of them, to take what is not a stop.
+        stop_phrases: what stops the robot.
+        leads: what may stand before a stop of one word ("please", "robot").
+        model: a name or a path; the smallest is the quickest, and good enough.
+        device: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`.
+        language: of the phrases.
+        background: look in a thread beside, so that listening never waits; False on a virtual clock, where the same
+            sound must always give the same.
+        threshold: probability that holds the robot.
+
+    Raises:
+        WeightsError: the model cannot be found or loaded.
+        ValueError: there is no stop phrase.
     """
 
-    def __init__(self, stop_phrases: Iterable[str], others: Iterable[str] = ()) -> None:
-        from pocketsphinx import Decoder
+    def __init__(
+        self,
+        stop_phrases: Iterable[Sequence[str]],
+        leads: Iterable[str] = (),
+        *,
+        model: str = "tiny.en",
+        device: str = "cpu",
+        language: str | None = "en",
+        background: bool = True,
+        threshold: float = THRESHOLD,
+    ) -> None:
+        self._whisper = WhisperRecognizer(model, device=device, language=language, threads=1)
+        self._threshold = threshold
+        self._prompt = self._whisper.prompt()
+        phrases = _shortest(stop_phrases)
+        if not phrases:
+            raise ValueError("no stop phrase")
+        self.phrases = phrases
+        self._complete, self._onward = self._pieces(phrases, tuple(dict.fromkeys(leads)))
+        self._sound: deque[Samples] = deque(maxlen=int(WINDOW_SECONDS / FRAME_SECONDS))
+        self._since = 0
+        self._worker = _Worker(self._look) if background else None
 
-        self._decoder: Any = Decoder(lm=None, loglevel="FATAL", samprate=SAMPLE_RATE)
-        known = [phrase for phrase in stop_phrases if self._knows(phrase)]
-        rest = [word for word in others if self._knows(word) and word not in known]
-        if not known:
-            raise ValueError("none of the stop words is in the dictionary")
-        self.words = frozenset(known)
-        stops = " | ".join(known)
-        fillers = " | ".join(rest) if rest else ""
-        rule = f"( {stops} | {fillers} )" if fillers else f"( {stops} )"
-        self._decoder.add_jsgf_string("stop", f"#JSGF V1.0;\ngrammar stop;\npublic <words> = {rule}+ ;\n")
-        self._decoder.activate_search("stop")
-        self._pattern = re.compile(r"\b(?:" + "|".join(map(re.escape, known)) + r")\b")
-        self._open = False
-        self._agreeing = 0
+    def _pieces(
+        self, phrases: Sequence[tuple[str, ...]], leads: Sequence[str]
+    ) -> tuple[frozenset[tuple[int, ...]], dict[tuple[int, ...], list[int]]]:
+        """The phrases as tokens, in the ways that the model writes them; and for each beginning how it may go on."""
+        tokenizer = self._whisper.tokenizer()
+        complete: set[tuple[int, ...]] = set()
+        for phrase, lead in product(phrases, ("", *leads)):
+            if lead and len(phrase) > 1:
+                continue
+            said = " ".join([lead, *phrase] if lead else phrase)
+            # Before a comma a sentence does not begin again: "Robot, stop".
+            texts = {said, said.capitalize()}
+            if lead:
+                texts.add(f"{lead.capitalize()}, {' '.join(phrase)}")
+            for text in texts:
+                for spaced in (" " + text, text):
+                    tokens = tuple(tokenizer.encode(spaced))
+                    if len(tokens) <= MAX_PIECES:
+                        complete.add(tokens)
+        kept = frozenset(
+            tokens for tokens in complete if not any(tokens[:length] in complete for length in range(1, len(tokens)))
+        )
+        onward: dict[tuple[int, ...], set[int]] = {}
+        for tokens in kept:
+            for length, token in enumerate(tokens):
+                onward.setdefault(tokens[:length], set()).add(token)
+        return kept, {begun: sorted(following) for begun, following in onward.items()}
 
-    def _knows(self, phrase: str) -> bool:
-        return all(self._decoder.lookup_word(word) is not None for word in phrase.split())
-
-    def reset(self) -> None:
-        if self._open:
-            self._decoder.end_utt()
-        self._decoder.start_utt()
-        self._open = True
-        self._agreeing = 0
+    def begin(self, frames: Sequence[Samples]) -> None:
+        self._sound.clear()
+        self._sound.extend(frames)
+        self._since = EVERY_FRAMES
+        if self._worker is not None:
+            self._worker.reset()
 
     def heard(self, samples: Samples) -> bool:
-        if not self._open:
-            self.reset()
-        sound = (np.clip(samples, -1.0, 1.0) * 32767).astype(np.int16).tobytes()
-        self._decoder.process_raw(sound, False, False)
-        partial = self._decoder.hyp()
-        if partial is not None and self._pattern.search(partial.hypstr):
-            self._agreeing += 1
-        else:
-            self._agreeing = 0
-        return self._agreeing >= AGREEING
+        self._sound.append(samples)
+        self._since += 1
+        if self._worker is not None:
+            if self._since >= EVERY_FRAMES and self._worker.offer(tuple(self._sound)):
+                self._since = 0
+            return self._worker.found
+        if self._since < EVERY_FRAMES:
+            return False
+        self._since = 0
+        return self._look(tuple(self._sound))
+
+    def _look(self, frames: tuple[Samples, ...]) -> bool:
+        sound = np.nan_to_num(np.concatenate(frames), posinf=0.0, neginf=0.0)
+        return self.probability(sound) >= self._threshold
+
+    def probability(self, samples: Samples) -> float:
+        """How likely a stop phrase is being said, or has just been said, at the beginning of this sound."""
+        if samples.size < SAMPLE_RATE // 10:
+            return 0.0
+        encoded = self._whisper.encode(samples, INPUT_SECONDS)
+        total = 0.0
+        open_ways: list[tuple[tuple[int, ...], float]] = [((), 1.0)]
+        while open_ways:
+            rows = self._next(encoded.features, [begun for begun, _ in open_ways])
+            further: list[tuple[tuple[int, ...], float]] = []
+            for (begun, chance), row in zip(open_ways, rows, strict=True):
+                for token in self._onward[begun]:
+                    whole, likely = (*begun, token), chance * float(row[token])
+                    if whole in self._complete:
+                        total += likely
+                    elif likely >= self._threshold:
+                        further.append((whole, likely))
+            if total >= self._threshold:
+                break
+            open_ways = sorted(further, key=lambda way: -way[1])[:MAX_OPEN]
+        return total
+
+    def _next(self, features: Any, beginnings: Sequence[tuple[int, ...]]) -> list[Any]:
+        """Probabilities of the next token after each beginning, ``(tokens,)`` each."""
+        import ctranslate2
+
+        rows = []
+        for begun in beginnings:
+            # max_length counts two for each token to write.
+            result = self._whisper.engine.generate(
+                features, [[*self._prompt, *begun]], max_length=2, beam_size=1, return_logits_vocab=True
+            )[0]
+            logits = result.logits[0]
+            if isinstance(logits, ctranslate2.StorageView):
+                logits = logits.to_device(ctranslate2.Device.cpu)
+            scores = np.asarray(logits, dtype=np.float32).reshape(-1)
+            scores = np.exp(scores - scores.max())
+            rows.append(scores / scores.sum())
+        return rows
+
+    def close(self) -> None:
+        if self._worker is not None:
+            self._worker.close()
+        self._whisper.close()
+
+
+class _Worker:
+    """Looks in a thread of its own, always at the newest sound; what came while it was busy is passed over."""
+
+    def __init__(self, look: Any) -> None:
+        self._look = look
+        self._condition = threading.Condition()
+        self._task: tuple[int, tuple[Samples, ...]] | None = None
+        self._utterance = 0
+        self._busy = False
+        self._closed = False
+        self.found = False
+        """Whether a stop phrase was found in this utterance."""
+        self._thread = threading.Thread(target=self._work, name="reflex", daemon=True)
+        self._thread.start()
+
+    def reset(self) -> None:
+        with self._condition:
+            self._utterance += 1
+            if self._task is not None:
+                self._task, self._busy = None, False
+            self.found = False
+
+    def offer(self, frames: tuple[Samples, ...]) -> bool:
+        """Take this sound, unless still busy with older."""
+        with self._condition:
+            if self._busy or self._closed:
+                return False
+            self._task = (self._utterance, frames)
+            self._busy = True
+            self._condition.notify()
+            return True
+
+    def _work(self) -> None:
+        while True:
+            with self._condition:
+                self._condition.wait_for(lambda: self._closed or self._task is not None)
+                if self._closed:
+                    return
+                task, self._task = self._task, None
+            assert task is not None
+            utterance, frames = task
+            try:
+                found = self._look(frames)
+            except Exception:  # a reflex that fails must go on: the recogniser still hears the stop
+                logging.getLogger(__name__).exception("the reflex could not look at the sound")
+                found = False
+            with self._condition:
+                self._busy = False
+                if found and utterance == self._utterance:
+                    self.found = True
+
+    def close(self) -> None:
+        with self._condition:
+            self._closed = True
+            self._condition.notify()
+        self._thread.join(timeout=2.0)
+
+
+def reflex_for(
+    engine: IntentEngine, *, language: str | None = None, model: str | None = None, background: bool = True
+) -> WhisperReflex:
+    """The reflex of an engine: the stop phrases of its grammar, after any of its fillers and wake words.
+
+    Args:
+        engine: whose grammar.
+        language: of the grammar; None: its first.
+        model: None: tiny.en for English, tiny for other languages.
+        background: see :class:`WhisperReflex`.
+
+    Raises:
+        WeightsError: the model cannot be found or loaded.
+    """
+    grammar = engine.matcher(language).grammar
+    leads = [" ".join(words) for words in (*grammar.wake, *grammar.operators.correction, *grammar.fillers)]
+    return WhisperReflex(
+        grammar.operators.stop,
+        leads[:MAX_LEADS],
+        model=model or ("tiny.en" if grammar.language == "en" else "tiny"),
+        language=grammar.language,
+        background=background,
+    )
+
+
+def _shortest(phrases: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
+    """Phrases that begin with no other: "stop right there" is heard at "stop"."""
+    known = {tuple(words) for words in phrases if words}
+    return tuple(
+        sorted(words for words in known if not any(words[:length] in known for length in range(1, len(words))))
+    )
