@@ -1,8 +1,9 @@
 """The node ``intent_engine``: text in, a moving robot out.
 
-In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), the service ``stop``
-(std_srvs/Trigger). Out: ``voice_commands/command`` and ``voice_commands/status`` (std_msgs/String), ``cmd_vel``,
-goals for the navigation. All names are relative and can be remapped.
+In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop``
+(std_msgs/Empty) and the service ``stop`` (std_srvs/Trigger). Out: ``voice_commands/command`` and
+``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All names are relative and can be
+remapped.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ class VoiceCommands:
     """
 
     def __init__(self, node: Any) -> None:
-        from std_msgs.msg import Bool, String
+        from std_msgs.msg import Bool, Empty, String
 
         self._node, self._log = node, node.get_logger()
         self._string = String
@@ -69,6 +70,7 @@ class VoiceCommands:
             raise
         node.create_subscription(String, "voice_commands/text", self._heard, 10)
         node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
+        node.create_subscription(Empty, "voice_commands/stop", lambda message: self.executor.stop(), 10)
         self._offer_stop()
         self._log.info(self._summary(parameters))
 

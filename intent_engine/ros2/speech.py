@@ -1,0 +1,211 @@
+"""The node ``speech``: sound in, text out.
+
+Out: ``voice_commands/text`` (std_msgs/String), what was said; ``voice_commands/hold`` (std_msgs/Bool), that a stop
+word may be being said, or was none; ``voice_commands/stop`` (std_msgs/Empty), that the robot must stand whatever is
+said, because hearing failed or ended. All names are relative and can be remapped.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError, IntentEngineError
+from intent_engine.execution.events import Event, EventKind
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.resources import find
+from intent_engine.ros2.parameters import Parameters
+from intent_engine.ros2.process import run_node
+
+if TYPE_CHECKING:
+    from intent_engine.runtime import Heard
+    from intent_engine.speech.audio import AudioSource
+    from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.reflex import Reflex
+
+__all__ = ["Speech", "main", "worth_saying"]
+
+
+def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
+    """Whether an utterance may be passed on as text.
+
+    What the runtime did not believe, because it sounded too different from its words or because the wake word was
+    missing, must not come back as a command: the text alone would be understood, and nobody after this could know.
+    """
+    if not found.text.strip():
+        return False
+    return found.status is Status.ACCEPTED or engine.parse(found.text).status is not Status.ACCEPTED
+
+
+class _Elsewhere:
+    """The robot that hears itself be stopped: it is driven by another node."""
+
+    capabilities: frozenset[Capability] = frozenset()
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None: ...
+
+    def stop(self) -> None: ...
+
+    def navigate(self, goal: Pose) -> Task:
+        raise NotImplementedError
+
+    def pick(self, object_name: str) -> Task:
+        raise NotImplementedError
+
+    def place(self, object_name: str | None, location: str | None) -> Task:
+        raise NotImplementedError
+
+    def cancel(self, task: Task) -> None: ...
+
+    def pose(self) -> Pose | None:
+        return None
+
+    def close(self) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class SpeechParameters:
+    """What the node ``speech`` was told."""
+
+    grammar: tuple[str, ...]
+    locations: tuple[str, ...]
+    model: str
+    device: str
+    """Microphone: its number, name or a part of the name; empty: the system's."""
+    file: str
+    """A recording that is played instead; empty: none."""
+    reflex: bool
+    free: bool
+    """Decode without the help of the grammar."""
+
+
+def read_parameters(node: Any) -> SpeechParameters:
+    """Declare the parameters of the node ``speech`` and read them.
+
+    Raises:
+        ConfigError: with everything that is wrong.
+    """
+    declared = Parameters(node)
+    parameters = SpeechParameters(
+        grammar=declared.texts("grammar", "en", "Grammar file, or the name of a shipped one"),
+        locations=declared.texts("locations", "home", "Map file, or the name of a shipped one"),
+        model=declared.text("model", "tiny.en", "Whisper model: a name or a folder"),
+        device=declared.text("device", "", "Microphone: number, name or part of it; empty: the system's"),
+        file=declared.text("file", "", "Recording to play instead of the microphone"),
+        reflex=declared.truth("reflex", True, "Hold the robot while a stop word is being said"),
+        free=declared.truth("free", False, "Decode without the help of the grammar"),
+    )
+    if declared.problems:
+        raise ConfigError(declared.problems)
+    return parameters
+
+
+class Speech:
+    """What the node does: a runtime whose robot is somewhere else.
+
+    Life cycle: made with a node -> a thread listens; a recording may end, a microphone that fails ends the process ->
+    ``close``.
+
+    Raises:
+        ConfigError: a parameter, grammar or map is wrong.
+        AudioError, DeviceError, WeightsError: no sound or no model.
+    """
+
+    def __init__(self, node: Any, end: Callable[[], None]) -> None:
+        from std_msgs.msg import Bool, Empty, String
+
+        from intent_engine.runtime import Runtime
+
+        self._node, self._log, self._end = node, node.get_logger(), end
+        self._messages = {"hold": Bool, "stop": Empty, "text": String}
+        parameters = read_parameters(node)
+        self._engine = IntentEngine.from_files(
+            [find("grammars", name) for name in parameters.grammar],
+            locations=[find("locations", name) for name in parameters.locations],
+        )
+        source = self._source(parameters)
+        recognizer, reflex = self._ears(parameters)
+        self._publishers = {
+            name: node.create_publisher(kind, f"voice_commands/{name}", 10) for name, kind in self._messages.items()
+        }
+        self._executor = Executor(_Elsewhere(), on_event=self._executed, handle_sigterm=False)
+        self._runtime = Runtime(self._engine, self._executor, recognizer, reflex=reflex, on_event=self._heard)
+        self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
+        self._thread.start()
+        self._log.info(f"ready: {parameters.file or 'microphone'} -> {self._publishers['text'].topic_name}")
+
+    def close(self) -> None:
+        """Hear no more; the robot is stopped, as it would not hear a stop."""
+        self._runtime.close()
+        self._thread.join(2.0)
+        self._executor.close()
+
+    def _listen(self, source: AudioSource) -> None:
+        try:
+            summary = self._runtime.run(source)
+        except Exception as error:
+            self._publish("stop")
+            self._log.error(f"{error}; the robot is stopped")
+            self._end()
+        else:
+            self._log.info(f"the sound has ended: {summary.utterances} sentences, {summary.accepted} understood")
+
+    def _heard(self, event: Heard) -> None:
+        from intent_engine.runtime import HeardKind
+
+        if event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
+            found = event.interpretation
+            if worth_saying(self._engine, found):
+                self._publish("text", data=found.text)
+            else:
+                self._log.info(f"not passed on: {found.text!r}: {found.reason}")
+        elif event.kind is HeardKind.ERROR:
+            self._log.error(f"{event.detail}; the robot is stopped")
+
+    def _executed(self, event: Event) -> None:
+        if event.kind in (EventKind.HOLD, EventKind.RELEASE):
+            self._publish("hold", data=event.kind is EventKind.HOLD)
+        elif event.kind is EventKind.STOP:
+            self._publish("stop")
+
+    def _publish(self, name: str, **fields: Any) -> None:
+        self._publishers[name].publish(self._messages[name](**fields))
+
+    def _source(self, parameters: SpeechParameters) -> AudioSource:
+        if parameters.file:
+            from intent_engine.speech.sources.file import FileSource
+
+            return FileSource(parameters.file, realtime=True)
+        from intent_engine.speech.sources.microphone import Microphone
+
+        device = parameters.device
+        return Microphone(int(device) if device.isdigit() else device or None)
+
+    def _ears(self, parameters: SpeechParameters) -> tuple[Recognizer, Reflex | None]:
+        from intent_engine.speech.reflex import reflex_for
+        from intent_engine.speech.steered import SteeredWhisper
+        from intent_engine.speech.whisper import WhisperRecognizer
+
+        reflex = reflex_for(self._engine) if parameters.reflex else None
+        if parameters.free:
+            return WhisperRecognizer(parameters.model, language=self._engine.languages[0]), reflex
+        return SteeredWhisper(self._engine, parameters.model), reflex
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """What the script ``intent-engine-ros2-speech`` runs."""
+    try:
+        return run_node("speech", Speech, sys.argv if arguments is None else arguments)
+    except IntentEngineError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return error.exit_code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

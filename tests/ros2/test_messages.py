@@ -1,0 +1,82 @@
+"""What the nodes say. No ROS is needed for it."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from intent_engine.actions import Move
+from intent_engine.engine import IntentEngine
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
+from intent_engine.ros2.speech import worth_saying
+
+
+@pytest.fixture(scope="module")
+def engine(root):
+    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
+
+
+@pytest.mark.parametrize(
+    ("text", "tutorial"),
+    [
+        ("go to the kitchen", ["navigate:go to the kitchen"]),
+        ("stop", ["stop:stop"]),
+        (
+            "go to the kitchen then turn left",
+            ["navigate:go to the kitchen then turn left", "turn:go to the kitchen then turn left"],
+        ),
+        ("don't go to the kitchen", []),
+        ("the weather is nice", []),
+        ("go to the", []),
+    ],
+)
+def test_command(engine, text, tutorial):
+    found = engine.parse(text)
+    assert command_texts(found, CommandForm.TUTORIAL) == tutorial
+    as_json = command_texts(found, CommandForm.JSON)
+    assert [json.loads(each) for each in as_json] == ([found.to_json()] if tutorial else [])
+
+
+def test_status_of_what_was_heard(engine):
+    data = json.loads(interpretation_text(engine.parse("don't move"), 12.34567))
+    assert (data["event"], data["time"]) == ("interpretation", 12.346)
+    assert Interpretation.from_json(data["interpretation"]).status is Status.REJECTED
+
+
+def test_status_of_what_is_done():
+    clock = VirtualClock()
+    texts = []
+    with Executor(
+        SimulatedRobot(clock), on_event=lambda event: texts.append(event_text(event, event.time)), handle_sigterm=False
+    ) as executor:
+        executor.wait(executor.submit(Move(0.5, 1.0, 2.0)))
+    told = [json.loads(text) for text in texts]
+    goals = [each for each in told if each["event"] == "goal"]
+    assert [each["state"] for each in goals] == ["pending", "accepted", "executing", "succeeded"]
+    assert goals[-1]["action"] == {"type": "move", "linear_velocity": 0.5, "distance": 1.0, "duration": 2.0}
+    feedback = [each for each in told if each["event"] == "feedback"]
+    assert 0.0 < feedback[0]["progress"] < 1.0
+
+
+def test_what_the_runtime_did_not_believe_is_not_said(engine, tmp_path, root):
+    believed = engine.parse("go to the kitchen")
+    assert worth_saying(engine, believed)
+    doubted = Interpretation("go to the kitchen", Status.REJECTED, reason="it sounded too different")
+    assert not worth_saying(engine, doubted)
+    assert worth_saying(engine, engine.parse("the weather is nice"))
+    assert not worth_saying(engine, Interpretation(" ", Status.REJECTED))
+
+
+def test_what_lacks_the_wake_word_is_not_said(tmp_path):
+    path = tmp_path / "wake.yaml"
+    path.write_text('language: en\nwake: [robot]\nintents:\n  halt:\n    action: stop\n    sentences: ["freeze now"]\n')
+    engine = IntentEngine.from_files(path)
+    heard = engine.parse("freeze now", spoken=True)
+    if heard.status is not Status.ACCEPTED:  # a stop may need no wake word
+        assert not worth_saying(engine, heard)
+    assert worth_saying(engine, engine.parse("robot freeze now", spoken=True))
