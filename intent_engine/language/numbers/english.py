@@ -328,7 +328,7 @@ def ordinal(words: Sequence[str]) -> float | None:
     if len(words) == 1:
         return float(value)
     before = number(words[: -2 if words[-2] == "and" else -1])
-    if before is None or value >= 100 or (before % 100 if value >= 10 else before % 10):
+    if before is None or before < 20 or before % 100 == 10 or before % (100 if value >= 10 else 10):
         return None
     return before + value
 

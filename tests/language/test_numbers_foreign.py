@@ -1,0 +1,169 @@
+"""Numbers of other languages, as people say them and as recognisers write them."""
+
+from __future__ import annotations
+
+import math
+import string
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from intent_engine.language.normalize import tokenize
+from intent_engine.language.numbers import foreign
+from intent_engine.language.numbers.units import units
+from intent_engine.language.quantities import evaluate, is_number_word, templates
+from intent_engine.language.template import parse_template
+
+DEGREE = math.pi / 180
+KMH = 1 / 3.6
+SAID = {
+    "de": [
+        ("zwei", "number", 2),
+        ("zwo", "number", 2),
+        ("einundzwanzig", "number", 21),
+        ("dreihundertsechzig", "number", 360),
+        ("zweitausendfünfhundert", "number", 2500),
+        ("eine Million zweihunderttausend", "number", 1_200_000),
+        ("2 Millionen", "number", 2e6),
+        ("minus drei", "number", -3),
+        ("2,5", "number", 2.5),
+        ("anderthalb", "number", 1.5),
+        ("zweieinhalb", "number", 2.5),
+        ("null Komma zwei fünf", "number", 0.25),
+        ("zwei Meter", "distance", 2),
+        ("ein Meter zwanzig", "distance", 1.2),
+        ("einen halben Meter", "distance", 0.5),
+        ("drei Viertel Meter", "distance", 0.75),
+        ("zwei Meter und dreißig Zentimeter", "distance", 2.3),
+        ("neunzig Grad", "angle", 90 * DEGREE),
+        ("90°", "angle", 90 * DEGREE),
+        ("eine halbe Umdrehung", "angle", math.pi),
+        ("eine Vierteldrehung", "angle", math.pi / 2),
+        ("eine Minute dreißig", "duration", 90),
+        ("anderthalb Minuten", "duration", 90),
+        ("null Komma fünf Meter pro Sekunde", "speed", 0.5),
+        ("zwei Stundenkilometer", "speed", 2 * KMH),
+        ("fünfzig Prozent", "percent", 0.5),
+    ],
+    "fr": [
+        ("vingt et un", "number", 21),
+        ("quatre-vingt-dix", "number", 90),
+        ("soixante-dix", "number", 70),
+        ("mille deux cents", "number", 1200),
+        ("10 mille", "number", 10_000),
+        ("deux millions et demi", "number", 2_000_000.5),
+        ("moins trois", "number", -3),
+        ("2,5", "number", 2.5),
+        ("deux mètres", "distance", 2),
+        ("deux mètres et demi", "distance", 2.5),
+        ("un demi mètre", "distance", 0.5),
+        ("un mètre vingt", "distance", 1.2),
+        ("deux mille mètres", "distance", 2000),
+        ("deux virgule cinq mètres", "distance", 2.5),
+        ("un quart de tour", "angle", math.pi / 2),
+        ("demi-tour", "angle", math.pi),
+        ("trois quarts d'heure", "duration", 2700),
+        ("une minute et demie", "duration", 90),
+        ("dix kilomètres à l'heure", "speed", 10 * KMH),
+        ("deux mètres par seconde", "speed", 2),
+    ],
+    "es": [
+        ("veintiún", "number", 21),
+        ("veintitres", "number", 23),
+        ("treinta y cinco", "number", 35),
+        ("mil doscientos", "number", 1200),
+        ("2 mil", "number", 2000),
+        ("menos tres", "number", -3),
+        ("2,5", "number", 2.5),
+        ("dos metros y medio", "distance", 2.5),
+        ("medio metro", "distance", 0.5),
+        ("dos coma cinco metros", "distance", 2.5),
+        ("noventa grados", "angle", 90 * DEGREE),
+        ("un cuarto de vuelta", "angle", math.pi / 2),
+        ("media vuelta", "angle", math.pi),
+        ("un minuto y medio", "duration", 90),
+        ("tres cuartos de hora", "duration", 2700),
+        ("diez kilómetros por hora", "speed", 10 * KMH),
+    ],
+    "it": [
+        ("ventuno", "number", 21),
+        ("milleduecento", "number", 1200),
+        ("due milioni", "number", 2e6),
+        ("un milione duemiladuecento", "number", 1_002_200),
+        ("3 milioni e mezzo", "number", 3_500_000),
+        ("meno tre", "number", -3),
+        ("2,5", "number", 2.5),
+        ("due metri e mezzo", "distance", 2.5),
+        ("mezzo metro", "distance", 0.5),
+        ("due virgola cinque metri", "distance", 2.5),
+        ("novanta gradi", "angle", 90 * DEGREE),
+        ("un quarto di giro", "angle", math.pi / 2),
+        ("un minuto e mezzo", "duration", 90),
+        ("tre quarti d'ora", "duration", 2700),
+        ("dieci chilometri all'ora", "speed", 10 * KMH),
+        ("mezzo metro al secondo", "speed", 0.5),
+    ],
+}
+ROWS = [(language, *row) for language, rows in SAID.items() for row in rows]
+
+
+def words(text: str) -> list[str]:
+    return [token.word for token in tokenize(text)]
+
+
+@pytest.mark.parametrize(("language", "said", "kind", "value"), ROWS)
+def test_a_quantity_of_another_language(language: str, said: str, kind: str, value: float) -> None:
+    assert evaluate(words(said), kind, language) == pytest.approx(value)
+
+
+NOTHING = [("de", "und"), ("de", "Meter"), ("fr", "et"), ("es", "y"), ("it", "e"), ("de", "minus"), ("de", "komma")]
+
+
+@pytest.mark.parametrize(
+    ("language", "said"), [*NOTHING, ("de", "Million Meter"), ("fr", "un sur zéro"), ("xx", "zwei")]
+)
+def test_what_is_no_number(language: str, said: str) -> None:
+    assert evaluate(words(said), "number", language) is None
+
+
+@pytest.mark.parametrize("language", ["de", "es", "fr", "it"])
+@settings(max_examples=60, deadline=None)
+@given(number=st.integers(0, 10**9))
+def test_figures_mean_the_same_in_every_language(language: str, number: int) -> None:
+    assert foreign.number([str(number)], language) == number
+    assert foreign.number(words(f"{number},5"), language) == number + 0.5
+
+
+@pytest.mark.parametrize("language", ["de", "es", "fr", "it"])
+@settings(max_examples=60, deadline=None)
+@given(data=st.data())
+def test_no_words_raise(language: str, data: st.DataObject) -> None:
+    table = units(language)
+    assert table is not None
+    known = sorted(
+        {word for group in table.words.values() for word in group} | {"zwei", "deux", "dos", "due", "7", "-2"}
+    )
+    said = data.draw(
+        st.lists(st.one_of(st.sampled_from(known), st.text(string.ascii_lowercase, min_size=1)), max_size=7)
+    )
+    for kind in ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent"):
+        value = evaluate(said, kind, language)
+        assert value is None or (isinstance(value, float) and math.isfinite(value))
+
+
+@pytest.mark.parametrize("language", ["de", "en", "es", "fr", "it", "xx"])
+def test_the_spoken_forms_of_a_language_can_be_read(language: str) -> None:
+    for template in templates(language).values():
+        parse_template(template)
+
+
+def test_number_words_are_told_from_others() -> None:
+    for language, rows in SAID.items():
+        for said, kind, _ in rows:
+            if kind == "number":
+                assert all(word[0].isdigit() or is_number_word(word, language) for word in words(said)), said
+    assert not is_number_word("haus", "de")
+    assert not is_number_word("two", "en"), "English number words are spelled out in templates"
+    assert is_number_word("3rd", "en")
+    assert not is_number_word("3", "en")
