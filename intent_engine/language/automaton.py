@@ -26,6 +26,9 @@ MAX_MEMBERS = 20_000
 MAX_KEPT = 30_000
 """Sets kept before the store is emptied, so that endless new sentences cannot fill the memory."""
 
+MAX_OTHER_WORDS = 2_000
+"""Steps of one set beyond which words that no arc names are looked up by their kind each time."""
+
 Mark = tuple[Any, ...]
 Trace = list[tuple[int, Mark]]
 """What a reading passed, in order: (number of words read before, mark)."""
@@ -138,15 +141,16 @@ class Automaton:
                 return []
             state, passed = taken
             came_from.append(passed)
-        last = len(words)
+        if not state.accepts:
+            return []
+        backwards = list(enumerate(came_from))[::-1]
         traces = []
         for place in state.accepts:
             trace: Trace = []
-            for count in range(last, -1, -1):
-                place, marks = came_from[count][place]
+            for count, passed in backwards:
+                place, marks = passed[place]
                 if marks:
-                    for mark in reversed(marks):
-                        trace.append((count, mark))
+                    trace.extend([(count, mark) for mark in marks[::-1]])
             trace.reverse()
             traces.append(trace)
         return traces
@@ -166,6 +170,8 @@ class Automaton:
                 )
                 key = f"\0{kind}"
                 if key in steps:
+                    if len(steps) < MAX_OTHER_WORDS:
+                        steps[word] = steps[key]
                     return steps[key]
             taken = self._advance(state, word)
             steps[key] = taken

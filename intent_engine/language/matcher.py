@@ -33,6 +33,7 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
 _COUNTED = frozenset(QUANTITY_KINDS)
+_FREE = frozenset(("text", "object"))
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
 
 
@@ -243,13 +244,7 @@ class Matcher:
         intent, sentence = self.sentences[trace[0][1][1][1]]
         heard = words
         alikes = 0
-        for position, mark in trace:
-            if mark[0] == "alike":
-                if heard is words:
-                    heard = list(words)
-                heard[position - 1] = mark[1]
-                alikes += 1
-        slots = []
+        slots: list[SlotReading] = []
         free = 0
         start = 0
         value: Any = None
@@ -261,12 +256,21 @@ class Matcher:
                     start, value, loosely = position, None, mark[2]
             elif kind == "value":
                 value = mark[1]
-            elif kind == "close" and mark[1][0] == "slot":
-                slot = self.grammar.slots[mark[1][2]]
-                if slot.type in ("text", "object"):
-                    free += position - start
-                slots.append(self._slot(slot, mark[1][1], heard, start, position, value, loosely))
-        slots = self._numbers_apart(slots, heard)
+            elif kind == "close":
+                if mark[1][0] == "slot":
+                    _, label, name = mark[1]
+                    slot = self.grammar.slots[name]
+                    if slot.type in _FREE:
+                        free += position - start
+                    slots.append(self._slot(slot, label, heard, start, position, value, loosely))
+            elif kind == "alike":
+                # Stands before the end of the slot that holds the word.
+                if heard is words:
+                    heard = list(words)
+                heard[position - 1] = mark[1]
+                alikes += 1
+        if len(slots) > 1:
+            slots = self._numbers_apart(slots, heard)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
 
     def _numbers_apart(self, slots: list[SlotReading], words: list[str]) -> list[SlotReading]:
@@ -290,7 +294,7 @@ class Matcher:
     ) -> SlotReading:
         if slot.type in QUANTITY_KINDS:
             return self._quantity(slot, label, words[start:end], start, end)
-        if slot.type in ("text", "object"):
+        if slot.type in _FREE:
             return self._text(slot, label, words, start, end)
         if not loosely:
             return SlotReading(label, slot, start, end, value)

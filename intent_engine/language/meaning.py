@@ -103,10 +103,13 @@ class Interpreter:
                 return self._rejected(text, f"did not begin with {' '.join(self._grammar.wake[0])!r}")
             said = woken or said
         clause = self._exact(said.words, state)
+        if clause is not None and clause.accepted:
+            free = clause.reading is not None and clause.reading.free_words > 0
+            if not free or not self._fillers.may_stand_in(said.words):
+                return self._accepted(text, clause)  # else fillers may stand in the free words: "the cup please"
         core = said.without(self._fillers)
-        free = clause.reading is not None and clause.reading.free_words > 0 if clause is not None else False
-        if clause is not None and clause.accepted and (core is said or not free):
-            return self._accepted(text, clause)  # else the fillers may stand in free words: "the cup please"
+        if clause is not None and clause.accepted and core is said:
+            return self._accepted(text, clause)
         if not core.words:
             return self._rejected(text, "no command in it")
         if core is not said and not self._number_restarted(core):

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from intent_engine.language.normalize import Token, tokenize
+from intent_engine.language.normalize import Token, plain_words, tokenize
 
 __all__ = ["PhraseSet", "Utterance"]
 
@@ -16,6 +16,10 @@ _ANNOTATION = re.compile(
     re.IGNORECASE,
 )
 """What recognisers write for sounds that are not words."""
+
+
+_STUTTER = re.compile(r"\b[^aio] ")
+"""A letter by itself, which may be a sound said twice."""
 
 
 class PhraseSet:
@@ -75,6 +79,9 @@ class Utterance:
 
     @classmethod
     def of(cls, text: str) -> Utterance:
+        plain = plain_words(text)
+        if plain is not None and _STUTTER.search(text) is None:
+            return cls(plain, [False] * len(plain))
         if any(bracket in text for bracket in "[(<*"):
             text = _ANNOTATION.sub(" , ", text)
         tokens = tokenize(text)
