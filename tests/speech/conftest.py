@@ -99,6 +99,7 @@ def listen(engine, whisper) -> Callable[..., Listened]:
         robot = SimulatedRobot(clock)
         events: list[Heard] = []
         with Executor(robot, clock=clock) as executor:
+            options.setdefault("patience", 120.0)  # how long a decode takes on this machine is not what is tested
             runtime = Runtime(engine, executor, recognizer or whisper, on_event=events.append, **options)
             if isinstance(source, np.ndarray):
                 source = Frames(framed(source))
