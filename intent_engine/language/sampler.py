@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 from intent_engine.errors import ConfigError
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
@@ -386,7 +387,10 @@ def _run_together(piece: Piece, after: Piece) -> bool:
     """Whether two numbers follow each other: "3 minutes" and "ten rpm" are said like "3 minutes ten"."""
     if piece.slot is None or after.slot is None or {piece.slot.type, after.slot.type} - set(QUANTITY_KINDS):
         return False
-    return not isinstance(after.value, Relative)
+    if not isinstance(after.value, Relative):
+        return True
+    ends, begins = piece.text.split()[-1], after.text.split()[0]
+    return begins in NUMBER_WORDS and (ends[-1].isdigit() or ends in NUMBER_WORDS)  # "1 meter 6" + "quarter speed"
 
 
 def _literal(node: Node) -> Iterator[str]:

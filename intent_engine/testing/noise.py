@@ -10,7 +10,7 @@ from dataclasses import replace
 from enum import StrEnum
 
 from intent_engine.actions import Stop
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.matcher import NEGATED
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
@@ -100,8 +100,9 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
         return None
     again = Piece(" ".join(grammar.operators.correction[choices.below(len(grammar.operators.correction))]))
     last = first.pieces[-1]
-    types = [piece.slot.type for piece in first.pieces if piece.slot is not None]
-    if last.slot is not None and last.slot.type in _VALUES and types.count(last.slot.type) == 1:
+    slots = [piece.slot for piece in first.pieces if piece.slot is not None]
+    alike = [slot for slot in slots if last.slot is not None and _kind(slot) == _kind(last.slot)]
+    if last.slot is not None and last.slot.type in _VALUES and len(alike) == 1:
         assert last.label is not None
         if choices.below(2) == 0:
             piece = sampler.spoken(last.slot, last.label, choices)
@@ -110,11 +111,17 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
             meant = sampler.finish(first.intent, first.sentence, [*first.pieces[:-1], piece])
             return None if meant is None else ([*first.pieces, again, piece], meant)
     other = sampler.attempt(choices)
-    if other is None or other.intent == first.intent or len(other.pieces) < 2 or _FREE.intersection(types):
+    free = any(slot.type in _FREE for slot in slots)
+    if other is None or other.intent == first.intent or len(other.pieces) < 2 or free:
         return None  # what follows could be a new value of the first, or free text
     if _holds_operator(other, grammar):
         return None
     return [*first.pieces, again, *other.pieces], other
+
+
+def _kind(slot: Slot) -> str:
+    """What a value must be to stand in a slot: "from bay one to bay two, no, three" could be either."""
+    return slot.name if slot.type == "choice" else slot.type
 
 
 def _holds_operator(sample: Sample, grammar: Grammar) -> bool:
