@@ -7,9 +7,9 @@ missed, and each word heard may be noise. What that costs is counted in letters 
 from __future__ import annotations
 
 import heapq
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 from intent_engine.language.likeness import sound
 
@@ -29,6 +29,13 @@ MANY_WORDS = 400
 """Words that may follow, beyond which only those like the words heard are tried."""
 CLOSE_WORDS = 24
 MAX_HEARD = 40
+MOST_MOVES = 3 * WIDTH
+"""Moves made towards one number of words heard: the cheapest, and their like."""
+
+_States: TypeAlias = dict[Any, list[tuple[float, tuple[str, ...]]]]
+"""State -> the cheapest ways to it: cost, and words said."""
+_Move: TypeAlias = tuple[float, tuple[str, ...], Any, str | None]
+"""Cost afterwards, words said before, state before, and the word to go on with; None: stay, a word heard is noise."""
 
 
 class Graph(Protocol):
@@ -79,9 +86,9 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
         for begin in range(count)
         for end in range(begin + 1, min(begin + MAX_SPAN, count) + 1)
     }
-    # frontier[i]: state -> the cheapest ways to it with i words heard used up
-    frontier: list[dict[Any, list[tuple[float, tuple[str, ...]]]]] = [{} for _ in range(count + 1)]
-    frontier[0][graph.start()] = [(0.0, ())]
+    # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
+    pending: list[list[_Move]] = [[] for _ in range(count + 1)]
+    pending[0].append((0.0, (), graph.start(), None))
     following: dict[Any, list[str]] = {}
     close: dict[tuple[Any, str], list[str]] = {}
 
@@ -103,16 +110,20 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
             found = close[(state, span)] = [word for word, _, _ in best]
         return found
 
+    states: _States = {}
     for place in range(count + 1):
-        _missed_words(graph, frontier[place], words_after)
-        kept = _best_states(frontier[place])
-        frontier[place] = dict(kept)
+        states = {}
+        _go(graph, states, pending[place])
+        for _ in range(2):
+            _go(graph, states, _missed_words(states, words_after))
         if place == count:
             break
-        for state, ways in kept:
-            _push(frontier[place + 1], state, [(cost + EXTRA * len(heard[place]), said) for cost, said in ways])
+        for state, ways in states.items():
+            for cost, said in ways:
+                pending[place + 1].append((cost + EXTRA * len(heard[place]), said, state, None))
             for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
                 span = spans[(place, end)]
+                onward = pending[end]
                 for word in candidates(state, span):
                     slack = len(word) - len(span)
                     if slack > 3 + len(span) // 2 or -slack > 3 + len(word) // 2:
@@ -120,11 +131,9 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
                     apart = _differ(word, span)
                     if apart > 0.7 * max(len(word), len(span)) + 0.5:
                         continue
-                    onward = graph.step(state, word)
-                    if onward is not None:
-                        _push(frontier[end], onward, [(cost + apart, (*said, word)) for cost, said in ways])
+                    onward.extend((cost + apart, said, state, word) for cost, said in ways)
     best: dict[tuple[str, ...], float] = {}
-    for state, ways in frontier[count].items():
+    for state, ways in states.items():
         if graph.accepting(state):
             for cost, said in ways:
                 if said and cost < best.get(said, float("inf")):
@@ -132,39 +141,62 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
     return heapq.nsmallest(most, best.items(), key=lambda row: (row[1], row[0]))
 
 
-def _missed_words(graph: Graph, states: dict[Any, list[tuple[float, tuple[str, ...]]]], words_after: Any) -> None:
-    """Let one or two words of the grammar be missed: said, but not heard."""
-    for _ in range(2):
-        for state, ways in _best_states(states)[: WIDTH // 2]:
-            words = words_after(state)
-            if len(words) > MANY_WORDS:
-                continue
-            for word in words:
-                if len(word) > 6:
-                    continue
-                onward = graph.step(state, word)
-                if onward is not None:
-                    _push(states, onward, [(cost + 0.6 + MISSED * len(word), (*said, word)) for cost, said in ways[:1]])
+def _go(graph: Graph, states: _States, moves: Iterable[_Move]) -> None:
+    """Make the cheapest moves, until there are as many states as are kept.
 
-
-def _push(
-    states: dict[Any, list[tuple[float, tuple[str, ...]]]], state: Any, ways: list[tuple[float, tuple[str, ...]]]
-) -> None:
-    known = states.setdefault(state, [])
-    for way in ways:
-        if len(known) >= PER_STATE and way[0] >= known[-1][0]:
+    A step to a state that the automaton has not seen yet costs it a millisecond, so no step is taken for nothing.
+    """
+    queue = sorted(moves, key=_cost)
+    limit = _dearest(states)
+    taken = 0
+    for cost, said, state, word in queue:
+        if taken >= MOST_MOVES or cost >= limit:
+            break
+        reached = state if word is None else graph.step(state, word)
+        if reached is None:
             continue
-        same = next((other for other in known if other[1] == way[1]), None)
-        if same is not None:
-            if same[0] <= way[0]:
-                continue
-            known.remove(same)
-        known.append(way)
-        known.sort()
-        del known[PER_STATE:]
+        taken += 1
+        fresh = reached not in states
+        _push(states, reached, (cost, said if word is None else (*said, word)))
+        if fresh:
+            limit = _dearest(states)
+    for state, _ in sorted(states.items(), key=lambda item: item[1][0])[WIDTH:]:
+        del states[state]
 
 
-def _best_states(
-    states: dict[Any, list[tuple[float, tuple[str, ...]]]],
-) -> list[tuple[Any, list[tuple[float, tuple[str, ...]]]]]:
-    return heapq.nsmallest(WIDTH, states.items(), key=lambda item: item[1][0])
+def _cost(move: _Move) -> float:
+    return move[0]
+
+
+def _dearest(states: _States) -> float:
+    """Cost at which a further state would not be kept."""
+    if len(states) < WIDTH:
+        return float("inf")
+    return heapq.nsmallest(WIDTH, (ways[0][0] for ways in states.values()))[-1]
+
+
+def _missed_words(states: _States, words_after: Callable[[Any], list[str]]) -> Iterator[_Move]:
+    """Moves by a word of the grammar that was said, but not heard."""
+    for state, ways in heapq.nsmallest(WIDTH // 2, states.items(), key=lambda item: item[1][0]):
+        words = words_after(state)
+        if len(words) > MANY_WORDS:
+            continue
+        cost, said = ways[0]
+        for word in words:
+            if len(word) <= 6:
+                yield cost + 0.6 + MISSED * len(word), said, state, word
+
+
+def _push(states: _States, state: Any, way: tuple[float, tuple[str, ...]]) -> None:
+    """Keep a way to a state, if it is one of the cheapest."""
+    known = states.setdefault(state, [])
+    if len(known) >= PER_STATE and way[0] >= known[-1][0]:
+        return
+    same = next((other for other in known if other[1] == way[1]), None)
+    if same is not None:
+        if same[0] <= way[0]:
+            return
+        known.remove(same)
+    known.append(way)
+    known.sort()
+    del known[PER_STATE:]

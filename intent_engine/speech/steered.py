@@ -30,6 +30,8 @@ __all__ = ["SteeredWhisper"]
 
 CANDIDATES = 12
 """Utterances of the grammar that are scored against the sound."""
+SEARCHES = 64
+"""Searches whose results are kept."""
 FAR = 0.5
 """Share of the letters heard, without any hint, that may differ; beyond it something else was said."""
 FAR_LETTERS = 1.7
@@ -85,6 +87,7 @@ class SteeredWhisper(WhisperRecognizer):
         super().__init__(model, device=device, compute_type=compute_type, language=language, threads=threads)
         self._engine = engine
         self._hinted: tuple[Any, str] | None = None
+        self._searched: tuple[Any, dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]]] = (None, {})
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
@@ -153,10 +156,19 @@ class SteeredWhisper(WhisperRecognizer):
         for draft in dict.fromkeys(drafts):
             heard = in_words(Utterance.of(draft).words)
             most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-            for words, apart in nearest_utterances(graph, heard, CANDIDATES):
+            for words, apart in self._nearest(graph, tuple(heard)):
                 if apart <= most:
                     differ[words] = min(apart, differ.get(words, apart))
         return differ
+
+    def _nearest(self, graph: Any, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:
+        """As :func:`nearest_utterances`; the drafts of one utterance are asked for again and again."""
+        if self._searched[0] is not graph or len(self._searched[1]) > SEARCHES:
+            self._searched = (graph, {})
+        found = self._searched[1].get(heard)
+        if found is None:
+            found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES)
+        return found
 
     def _ranked(self, encoded: Encoded, drafts: list[str], hints: list[str], language: str | None) -> list[_Candidate]:
         """Utterances of the grammar that the sound may be, likeliest first."""
