@@ -195,7 +195,20 @@ def test_ordinals(said: str, value: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "said", ["", "three", "ten first", "the", "firsts", "th", "twenty and", "first second", "zero third"]
+    "said",
+    [
+        "",
+        "three",
+        "ten first",
+        "the",
+        "firsts",
+        "th",
+        "twenty and",
+        "first second",
+        "zero third",
+        "number",
+        "number half",
+    ],
 )
 def test_what_is_no_ordinal(said: str) -> None:
     assert english.ordinal(words(said)) is None

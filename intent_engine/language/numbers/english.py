@@ -310,14 +310,19 @@ def ordinal(words: Sequence[str]) -> float | None:
     """ "third", "twenty first", "3rd", "number three", "the last" (-1)."""
     if not words:
         return None
-    if words[-1] == "last" and len(words) <= 2:
+    if words[0] == "the" and len(words) > 1:
+        words = words[1:]
+    if words[0] == "number":
+        value = number(words[1:])
+        return value if value is not None and value >= 0 and value == int(value) else None
+    if words[-1] == "last" and len(words) == 1:
         return -1.0
     last = words[-1]
     if len(words) == 1 and last[0].isdigit():
         digits = last.rstrip("thndrs")
         return float(digits) if digits.isdigit() and digits != last else None
     if last in _ORDINAL_UNITS:
-        value: float = _ORDINAL_UNITS[last]
+        value = _ORDINAL_UNITS[last]
     elif last in _ORDINAL_TENS:
         value = _ORDINAL_TENS[last]
     elif last in _ORDINAL_SCALES:
@@ -351,7 +356,7 @@ TEMPLATES: Mapping[str, str] = {
     "|(over|out of) {cardinal}]"
     "|[{zero}] point {decimals}|{fraction}|{zero}|[a] couple [of]|[a|{below_hundred}|half a] dozen|a pair of)",
     "ordinal_unit": "(" + "|".join(_ORDINAL_UNITS) + ")",
-    "ordinal": "([number] {#}|{#word}|[the] last|[{tens}|{group} hundred [and] [{tens}]] {ordinal_unit}"
+    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|{group} hundred [and] [{tens}]] {ordinal_unit}"
     "|[{group} hundred [and]] (" + "|".join(_ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth))",
 }
 """Spoken forms, as sentence templates: a little more than :func:`number` accepts, for looking ahead."""
