@@ -92,15 +92,18 @@ def answered(parse: Parse, sentence: str) -> tuple[float, Any]:
 
 
 def in_turns(engines: Mapping[str, Parse], sentences: Sequence[str], rounds: int, *, warm: bool = True) -> Times:
-    """Every sentence by every engine, one after the other, ``rounds`` times; first once unmeasured, unless not warm."""
+    """Every sentence by every engine, one after the other, ``rounds`` times.
+
+    In each turn an engine hears something unmeasured first, so that nobody pays for waking up after the others: all
+    the sentences, or, where the first time is what is measured (not ``warm``), one of another kind.
+    """
     found: Times = {name: [] for name in engines}
     with no_collector():
-        for number in range(rounds + warm):
+        for _ in range(rounds):
             for name, parse in engines.items():
-                parse("stop")  # not the price of waking up after the others
-                times = [answered(parse, sentence)[0] for sentence in sentences]
-                if number >= warm:
-                    found[name].append(times)
+                for sentence in sentences if warm else ("stop",):
+                    parse(sentence)
+                found[name].append([answered(parse, sentence)[0] for sentence in sentences])
     return found
 
 

@@ -1,7 +1,7 @@
 """How alike two words are, in spelling and in sound, and whether one may be taken for the other.
 
 The sound is Metaphone (L. Philips, "Hanging on the Metaphone", Computer Language 7(12), 1990), which keeps consonants
-only. The limits were chosen on misheard and absent names: docs/decisions/names.md.
+only. The limits were chosen on misheard and absent names: docs/decisions/language-names.md.
 """
 
 from __future__ import annotations
