@@ -10,12 +10,13 @@ from typing import Annotated
 
 import typer
 
+from intent_engine.cli.check import check
 from intent_engine.cli.complete import complete
 from intent_engine.cli.drill import drill
 from intent_engine.cli.evaluate import evaluate
 from intent_engine.cli.examples import run_examples
 from intent_engine.cli.guard import DEBUG
-from intent_engine.cli.listening import run
+from intent_engine.cli.listening import listen, run
 from intent_engine.cli.parse import parse
 from intent_engine.cli.sample import sample
 from intent_engine.cli.terminal import LogNotes
@@ -66,6 +67,13 @@ app.command(
 )(run)
 
 app.command(
+    epilog="Examples:\n\nintent-engine listen\n\nintent-engine listen --device headset --wake-word robot\n\n"
+    "intent-engine listen --push-to-talk --no-reflex\n\nintent-engine listen --list-devices\n\n"
+    "arecord -f S16_LE -r 16000 -t raw | intent-engine listen --pcm -",
+    rich_help_panel=_DRIVE,
+)(listen)
+
+app.command(
     epilog='Examples:\n\nintent-engine parse "go to the kitchen"\n\n'
     'intent-engine parse --json "turn left ninety degrees"\n\n'
     'intent-engine parse --explain "go to the kitchen I mean the bedroom"\n\nintent-engine parse - < sentences.txt',
@@ -84,6 +92,13 @@ app.command(
 )(sample)
 
 _TRUST = "Measure and trust"
+
+app.command(
+    epilog="Examples:\n\nintent-engine check my_grammar.yaml\n\n"
+    "intent-engine check --strict --locations warehouse en my_grammar.yaml\n\n"
+    "intent-engine check --json | jq .figures",
+    rich_help_panel=_TRUST,
+)(check)
 
 app.command(
     "test",

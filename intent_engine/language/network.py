@@ -97,6 +97,23 @@ class Networks:
             network = self._built[key] = self._builders[key]()
         return network
 
+    def size(self) -> tuple[int, int]:
+        """States and arcs of what has been built so far; a step without a word is an arc as well."""
+        states: set[int] = set()
+        arcs = 0
+        pending = [network.start for network in self._built.values()]
+        while pending:
+            state = pending.pop()
+            if id(state) in states:
+                continue
+            states.add(id(state))
+            onward = [target for targets in state.arcs.values() for target in targets]
+            onward += [edge.target for edge in state.edges]
+            onward += [*state.numeral, *state.number, *state.wild]
+            arcs += len(onward)
+            pending.extend(onward)
+        return len(states), arcs
+
     def add_template(self, key: str, node: Node, scope: Mapping[str, Call]) -> None:
         """A network that spells a template; ``scope`` says what its names call."""
         self._builders[key] = lambda: _template(node, scope)

@@ -26,7 +26,7 @@ from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, differences
 
-__all__ = ["Case", "Examples", "Outcome", "is_test_file", "load_examples", "run_case"]
+__all__ = ["Case", "Examples", "Outcome", "grammar_cases", "is_test_file", "load_examples", "run_case"]
 
 SUFFIXES = (".intents.yaml", ".intents.yml")
 RESULTS = tuple(status.value for status in Status)
@@ -91,9 +91,14 @@ def load_examples(path: Path, locations: Sequence[Path] = ()) -> Examples:
         return _tests(path, locations)
     engine = IntentEngine.from_files(path, locations=list(locations) or default_locations())
     own = {str(path), str(path.resolve())}
-    cases = [case for grammar in engine.grammars for case in _examples(grammar)]
+    cases = grammar_cases(engine)
     # What the grammar includes has examples of its own, and is tested for itself.
     return Examples(path, engine, tuple(case for case in cases if case.place is None or case.place.file in own))
+
+
+def grammar_cases(engine: IntentEngine) -> list[Case]:
+    """The examples that stand in the grammar files of an engine, included files too."""
+    return [case for grammar in engine.grammars for case in _examples(grammar)]
 
 
 def run_case(engine: IntentEngine, case: Case) -> Outcome:

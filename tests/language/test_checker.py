@@ -1,0 +1,196 @@
+"""What ``check`` finds: sentences that meet, that nobody can say, names that sound alike; and how it counts."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from templates import trees
+
+from intent_engine.engine import IntentEngine
+from intent_engine.language.checker import Report, alike, check_grammar
+from intent_engine.language.exploration import explore
+from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence
+from intent_engine.language.grammar_figures import grammar_size
+from intent_engine.language.sampler import spellings
+from intent_engine.language.template import template_text
+
+
+@pytest.fixture(scope="module")
+def home(root) -> IntentEngine:
+    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
+
+
+def check(tmp_path: Path, text: str, places: dict[str, tuple[float, float]] | None = None) -> Report:
+    path = tmp_path / "g.yaml"
+    path.write_text(text)
+    engine = IntentEngine.from_files(path, locations=places or {"kitchen": (1.0, 2.0)})
+    return check_grammar(engine.grammar, engine.locations)
+
+
+def found(report: Report, *levels: str) -> list[tuple[str, str, int | None]]:
+    return [(one.level, one.topic, one.problem.line) for one in report.findings if not levels or one.level in levels]
+
+
+HEAD = "language: en\nslots: {thing: text, place: {type: location}, colour: {values: [green, blue]}}\nintents:\n"
+
+
+def intents(**sentences: str) -> str:
+    rows = (
+        f"  {name}: {{action: {{type: custom, name: {name}}}, sentences: [{said}]}}\n"
+        for name, said in sentences.items()
+    )
+    return HEAD + "".join(rows)
+
+
+USE = "'see {thing}', 'visit {place}', 'paint it {colour}'"
+"""Sentences that use every slot, so that none is called useless."""
+
+
+def test_two_meanings_of_the_same_words(tmp_path):
+    report = check(tmp_path, intents(use=USE, a="'wave [at me]'", b="'(wave|bow) at me'"))
+    assert found(report) == [("warning", "ambiguous", 6)]
+    message = report.findings[0].problem.message
+    assert message == "'wave at me' could be this sentence of 'b' or that of 'a' (line 5): the robot would ask"
+    assert (report.figures.shared, report.figures.ambiguous) == (1, 1)
+
+
+def test_words_that_one_sentence_wins(tmp_path):
+    report = check(tmp_path, intents(use=USE, a="'fetch {thing}'", b="'fetch the paper'"))
+    assert found(report) == [("note", "overlap", 5)]
+    assert "which wins: fewer of its words fall into free text" in report.findings[0].problem.message
+    assert report.figures.ambiguous == 0
+
+
+def test_a_sentence_that_always_loses(tmp_path):
+    text = intents(use=USE, a="'fetch the (paper|mail)'", b="'fetch [the] paper'")
+    lowered = text.replace("name: a}", "name: a}, priority: -1")
+    assert found(check(tmp_path, lowered), "warning") == []
+    dead = text.replace("'fetch [the] paper'", "'fetch the paper'").replace("name: b}", "name: b}, priority: -1")
+    assert found(check(tmp_path, dead), "warning") == [("warning", "shadowed", 6)]
+
+
+def test_a_sentence_that_says_nothing_new(tmp_path):
+    report = check(tmp_path, intents(use=USE, a="'wave [at me]', 'wave at me'"))
+    assert found(report) == [("note", "shadowed", 5)]
+    assert report.findings[0].problem.hint == "it can be removed"
+
+
+def test_a_sentence_that_nobody_can_say(tmp_path):
+    text = intents(use=USE).replace("{type: location}", "{type: location, tags: [charger]}")
+    report = check(tmp_path, text)
+    assert found(report) == [("warning", "unreachable", 4)]
+    assert "tags" in (report.findings[0].problem.hint or "")
+
+
+def test_a_priority_decides_an_ambiguity(tmp_path):
+    text = intents(use=USE, a="'wave [at me]'", b="'(wave|bow) at me'").replace("name: b}", "name: b}, priority: 1")
+    assert found(check(tmp_path, text)) == [("note", "overlap", 5)]
+
+
+def test_numbers_meet_words(tmp_path):
+    text = intents(use=USE, a="'go {d}'", b="'go 7 meters'").replace("slots: {", "slots: {d: distance, ")
+    assert ("warning", "ambiguous", 6) in found(check(tmp_path, text))
+
+
+def test_names_that_sound_alike(tmp_path):
+    places = {
+        "kitchen": (1.0, 0.0),
+        "kitchin": (2.0, 0.0),
+        "hall": (3.0, 0.0),
+        "bay 3": (4.0, 0.0),
+        "bay 13": (5.0, 0.0),
+    }
+    report = check(tmp_path, intents(use=USE), places)
+    (finding,) = report.findings
+    assert (finding.level, finding.topic) == ("warning", "alike")
+    assert finding.problem.message.startswith("'kitchen' and 'kitchin' sound alike")
+    text = intents(use=USE).replace("[green, blue]", "{red: [crimson], blue: [crimsen]}")
+    assert found(check(tmp_path, text)) == [("warning", "alike", 2)]
+    assert found(check(tmp_path, text.replace("crimsen]}", "crimsen]}, fuzzy: false"))) == []
+
+
+def test_aliases_of_one_place_are_no_rivals():
+    assert list(alike([(("kitchen",), "kitchen"), (("kitchin",), "kitchen")])) == []
+
+
+def test_the_shipped_grammar_has_no_errors_or_warnings(home):
+    report = check_grammar(home.grammar, home.locations)
+    assert found(report, "error", "warning") == []
+    assert report.figures.complete
+    assert report.figures.word_states < 20_000
+
+
+def test_what_the_walk_comes_upon_is_understood(home):
+    """The reduced grammar is a part of the whole one."""
+    walk = explore(home.grammar, home.locations)
+    matcher = home.matcher()
+    for meeting in walk.meetings[::25]:
+        whole = {id(reading.sentence) for reading in matcher.read(list(meeting.words))}
+        assert {id(reading.sentence) for reading in meeting.readings} <= whole, meeting.words
+    lengths = [len(meeting.words) for meeting in walk.meetings]
+    assert all(one <= other for one, other in pairwise(lengths)), "the shortest words come first"
+
+
+def test_a_walk_that_is_cut_short_says_so(home):
+    walk = explore(home.grammar, home.locations, most=100)
+    assert not walk.complete
+    assert walk.states < 300
+
+
+def _grammar(templates) -> Grammar:
+    action = ActionSpec("custom", "x")
+    sentences = [Sentence(template_text(node), node) for node in templates]
+    made = {f"i{index}": Intent(f"i{index}", action, (sentence,)) for index, sentence in enumerate(sentences)}
+    return Grammar("en", (), {}, {}, made, Operators(negation=(("not",),), stop=(("stop",),)))
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(trees(("a", "b", "c"), leaves=5), min_size=2, max_size=4))
+def test_the_walk_finds_exactly_the_sentences_that_share_words(templates):
+    """Against every way to say every sentence, written out."""
+    grammar = _grammar(templates)
+    said: dict[tuple[str, ...], set[str]] = {}
+    for intent in grammar.intents.values():
+        for words in spellings(intent.sentences[0].template, {}, 100_000):
+            if words:
+                said.setdefault(words, set()).add(intent.name)
+    walk = explore(grammar, None)
+    assert walk.complete
+    met = {frozenset(reading.intent.name for reading in meeting.readings) for meeting in walk.meetings}
+    assert met == {frozenset(names) for names in said.values()}
+
+
+@settings(max_examples=60, deadline=None)
+@given(trees(("a", "b", "c"), leaves=6))
+def test_sizes_are_counted_as_if_written_out(template):
+    ways = spellings(template, {}, 1_000_000)
+    size = grammar_size(_grammar([template]), None)
+    assert size.ways == size.spoken == len(ways)
+    assert size.longest == max(map(len, ways))
+
+
+def test_sizes_count_values_and_names(tmp_path):
+    text = intents(use="'paint [it] {colour}', 'visit {place}', 'see {thing}'")
+    figures = check(tmp_path, text, {"hall": (0.0, 0.0), "far end": (1.0, 0.0)}).figures.size
+    assert (figures.sentences, figures.ways, figures.spoken, figures.longest, figures.names) == (3, 4, 7, 5, 2)
+
+
+def test_a_large_map_is_cut_to_what_may_clash(tmp_path):
+    places = {f"bay {number}": (float(number), 0.0) for number in range(5_000)} | {"paper": (0.0, 1.0)}
+    report = check(tmp_path, intents(use=USE, a="'visit paper'"), places)
+    assert ("warning", "ambiguous", 5) in found(report)
+    assert report.figures.size.names == 5_001
+    assert report.figures.word_states < 1_000
+
+
+def test_json_holds_it_all(tmp_path):
+    report = check(tmp_path, intents(use=USE, a="wave", b="'[please] wave'"))
+    data = report.to_json()
+    assert Counter(one["topic"] for one in data["findings"]) == {"ambiguous": 1}
+    assert data["figures"]["intents"] == 3
+    assert data["figures"]["complete"] is True
