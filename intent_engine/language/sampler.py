@@ -16,14 +16,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice, permutations
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.errors import ConfigError
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.quantities import Relative
-from intent_engine.language.spoken_quantities import spoken_forms
+from intent_engine.language.spoken_quantities import Spoken, spoken_forms
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template import Sequence as Parts
 from intent_engine.language.yaml_source import did_you_mean
@@ -45,13 +45,6 @@ THINGS = (
 """What is said in a text slot, as far as the grammar does not use the words itself."""
 STAND_INS = ("blick", "dax", "wug", "zorp")
 """For a grammar that uses all of these words itself."""
-
-
-class _Said(NamedTuple):
-    text: str
-    value: Any
-
-
 _DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
 
 
@@ -153,7 +146,7 @@ class Sampler:
         self._without = frozenset(without)
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
-        self._said: dict[str, Sequence[Sequence[_Said]]] = {}
+        self._said: dict[str, Sequence[Sequence[Spoken]]] = {}
 
     @cached_property
     def intents(self) -> Mapping[str, tuple[Sentence, ...]]:
@@ -294,13 +287,12 @@ class Sampler:
         said = _pick(choices, _pick(choices, self._ways(slot)))
         return Piece(said.text, label, slot, said.value)
 
-    def _ways(self, slot: Slot) -> Sequence[Sequence[_Said]]:
+    def _ways(self, slot: Slot) -> Sequence[Sequence[Spoken]]:
         """The ways to say values of a slot that is no choice, in forms; the shortest first. Empty if there is none."""
         ways = self._said.get(slot.name)
         if ways is None:
             if slot.type in QUANTITY_KINDS:
-                forms = spoken_forms(slot.type, self.grammar.language, slot.unit, slot.minimum, slot.maximum)
-                ways = [[_Said(*spoken) for spoken in form] for form in forms]
+                ways = spoken_forms(slot.type, self.grammar.language, slot.unit, slot.minimum, slot.maximum)
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),
@@ -310,24 +302,24 @@ class Sampler:
             self._said[slot.name] = ways
         return ways
 
-    def _places(self, slot: Slot) -> Iterator[_Said]:
+    def _places(self, slot: Slot) -> Iterator[Spoken]:
         for words, name in self.locations.names() if self.locations is not None else ():
             assert self.locations is not None
             if not slot.tags or slot.tags & set(self.locations[name].tags):
-                yield _Said(" ".join(words), name)
+                yield Spoken(" ".join(words), name)
 
-    def _things(self, slot: Slot) -> Iterator[_Said]:
+    def _things(self, slot: Slot) -> Iterator[Spoken]:
         given = self._texts.get(slot.name)
         if given is not None:
-            yield from (_Said(text, text) for text in given)
+            yield from (Spoken(text, text) for text in given)
             return
         taken = self._words | slot.without
         known = [text for text in THINGS if taken.isdisjoint(text.split())]
         for text in known or STAND_INS:
             if _words(text) <= slot.max_words:
-                yield _Said(text, text)
+                yield Spoken(text, text)
             if self.grammar.language == "en" and _words(text) < slot.max_words:
-                yield _Said(f"the {text}", text)
+                yield Spoken(f"the {text}", text)
 
     @cached_property
     def _words(self) -> frozenset[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
@@ -22,8 +22,8 @@ class Spoken(NamedTuple):
     """One way to say a value."""
 
     text: str
-    value: float | Relative
-    """SI."""
+    value: Any
+    """A float in SI units, or a :class:`Relative` speed; names and words where a sampler speaks of others."""
 
 
 _Number: TypeAlias = tuple[str, float]

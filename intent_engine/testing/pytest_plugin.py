@@ -134,5 +134,6 @@ class IntentItem(pytest.Item):
         return "\n".join(lines)
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        place = self.case.place
-        return self.path, place.line - 1 if place is not None else None, self.name
+        line = self.case.place.line if self.case.place is not None else 0
+        # Not the item's own name: of that, pytest would print the points in numbers as separators.
+        return self.path, line - 1, f"{self.path.name}:{line} {self.case.text}"

@@ -1,0 +1,79 @@
+"""Laws about every sentence that the shipped grammars have, not only about those that someone thought of.
+
+A failure shows the shortest sentence that breaks a law. Then the sentence goes into ``tests/language``, and either the
+grammar, the sampler or the language room is mended.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+
+from intent_engine.engine import IntentEngine
+from intent_engine.testing import assert_means, moves, sentences
+
+ROOT = Path(__file__).resolve().parent.parent
+HOME, WAREHOUSE, COFFEE = "at home", "in the warehouse", "coffee"
+
+
+ENGLISH = ROOT / "grammars" / "en.yaml"
+ENGINES = {
+    HOME: IntentEngine.from_files(ENGLISH, locations=ROOT / "locations" / "home.yaml"),
+    WAREHOUSE: IntentEngine.from_files(ENGLISH, locations=ROOT / "locations" / "warehouse.yaml"),
+    COFFEE: IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml"),
+}
+
+
+def law(noise=(), state=(), examples=250):
+    """A property of each engine and of every sentence of its grammar."""
+
+    def decorate(function):
+        @pytest.mark.parametrize("name", ENGINES)
+        def test(name):
+            engine = ENGINES[name]
+
+            @settings(max_examples=examples, deadline=None, derandomize=True)
+            @given(sentences(engine, noise=noise, state=state))
+            def holds(said):
+                function(engine, said)
+
+            holds()
+
+        test.__doc__ = function.__doc__
+        return test
+
+    return decorate
+
+
+@law()
+def test_a_sentence_means_what_it_was_made_from(engine, said):
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@law(noise="fillers")
+def test_fillers_change_no_meaning(engine, said):
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@law(noise=["fillers", "spelling"])
+def test_what_recognisers_write_changes_no_meaning(engine, said):
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@law(noise=["negation", "fillers", "spelling"])
+def test_what_is_negated_moves_nothing(engine, said):
+    found = engine.parse(said.text)
+    assert not moves(found), found.actions
+    assert_means(found, said.expected)
+
+
+@law(noise=["correction", "fillers"], examples=150)
+def test_the_last_word_counts(engine, said):
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@law(state=["moving"])
+def test_a_moving_robot_obeys_as_one_at_rest(engine, said):
+    assert_means(engine.parse(said.text, state=["moving"]), said.expected)

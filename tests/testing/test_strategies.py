@@ -1,0 +1,136 @@
+"""Sentences for Hypothesis: what is asked for is what comes, and a failure shrinks to the shortest."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from hypothesis import find, given, settings
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Status
+from intent_engine.testing import Noise, assert_means, moves, sentences
+
+GRAMMAR = """
+language: en
+fillers: [please, "could you"]
+slots:
+  colour: [red, light blue, green]
+  count: {type: number, min: 1, max: 12}
+  thing: {type: text, max_words: 2}
+intents:
+  paint:
+    action: {type: custom, name: paint}
+    sentences: ["paint it {colour}", "(make|colour) {count} {colour} ones", "paint the {thing} {colour}"]
+  halt: {action: stop, sentences: [halt]}
+  answer:
+    action: {type: custom, name: answer}
+    requires: [asked]
+    sentences: ["(yes|no thanks|not now)"]
+  matched:
+    action: {type: custom, name: matched}
+    regex: "order (?P<count>[0-9]+)"
+"""
+FIND = settings(max_examples=1000, derandomize=True, database=None)
+FEW = settings(max_examples=60, deadline=None, derandomize=True)
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory):
+    file = tmp_path_factory.mktemp("grammar") / "paint.yaml"
+    file.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.fixture(scope="module")
+def robot(root):
+    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
+
+
+@pytest.mark.parametrize(
+    ("wanted", "shortest"),
+    [
+        (lambda said: True, "halt"),
+        (lambda said: said.expected.intent == "paint", "paint it red"),
+        (lambda said: "thing" in said.expected.slots, "paint the box red"),
+        (lambda said: said.expected.slots.get("colour") == "light blue", "paint it light blue"),
+        (lambda said: said.expected.slots.get("count", 0) > 1, "make 2 red ones"),
+    ],
+)
+def test_a_failure_shrinks_to_the_shortest_sentence(engine, wanted, shortest):
+    assert find(sentences(engine), wanted, settings=FIND).text == shortest
+
+
+@pytest.mark.parametrize(
+    ("wanted", "words"),
+    [
+        (lambda said: said.expected.intent == "navigate", 2),
+        (lambda said: "angle" in said.expected.slots, 2),
+        (lambda said: said.expected.intent == "move" and said.expected.slots.get("direction") == "backward", 1),
+        (lambda said: "source" in said.expected.slots, 4),
+    ],
+)
+def test_it_does_in_a_large_grammar(robot, wanted, words):
+    assert len(find(sentences(robot), wanted, settings=FIND).text.split()) == words
+
+
+@pytest.mark.parametrize(
+    ("noise", "text"),
+    [
+        (Noise.FILLERS, "halt"),
+        (Noise.SPELLING, "halt"),
+        (Noise.NEGATION, "don't paint it red"),
+        (Noise.CORRECTION, "paint it red no red"),
+    ],
+)
+def test_noise_shrinks_to_as_little_as_it_can(engine, noise, text):
+    assert find(sentences(engine, noise=noise), lambda _: True, settings=FIND).text == text
+
+
+@FEW
+@given(data=st.data())
+def test_only_what_was_asked_for(engine, data):
+    said = data.draw(sentences(engine, "paint", texts={"thing": ["old boat"]}))
+    assert said.expected.intent == "paint"
+    assert said.expected.slots.get("thing", "old boat") == "old boat"
+    assert said.expected.actions[0].slots == said.expected.slots
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@FEW
+@given(data=st.data())
+def test_intents_that_need_a_state_are_said_in_it(engine, data):
+    assert data.draw(sentences(engine)).expected.intent in ("paint", "halt")
+    said = data.draw(sentences(engine, "answer", state=["asked"]))
+    assert said.text in ("yes", "no thanks", "not now")
+
+
+@FEW
+@given(data=st.data())
+def test_a_negated_sentence_is_expected_to_move_nothing(engine, data):
+    said = data.draw(sentences(engine, noise=["negation", "fillers", "spelling"]))
+    assert said.expected.status is Status.REJECTED
+    assert not moves(said.expected)
+    assert_means(engine.parse(said.text), said.expected)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"intent": "pant"}, "there is no intent 'pant'; did you mean 'paint'?"),
+        ({"intent": "matched"}, "has patterns only"),
+        ({"intent": "answer"}, "it needs: asked"),
+        ({"intent": "halt", "noise": "negation"}, "neither negated nor corrected"),
+    ],
+)
+def test_what_cannot_be_said_is_told_at_once(engine, options, message):
+    with pytest.raises(ConfigError, match=re.escape(message)):
+        sentences(engine, **options)
+
+
+@pytest.mark.parametrize("noise", ["loud", ["negation", "correction"]])
+def test_noise_that_means_nothing(engine, noise):
+    with pytest.raises(ValueError, match=r"loud|negated or corrected"):
+        sentences(engine, noise=noise)
