@@ -6,13 +6,10 @@ run and in turns, so that what else the machine does hits all of them.
 
 from __future__ import annotations
 
-import gc
 import random
 import statistics
 import tempfile
-import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -20,6 +17,7 @@ from typing import Any
 import yaml
 
 from benchmarks import fresh, judging
+from benchmarks.clock import Parse, Times, answered, in_turns, median, no_collector, over_rounds, worst
 from benchmarks.locations import numbered_names
 from benchmarks.peers import Peer, all_peers
 from benchmarks.report import Plot, Report, Table
@@ -29,9 +27,6 @@ from intent_engine.language.locations import LocationMap
 
 COMMAND = "python -m benchmarks --only language"
 PICTURE = "language-cost.svg"
-Times = dict[str, list[list[float]]]
-"""Engine -> for each round, the seconds of each sentence."""
-Parse = Callable[[str], Any]
 
 
 def run(quick: bool) -> Report:
@@ -63,64 +58,6 @@ def row(
         "figure": figure, "value": value, "unit": unit, "peer": peer, "peer_value": peer_value, "ratio": ratio,
         "spread": list(spread) if spread else None, "runs": runs, "command": COMMAND,
     }  # fmt: skip
-
-
-# -- clocks -------------------------------------------------------------------------------------------------------
-
-
-@contextmanager
-def no_collector() -> Iterator[None]:
-    """No garbage collection while the clock runs, for anybody."""
-    gc.collect()
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.enable()
-
-
-def understood(result: Any) -> bool:
-    """Whether an engine, ours or hassil, took a sentence."""
-    return result is not None and getattr(result, "status", Status.ACCEPTED) is Status.ACCEPTED
-
-
-def answered(parse: Parse, sentence: str) -> tuple[float, Any]:
-    """Seconds of this thread's processor time, and the answer: what it takes on an idle core, whatever else runs."""
-    started = time.thread_time()
-    answer = parse(sentence)
-    return time.thread_time() - started, answer
-
-
-def in_turns(engines: Mapping[str, Parse], sentences: Sequence[str], rounds: int, *, warm: bool = True) -> Times:
-    """Every sentence by every engine, one after the other, ``rounds`` times.
-
-    In each turn an engine hears something unmeasured first, so that nobody pays for waking up after the others: all
-    the sentences, or, where the first time is what is measured (not ``warm``), one of another kind.
-    """
-    found: Times = {name: [] for name in engines}
-    with no_collector():
-        for _ in range(rounds):
-            for name, parse in engines.items():
-                for sentence in sentences if warm else ("stop",):
-                    parse(sentence)
-                found[name].append([answered(parse, sentence)[0] for sentence in sentences])
-    return found
-
-
-def median(times: list[list[float]]) -> float:
-    """us: the median sentence, each by its median over the rounds."""
-    return 1e6 * float(statistics.median(statistics.median(each) for each in zip(*times, strict=True)))
-
-
-def worst(times: list[list[float]]) -> float:
-    """us: the slowest sentence, each by its median over the rounds."""
-    return 1e6 * max(float(statistics.median(each)) for each in zip(*times, strict=True))
-
-
-def over_rounds(times: list[list[float]], summary: Callable[[list[list[float]]], float]) -> list[float]:
-    """Lowest and highest of a summary over the rounds."""
-    each = [summary([one]) for one in times]
-    return [min(each), max(each)]
 
 
 # -- the shipped grammar ------------------------------------------------------------------------------------------
@@ -299,6 +236,11 @@ def cliffs(quick: bool) -> list[dict[str, Any]]:
         *_numbers(10_000 if quick else 100_000),
         *_optionals(12 if quick else 18),
     ]
+
+
+def understood(result: Any) -> bool:
+    """Whether an engine, ours or hassil, took a sentence."""
+    return result is not None and getattr(result, "status", Status.ACCEPTED) is Status.ACCEPTED
 
 
 def _once_and_again(figure: str, own: Parse, other: Parse, sentences: Sequence[str]) -> list[dict[str, Any]]:
