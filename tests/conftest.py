@@ -9,9 +9,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 # Before anything loads NumPy: its threads fight the recogniser's for the cores.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+# The same examples every time, so that a change that passes here passes everywhere. To look for new ones:
+# HYPOTHESIS_PROFILE=explore python -m pytest
+settings.register_profile("same", derandomize=True, deadline=None)
+settings.register_profile("explore", deadline=None, max_examples=1000)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -602,8 +602,10 @@ class Interpreter:
         yield len(words), len(words)
         for end in range(len(words) - 1, start, -1):
             for length in self._sequence.lengths_at(words, end):
-                if end + length < len(words):
-                    yield end, end + length
+                after = end + length
+                # "turn 15 and 20 degrees": one number or two, nobody can know.
+                if after < len(words) and not (self._is_number(words[end - 1]) and self._is_number(words[after])):
+                    yield end, after
             if core.breaks[end]:
                 yield end, end
 

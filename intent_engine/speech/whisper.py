@@ -214,6 +214,11 @@ def fold_loop(text: str) -> str:
         while plain[repeats * length : (repeats + 1) * length] == unit:
             repeats += 1
         rest = plain[repeats * length :]
-        if repeats >= (2 if length >= LONG_SENTENCE else 3) and unit[: len(rest)] == rest:
+        if repeats >= (2 if length >= LONG_SENTENCE else 3) and _begins(unit, rest):
             return " ".join(words[:length])
     return text
+
+
+def _begins(unit: list[str], rest: list[str]) -> bool:
+    """Whether the rest is the unit cut off somewhere, perhaps within a word."""
+    return not rest or (unit[: len(rest) - 1] == rest[:-1] and unit[len(rest) - 1].startswith(rest[-1]))

@@ -81,6 +81,11 @@ def _group(words: Sequence[str], at: int) -> Found | None:
         if tail is not None and tuple(words[tail[1] : tail[1] + 1]) not in (("hundred",), ("hundreds",)):
             return value + tail[0], tail[1]
         return value, here
+    if words[at].isdigit() and value % 100 == 0 and 100 <= value < 1000 and tuple(words[here : here + 1]) == ("and",):
+        # A recogniser's "100 and 20".
+        tail = _below_hundred(words, here + 1) or _small_numeral(words, here + 1)
+        if tail is not None:
+            return value + tail[0], tail[1]
     if value < 10 and here == at + 1 and words[at] in DIGITS and here < len(words):
         # "one eighty", "two seventy five": hundreds left out, as angles are said; "one oh five" likewise.
         if words[here] in TENS or words[here] in TEENS:
@@ -345,7 +350,7 @@ TEMPLATES: Mapping[str, str] = {
     "zero": "(zero|oh|o)",
     "below_hundred": "({digit}|{teen}|{tens} [{digit}])",
     "group": "([({below_hundred}|a|{#})] hundred [[and] ({below_hundred}|{#})]|{below_hundred}"
-    "|{digit} ({tens} [{digit}]|{teen}|{zero} {digit})|{#})",
+    "|{digit} ({tens} [{digit}]|{teen}|{zero} {digit})|{#} [and ({below_hundred}|{#})])",
     "thousands": "({group} [thousand [[and] {group}]]|a thousand [[and] {group}])",
     "cardinal": "({thousands}|({group}|a) (million|billion) [[and] {thousands}]|{#} k)",
     "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) " + "[({digit}|{zero}) " * 8 + "]" * 8,
