@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.listening import NoReflex
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.evaluation.scoring import Outcome, Score
     from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.reflex import Reflex
 
 __all__ = ["evaluate"]
 
@@ -46,6 +48,7 @@ def evaluate(
     free: Annotated[
         bool, typer.Option("--free", help="Hear with each model without the help of the grammar too, to compare.")
     ] = False,
+    no_reflex: NoReflex = False,
     noise: Annotated[
         list[Path] | None, typer.Option("--noise", help="Recording of noise to mix in; may be repeated.")
     ] = None,
@@ -86,7 +89,7 @@ def evaluate(
     outcomes: list[Outcome] = []
     with progress("hearing", len(rows) * len(models) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, language, free):
-            listener = _listener(engine, recognizer, robot)
+            listener = _listener(engine, recognizer, robot, None if no_reflex else _reflex(engine, language))
             for found in trial.hear(rows, listener, name):
                 outcomes += found
                 step()
@@ -148,11 +151,17 @@ def _short(model: str) -> str:
     return Path(model).name or model
 
 
-def _listener(engine: IntentEngine, recognizer: Recognizer, robot: str) -> Listener:
+def _reflex(engine: IntentEngine, language: str | None) -> Reflex:
+    from intent_engine.speech.reflex import reflex_for
+
+    return reflex_for(engine, language=language, background=False)
+
+
+def _listener(engine: IntentEngine, recognizer: Recognizer, robot: str, reflex: Reflex | None) -> Listener:
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.execution.robots.robot_file import load_robot
 
-    return Listener(engine, recognizer, load_robot(find("robots", robot)))
+    return Listener(engine, recognizer, load_robot(find("robots", robot)), reflex=reflex)
 
 
 def _tell(outcomes: list[Outcome]) -> None:
@@ -163,13 +172,15 @@ def _tell(outcomes: list[Outcome]) -> None:
 
 
 def _show(results: list[Score], outcomes: list[Outcome], as_json: bool, all_in: Path | None) -> None:
-    from intent_engine.evaluation.report import COLUMNS, MISS_COLUMNS, cells, miss_cells, misses
+    from intent_engine.evaluation.report import COLUMNS, MISS_COLUMNS, cells, miss_cells, misses, reflex_text
 
     if as_json:
         for found in results:
             json_line({"event": "score", **found.to_json()})
         return
     table("", COLUMNS, map(cells, results))
+    for text in filter(None, map(reflex_text, results)):
+        say(text)
     failed = misses(outcomes)
     if failed:
         say()

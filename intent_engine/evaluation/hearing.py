@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from intent_engine.actions import Action
@@ -14,7 +15,7 @@ from intent_engine.execution.robots.robot import Pose
 from intent_engine.execution.robots.robot_file import RobotFile
 from intent_engine.interpretation import Interpretation
 from intent_engine.runtime import Heard, HeardKind, Runtime
-from intent_engine.speech.audio import FRAME_SECONDS, AudioSource
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
@@ -68,7 +69,7 @@ class Listener:
         robot: what to simulate.
         settings: waits of the endpoint; None: the runtime's own.
         speculate: decode at the first silent frame already.
-        reflex: makes the listener for stop words; None: no reflex.
+        reflex: listens for stop words, in the thread that it is called from; None: no reflex.
     """
 
     def __init__(
@@ -80,7 +81,7 @@ class Listener:
         voice: VoiceDetector | None = None,
         settings: Settings | None = None,
         speculate: bool = True,
-        reflex: Callable[[], Reflex] | None = None,
+        reflex: Reflex | None = None,
     ) -> None:
         self._engine = engine
         self._recognizer = recognizer
@@ -88,7 +89,7 @@ class Listener:
         self._voice = voice or SileroVoice()
         self._settings = settings
         self._speculate = speculate
-        self._reflex = reflex
+        self._reflex = _Timed(reflex) if reflex is not None else None
         self._places = {
             name: Pose(place.x, place.y, place.yaw, place.frame) for name, place in (engine.locations or {}).items()
         }
@@ -101,7 +102,7 @@ class Listener:
         """
         clock = VirtualClock()
         robot = self._robot.simulated(clock, self._places)
-        notes = _Notes()
+        notes = _Notes(self._reflex)
         options = self._robot.executor_options()
         with Executor(robot, clock=clock, handle_sigterm=False, **options) as executor:
             runtime = Runtime(
@@ -109,7 +110,7 @@ class Listener:
                 executor,
                 self._recognizer,
                 voice=self._voice,
-                reflex=self._reflex() if self._reflex is not None else None,
+                reflex=self._reflex,
                 settings=self._settings,
                 speculate=self._speculate,
                 on_event=notes.take,
@@ -118,11 +119,38 @@ class Listener:
         return notes.hearing
 
 
+class _Timed:
+    """A reflex whose looks are timed."""
+
+    def __init__(self, reflex: Reflex) -> None:
+        self._reflex = reflex
+        self.seconds = 0.0
+        """s that the last look took."""
+
+    def begin(self, frames: Sequence[Samples]) -> None:
+        self._reflex.begin(frames)
+
+    def heard(self, samples: Samples) -> bool:
+        began = time.perf_counter()
+        found = self._reflex.heard(samples)
+        self.seconds = time.perf_counter() - began
+        return found
+
+    def close(self) -> None:
+        self._reflex.close()
+
+
+def _next_frame(time: float) -> float:
+    """When something that is ready at this time is looked at."""
+    return math.ceil(time / FRAME_SECONDS - 1e-6) * FRAME_SECONDS
+
+
 class _Notes:
     """Listens to the runtime's events."""
 
-    def __init__(self) -> None:
+    def __init__(self, reflex: _Timed | None) -> None:
         self.hearing = Hearing()
+        self._reflex = reflex
         self._busy = 0.0
         """s: until when the recogniser decodes."""
         self._partial: Transcript | None = None
@@ -147,11 +175,12 @@ class _Notes:
             ended = event.speech_ended if event.speech_ended is not None else event.time
             self.hearing.acts.append(Act(event.interpretation, max(event.time, self._ready), ended))
         elif event.kind is HeardKind.HOLD:
-            self.hearing.holds.append(event.time)
+            look = self._reflex.seconds if self._reflex is not None else 0.0
+            self.hearing.holds.append(_next_frame(event.time + look))
         elif event.kind is HeardKind.ERROR:
             self.hearing.errors.append(event.detail)
 
     def _decoded(self, transcript: Transcript, asked: float) -> None:
         self._busy = max(asked, self._busy) + transcript.decode_seconds
-        self._ready = math.ceil(self._busy / FRAME_SECONDS) * FRAME_SECONDS
+        self._ready = _next_frame(self._busy)
         self.hearing.decodes.append(transcript.decode_seconds)

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -28,6 +28,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import ACTION_PARAMETERS
 from intent_engine.language.template import references
+from intent_engine.language.utterance import PhraseSet, Utterance
 
 __all__ = ["Expected", "Row", "Step", "evenly", "find_labels", "read_labels", "steps_of"]
 
@@ -55,6 +56,9 @@ class Expected:
     """What must be done; None: not labelled."""
     types: tuple[str, ...] | None = None
     """Types of what must be done; None: not labelled."""
+
+    stops: bool = False
+    """Whether it is a stop that the reflex knows: one of the grammar's stop phrases is said."""
 
     @property
     def command(self) -> bool:
@@ -155,6 +159,11 @@ def steps_of(meaning: Interpretation) -> tuple[Step, ...]:
 
 def _compound(slots: Mapping[str, Any]) -> tuple[Step, ...]:
     return tuple(Step(step["intent"], step.get("slots", {})) for step in slots["steps"])
+
+
+def _says_stop(engine: IntentEngine, text: str) -> bool:
+    words = Utterance.of(text).words
+    return any(PhraseSet(grammar.operators.stop).find(words) is not None for grammar in engine.grammars)
 
 
 def _slot_names(engine: IntentEngine, intent: str) -> set[str]:
@@ -273,10 +282,17 @@ class _Reader:
         elif "slots" in data:
             self.wrong("has 'slots' but no 'intent'", "slots", hint="say whose slots they are")
         actions, types = self._actions(data) if "actions" in data else (None, None)
-        if "intent" in data or "actions" in data:
-            return Expected(steps, actions, types)
-        meaning = engine.parse(text or "")
-        return Expected(steps_of(meaning), meaning.actions if meaning.status is Status.ACCEPTED else None)
+        if "intent" not in data and "actions" not in data:
+            meaning = engine.parse(text or "")
+            steps = steps_of(meaning)
+            actions = meaning.actions if meaning.status is Status.ACCEPTED else None
+        kinds = types or tuple(action.type for action in actions or ()) or tuple(map(self._kind(engine), steps))
+        stops = bool(kinds) and set(kinds) == {"stop"} and (text is None or _says_stop(engine, text))
+        return Expected(steps, actions, types, stops)
+
+    def _kind(self, engine: IntentEngine) -> Callable[[Step], str]:
+        kinds = {name: intent.action.type for grammar in engine.grammars for name, intent in grammar.intents.items()}
+        return lambda step: kinds.get(step.intent, "")
 
     def _steps(self, data: Mapping[str, Any]) -> tuple[Step, ...]:
         intent = self._typed(data, "intent", str, "the name of an intent, or null for no command")

@@ -10,7 +10,7 @@ from typing import Any
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.scoring import Outcome, Score, Verdict
 
-__all__ = ["COLUMNS", "MISS_COLUMNS", "cells", "miss_cells", "misses", "outcome_json", "write_csv"]
+__all__ = ["COLUMNS", "MISS_COLUMNS", "cells", "miss_cells", "misses", "outcome_json", "reflex_text", "write_csv"]
 
 COLUMNS = (
     "model",
@@ -50,6 +50,17 @@ def cells(found: Score) -> list[str]:
     ]
 
 
+def reflex_text(found: Score) -> str:
+    """What the reflex did; empty if it did nothing and had nothing to do."""
+    if not found.stops and not found.others_held:
+        return ""
+    text = f"{found.model}, noise {found.noise}: the reflex held the robot at {found.stops_held} of {found.stops} stops"
+    if found.held_p50 is not None:
+        text += f" (p50 {_milliseconds(found.held_p50)}, p90 {_milliseconds(found.held_p90)} after the end of the word)"
+    rest = found.recordings - found.stops
+    return f"{text}, and for a moment at {found.others_held} of {rest} other recordings"
+
+
 def misses(outcomes: Sequence[Outcome]) -> list[Outcome]:
     """What did not go right, the worst kinds first."""
     order = {Verdict.WRONG: 0, Verdict.FALSE_ACCEPT: 1, Verdict.MISSED: 2}
@@ -86,6 +97,7 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
         "slots_right": outcome.slots_right,
         "latency": round(latency, 4) if latency is not None else None,
         "decode_seconds": round(outcome.decode, 4),
+        "held": round(outcome.held, 4) if outcome.held is not None else None,
         "errors": list(outcome.errors),
     }
 

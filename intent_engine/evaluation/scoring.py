@@ -69,6 +69,8 @@ class Outcome:
     """s from the end of speech to the first action, where that was right."""
     decode: float = 0.0
     """s that the last decode took."""
+    held: float | None = None
+    """s from the end of speech to the first time that the reflex held the robot, negative before it; None: never."""
     errors: tuple[str, ...] = ()
 
 
@@ -95,8 +97,18 @@ def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
         _slots_right(row.expected.steps, steps),
         latency,
         hearing.decodes[-1] if hearing.decodes else 0.0,
+        _held(row, hearing),
         tuple(hearing.errors),
     )
+
+
+def _held(row: Row, hearing: Hearing) -> float | None:
+    if not hearing.holds:
+        return None
+    ended = row.speech_end
+    if ended is None:
+        ended = hearing.acts[0].speech_ended if hearing.acts else hearing.holds[0]
+    return hearing.holds[0] - ended
 
 
 def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verdict:
@@ -192,6 +204,15 @@ class Score:
     latency_max: float | None
     decode_p50: float | None
     decode_p90: float | None
+    stops: int
+    """Commands to stop."""
+    stops_held: int
+    """Of these: the reflex held the robot."""
+    held_p50: float | None
+    """From the end of a stop word to the hold; negative before it."""
+    held_p90: float | None
+    others_held: int
+    """Recordings of anything else in which the reflex held the robot for a moment."""
     errors: int
     """Decodes that failed."""
 
@@ -216,6 +237,8 @@ def score(outcomes: Sequence[Outcome]) -> Score:
     latencies = [outcome.latency for outcome in outcomes if outcome.latency is not None]
     decodes = [outcome.decode for outcome in outcomes if outcome.decode]
     condition = outcomes[0].condition
+    stops = [outcome for outcome in outcomes if outcome.row.expected.stops]
+    held = [outcome.held for outcome in stops if outcome.held is not None]
     return Score(
         model=condition.model,
         noise=condition.noise,
@@ -238,6 +261,11 @@ def score(outcomes: Sequence[Outcome]) -> Score:
         latency_max=quantile(latencies, 1.0),
         decode_p50=quantile(decodes, 0.5),
         decode_p90=quantile(decodes, 0.9),
+        stops=len(stops),
+        stops_held=len(held),
+        held_p50=quantile(held, 0.5),
+        held_p90=quantile(held, 0.9),
+        others_held=sum(outcome.held is not None for outcome in outcomes) - len(held),
         errors=sum(len(outcome.errors) for outcome in outcomes),
     )
 
