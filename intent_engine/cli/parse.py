@@ -13,6 +13,7 @@ from intent_engine.cli.explaining import explanation_lines
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, say
+from intent_engine.cli.watching import Watch, watched
 from intent_engine.errors import TextTooLongError
 from intent_engine.interpretation import Interpretation, Status
 
@@ -35,21 +36,17 @@ def parse(
         list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
     ] = None,
     explain: Annotated[bool, typer.Option("--explain", help="Show every step from the words to the actions.")] = False,
+    watch: Watch = False,
     as_json: Json = False,
 ) -> int:
     """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
     engine = load_engine(grammar, locations, language)
     states = tuple(state or ())
     if text == "-":
-        accepted, too_long = True, 0
-        for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
-            found, data = _understood(engine, line[:MAX_TEXT], states, language, explain)
-            json_line(data)
-            accepted = accepted and found.status is Status.ACCEPTED
-            too_long = too_long or (number if len(line) > MAX_TEXT else 0)
-        if too_long:
-            raise _too_long(f"line {too_long} of standard input")
-        return 0 if accepted else EXIT_NOT_ACCEPTED
+        with watched(engine, watch):
+            return _parse_lines(engine, states, language, explain)
+    if watch:
+        raise typer.BadParameter("--watch is for sentences from standard input: intent-engine parse --watch -")
     if len(text) > MAX_TEXT:
         raise _too_long(f"the text ({len(text)} characters)")
     if as_json:
@@ -63,6 +60,18 @@ def parse(
         found = engine.parse(text, state=states, language=language)
         _show(interpretation_lines(found))
     return 0 if found.status is Status.ACCEPTED else EXIT_NOT_ACCEPTED
+
+
+def _parse_lines(engine: IntentEngine, states: tuple[str, ...], language: str | None, explain: bool) -> int:
+    accepted, too_long = True, 0
+    for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
+        found, data = _understood(engine, line[:MAX_TEXT], states, language, explain)
+        json_line(data)
+        accepted = accepted and found.status is Status.ACCEPTED
+        too_long = too_long or (number if len(line) > MAX_TEXT else 0)
+    if too_long:
+        raise _too_long(f"line {too_long} of standard input")
+    return 0 if accepted else EXIT_NOT_ACCEPTED
 
 
 def _understood(

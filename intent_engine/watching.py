@@ -1,0 +1,123 @@
+"""Reload an engine when its files change: the new grammar is taken as a whole, or the old one stays."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from intent_engine.errors import ConfigError, Problem
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from intent_engine.engine import IntentEngine
+
+__all__ = ["Watcher"]
+
+DEBOUNCE_MS = 100
+"""Changes within this are taken together: an editor writes a file in several steps."""
+
+_log = logging.getLogger(__name__)
+
+
+class Watcher:
+    """Watches the files of an engine in a thread of its own.
+
+    Life cycle: made -> ``start`` -> ``close``; or a ``with``. ``close`` may be called twice.
+
+    Args:
+        engine: made from files.
+        told: called after each attempt, from the watcher's thread: with None when the new grammar is in use, with the
+            error when it was refused and the old one stays.
+    """
+
+    def __init__(self, engine: IntentEngine, told: Callable[[ConfigError | None], None] | None = None) -> None:
+        self._engine = engine
+        self._told = told or (lambda error: None)
+        self._stop = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._refused: frozenset[Path] = frozenset()
+
+    @property
+    def files(self) -> frozenset[Path]:
+        """The files that are watched: those in use, and those that were refused."""
+        return frozenset(path.resolve() for path in self._engine.files) | self._refused
+
+    def changed(self, paths: Iterable[Path]) -> bool:
+        """Reload if any of these files matters; whether it did. For those who find out about changes themselves."""
+        if self.files.isdisjoint(path.resolve() for path in paths):
+            return False
+        try:
+            self._engine.reload()
+        except ConfigError as error:
+            # What a refused grammar includes is not in use, and yet it is there that the mistake may be mended.
+            self._refused = frozenset(Path(one.file).resolve() for one in error.problems if one.file)
+            self._told(error)
+        else:
+            self._refused = frozenset()
+            self._told(None)
+        return True
+
+    def start(self) -> None:
+        """Begin to watch.
+
+        Raises:
+            ConfigError: the ``watchfiles`` package is not installed, or the engine was not made from files.
+        """
+        try:
+            import watchfiles  # noqa: F401
+        except ImportError:
+            hint = "pip install 'intent-engine[watch]'"
+            raise ConfigError(Problem("watching files needs the watchfiles package", hint=hint)) from None
+        if not self.files:
+            raise ConfigError("there are no files to watch: the engine was not made from files")
+        ready = threading.Event()
+        self._thread = threading.Thread(target=self._watch, args=(ready,), name="grammar-watcher", daemon=True)
+        self._thread.start()
+        ready.wait(5.0)
+
+    def _watch(self, ready: threading.Event) -> None:
+        from watchfiles import watch
+
+        while not self._stop.is_set():
+            folders = self._folders()
+            # With a timeout, so that the first round says that the watch stands, and a new folder is soon looked at.
+            for changes in watch(
+                *folders,
+                watch_filter=None,
+                debounce=DEBOUNCE_MS,
+                step=DEBOUNCE_MS // 2,
+                stop_event=self._stop,
+                rust_timeout=DEBOUNCE_MS,
+                yield_on_timeout=True,
+                recursive=False,
+                raise_interrupt=False,
+            ):
+                ready.set()
+                try:
+                    self.changed(Path(name) for _, name in changes)
+                except Exception:
+                    _log.exception("a change of the grammar could not be told")
+                if self._folders() != folders:
+                    break
+
+    def _folders(self) -> list[Path]:
+        return sorted({path.parent for path in self.files if path.parent.is_dir()})
+
+    def close(self) -> None:
+        """Watch no longer."""
+        self._stop.set()
+        if self._thread is not None and self._thread is not threading.current_thread():
+            self._thread.join(5.0)
+
+    def __enter__(self) -> Watcher:
+        self.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()

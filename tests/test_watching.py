@@ -1,0 +1,221 @@
+"""A grammar edited while the engine runs: the new one as a whole, or the old one."""
+
+from __future__ import annotations
+
+import json
+import queue
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Status
+from intent_engine.watching import Watcher
+
+BROKEN = "language: en\nintents:\n  wave: {action: custom, sentences: ['wave (at']}\n"
+
+
+def grammar(generation: int, language: str = "en") -> str:
+    """Every sentence of it names its generation, in the action and in a slot."""
+    rows = "".join(
+        f"  say_{word}:\n    action: {{type: custom, name: g{generation}, g: {generation}}}\n    sentences: [{word}]\n"
+        for word in ("alpha", "bravo", "charlie")
+    )
+    return f"language: {language}\nintents:\n{rows}"
+
+
+@pytest.fixture
+def file(tmp_path) -> Path:
+    path = tmp_path / "g.yaml"
+    path.write_text(grammar(1))
+    return path
+
+
+def generation(engine: IntentEngine, text: str = "alpha") -> str:
+    (action,) = engine.parse(text).actions
+    return action.name
+
+
+def test_a_reload_takes_the_new_grammar_and_map(tmp_path, file):
+    places = tmp_path / "map.yaml"
+    places.write_text("locations: {kitchen: {x: 1.0, y: 2.0}}")
+    engine = IntentEngine.from_files(file, locations=places)
+    file.write_text(grammar(2))
+    places.write_text("locations: {garden: {x: 1.0, y: 2.0}}")
+    assert generation(engine) == "g1"
+    engine.reload()
+    assert generation(engine) == "g2"
+    assert list(engine.locations or ()) == ["garden"]
+
+
+def test_a_broken_file_keeps_the_old_grammar(tmp_path, file):
+    engine = IntentEngine.from_files(file, locations={"kitchen": (1.0, 2.0)})
+    before = (engine.grammar, engine.locations, engine.matcher(), engine.files)
+    for text in (BROKEN, "", "language: [", grammar(2).replace("sentences", "sentence")):
+        file.write_text(text)
+        with pytest.raises(ConfigError, match=r"g\.yaml"):
+            engine.reload()
+        assert generation(engine) == "g1"
+        assert (engine.grammar, engine.locations, engine.matcher(), engine.files) == before
+    file.unlink()
+    with pytest.raises(ConfigError, match="no such file"):
+        engine.reload()
+    assert generation(engine) == "g1"
+
+
+def test_a_broken_map_keeps_the_old_grammar_too(tmp_path, file):
+    places = tmp_path / "map.yaml"
+    places.write_text("locations: {kitchen: {x: 1.0, y: 2.0}}")
+    engine = IntentEngine.from_files(file, locations=places)
+    file.write_text(grammar(2))
+    places.write_text("locations: {kitchen: {x: one}}")
+    with pytest.raises(ConfigError, match=r"map\.yaml"):
+        engine.reload()
+    assert generation(engine) == "g1"
+
+
+def test_parses_beside_a_reload_never_mix_grammars(tmp_path):
+    """Two files of two languages: what one parse sees of both is always of one state of the files."""
+    files = [tmp_path / "en.yaml", tmp_path / "de.yaml"]
+
+    def write(number: int) -> None:
+        for path in files:
+            path.write_text(grammar(number, path.stem))
+
+    write(0)
+    engine = IntentEngine.from_files(files)
+    wrong: list[str] = []
+    seen: set[str] = set()
+    done = threading.Event()
+
+    def parse(text: str) -> None:
+        while not done.is_set():
+            found = engine.parse(text)
+            if found.status is not Status.ACCEPTED or len(found.actions) != 2:
+                wrong.append(str(found))
+                return
+            first, second = found.actions
+            seen.add(first.name)
+            if not first.name == second.name == f"g{first.slots['g']}" == f"g{second.slots['g']}":
+                wrong.append(str(found))
+
+    threads = [threading.Thread(target=parse, args=(text,)) for text in ("alpha then bravo", "bravo und charlie")]
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    try:
+        for thread in threads:
+            thread.start()
+        for number in range(1, 25):
+            write(number)
+            if number % 5 == 0:
+                files[number % 2].write_text(BROKEN)
+                with pytest.raises(ConfigError):
+                    engine.reload()
+                write(number)
+            engine.reload()
+    finally:
+        done.set()
+        sys.setswitchinterval(interval)
+        for thread in threads:
+            thread.join()
+    assert not wrong
+    assert len(seen) > 3, "the threads parsed while the grammar changed"
+
+
+def test_only_files_that_matter_cause_a_reload(tmp_path, file):
+    engine = IntentEngine.from_files(file)
+    told: list[ConfigError | None] = []
+    watcher = Watcher(engine, told.append)
+    file.write_text(grammar(2))
+    assert not watcher.changed([tmp_path / "other.yaml"])
+    assert generation(engine) == "g1"
+    assert watcher.changed([tmp_path / "other.yaml", file])
+    assert generation(engine) == "g2"
+    assert told == [None]
+
+
+def test_a_file_that_was_refused_is_watched_until_it_is_mended(tmp_path, file):
+    engine = IntentEngine.from_files(file)
+    told: list[ConfigError | None] = []
+    watcher = Watcher(engine, told.append)
+    words = tmp_path / "words.yaml"
+    words.write_text("language: en\nphrases: {a: (x}\n")
+    file.write_text(grammar(2).replace("intents:", "include: [words.yaml]\nintents:"))
+    assert watcher.changed([file])
+    assert isinstance(told[-1], ConfigError)
+    assert generation(engine) == "g1"
+    assert words.resolve() in watcher.files
+    words.write_text("language: en\nphrases: {a: x}\n")
+    assert watcher.changed([words])
+    assert told[-1] is None
+    assert generation(engine) == "g2"
+
+
+def test_files_are_watched(tmp_path, file):
+    pytest.importorskip("watchfiles")
+    engine = IntentEngine.from_files(file)
+    told: queue.Queue[ConfigError | None] = queue.Queue()
+    with Watcher(engine, told.put) as watcher:
+        file.write_text(BROKEN)
+        assert isinstance(told.get(timeout=30), ConfigError)
+        file.write_text(grammar(3))
+        while told.get(timeout=30) is not None:
+            pass  # a file seen half written
+        assert generation(engine) == "g3"
+        other = tmp_path / "saved"
+        other.write_text(grammar(4))
+        other.rename(file)  # as editors save
+        while generation(engine) != "g4":
+            told.get(timeout=30)
+    watcher.close()
+
+
+def test_without_watchfiles_it_says_what_to_install(monkeypatch, file):
+    monkeypatch.setitem(sys.modules, "watchfiles", None)
+    with pytest.raises(ConfigError, match=r"pip install 'intent-engine\[watch\]'"):
+        Watcher(IntentEngine.from_files(file)).start()
+
+
+def test_an_engine_that_was_not_made_from_files_cannot_be_reloaded(file):
+    engine = IntentEngine(IntentEngine.from_files(file).grammars)
+    with pytest.raises(ConfigError):
+        engine.reload()
+    assert generation(engine) == "g1"
+
+
+def test_parse_takes_up_changes(file):
+    pytest.importorskip("watchfiles")
+    command = [sys.executable, "-m", "intent_engine.cli", "parse", "--watch", "--grammar", str(file), "-"]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as run:
+        assert run.stdin is not None
+        assert run.stdout is not None
+        assert run.stderr is not None
+
+        def ask() -> str:
+            print("alpha", file=run.stdin, flush=True)
+            return json.loads(run.stdout.readline())["actions"][0]["name"]
+
+        assert ask() == "g1"
+        file.write_text(BROKEN)
+        lines = [run.stderr.readline() for _ in range(2)]
+        assert lines[0].startswith("not reloaded, the old grammar stays in use:")
+        assert "'(' is never closed" in lines[1]
+        assert ask() == "g1"
+        file.write_text(grammar(2))
+        while not run.stderr.readline().startswith("reloaded: 3 sentences"):
+            pass
+        assert ask() == "g2"
+        run.stdin.close()
+        assert run.wait(timeout=30) == 0
+
+
+def test_watch_is_for_many_sentences(intent_engine, file):
+    done = intent_engine("parse", "--watch", "--grammar", file, "alpha", COLUMNS="200")
+    assert done.returncode == 2
+    assert "--watch is for sentences from standard input" in done.stderr
