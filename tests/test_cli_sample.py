@@ -1,0 +1,94 @@
+"""``intent-engine sample`` and ``intent-engine test``, as a person and as a program meet them."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+GRAMMAR = """\
+language: en
+slots: {person: [anna, bob]}
+intents:
+  wave:
+    action: {type: custom, name: wave}
+    sentences: ["wave [at {person}]"]
+    examples:
+      - "wave at anna": {person: anna}
+      - "wave at bob": {person: anna}
+"""
+GOOD = "grammar: wave.yaml\ntests:\n  - wave at bob: {person: bob}\n  - don't wave: rejected\n"
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "wave.yaml").write_text(GRAMMAR, "utf-8")
+    (tmp_path / "good.intents.yaml").write_text(GOOD, "utf-8")
+    return tmp_path
+
+
+def test_sentences_with_their_meaning(intent_engine):
+    done = intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 7)
+    assert done.returncode == 0, done.stderr
+    lines = done.stdout.splitlines()
+    assert len(lines) == 10
+    assert all(line.startswith("    turn side=") and "-> turn " in line for line in lines[1::2])
+    assert done.stdout == intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 7).stdout
+    assert done.stdout != intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 8).stdout
+
+
+def test_what_is_sampled_is_understood(intent_engine):
+    done = intent_engine("sample", "--json", "-n", 30)
+    sampled = [json.loads(line) for line in done.stdout.splitlines()]
+    assert all(list(each) == ["text", "intent", "slots", "actions"] for each in sampled)
+    text = "\n".join(each["text"] for each in sampled)
+    parsed = intent_engine("parse", "-", stdin=text.encode())
+    assert parsed.returncode == 0, parsed.stdout
+    assert [json.loads(line)["intent"] for line in parsed.stdout.splitlines()] == [each["intent"] for each in sampled]
+
+
+def test_an_intent_that_there_is_none_of(intent_engine):
+    done = intent_engine("sample", "--intent", "mov")
+    assert done.returncode == 2
+    assert done.stderr == "error: there is no intent 'mov'; did you mean 'move'?\n"
+
+
+def test_examples_that_hold(intent_engine, folder):
+    done = intent_engine("test", folder / "good.intents.yaml")
+    assert (done.returncode, done.stdout) == (0, "2 examples: 2 passed, 0 failed\n")
+    assert intent_engine("test").returncode == 0, "those of the shipped grammar"
+
+
+def test_a_table_of_failures(intent_engine, folder):
+    done = intent_engine("test", "wave.yaml", "good.intents.yaml", cwd=folder)
+    assert done.returncode == 1
+    rows = [line.split() for line in done.stdout.splitlines()]
+    assert ["wave.yaml:9", "wave", "at", "bob", "slots.person", "anna", "bob"] in rows
+    assert rows[-1] == ["4", "examples:", "3", "passed,", "1", "failed"]
+
+
+def test_a_line_for_each_example(intent_engine, folder):
+    done = intent_engine("test", "--json", "wave.yaml", cwd=folder)
+    assert done.returncode == 1
+    good, bad = (json.loads(line) for line in done.stdout.splitlines())
+    assert (good["passed"], good["differences"], good["line"]) == (True, [], 8)
+    assert bad["differences"] == [{"part": "slots.person", "expected": "anna", "found": "bob"}]
+    assert bad["found"]["slots"] == {"person": "bob"}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("tests: [{say: wave, slot: {}}]", "did you mean 'slots'?"),
+        ("tests:\n  - wave: 3", "is no meaning"),
+        ("grammar: nowhere.yaml\ntests: [wave]", "nowhere.yaml"),
+        ("tests:\n  - {say: wave, actions: [{type: fly}]}", "unknown action type 'fly'"),
+        ("tests:\n  wav: [wave]", "there is no intent 'wav'"),
+    ],
+)
+def test_a_wrong_test_file(intent_engine, tmp_path, text, message):
+    (tmp_path / "bad.intents.yaml").write_text(text, "utf-8")
+    done = intent_engine("test", tmp_path / "bad.intents.yaml")
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert "Traceback" not in done.stderr
