@@ -282,7 +282,8 @@ def wilson(right: int, whole: int, z: float = 1.96) -> tuple[float, float]:
     share = right / whole
     spread = z * math.sqrt(share * (1 - share) / whole + z * z / (4 * whole * whole))
     middle, scale = share + z * z / (2 * whole), 1 + z * z / whole
-    return max((middle - spread) / scale, 0.0), min((middle + spread) / scale, 1.0)
+    # Rounding must not push an end beyond the share itself, where that is 0 or 1.
+    return max(min((middle - spread) / scale, share), 0.0), min(max((middle + spread) / scale, share), 1.0)
 
 
 def _word_error_rate(outcomes: Sequence[Outcome], heard: Sequence[str]) -> float | None:
