@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -14,6 +14,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.grammar_file import load_grammars
+from intent_engine.language.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.nearest import Nearest
@@ -72,6 +73,7 @@ class IntentEngine:
         self._lock = threading.Lock()
         self._grammar_paths: tuple[StrPath, ...] = ()
         self._location_paths: tuple[StrPath, ...] = ()
+        self._wake: tuple[tuple[str, ...], ...] = ()
         self._use(_build(tuple(grammars), locations))
 
     @classmethod
@@ -80,6 +82,7 @@ class IntentEngine:
         grammar: StrPath | Sequence[StrPath],
         *,
         locations: StrPath | Sequence[StrPath] | LocationMap | Mapping[str, Any] | None = None,
+        wake: Sequence[str] = (),
     ) -> IntentEngine:
         """Load grammar files and a map.
 
@@ -87,6 +90,7 @@ class IntentEngine:
             grammar: one path or several; files of one language make one grammar.
             locations: a map file or several, a map already loaded, or a dictionary of places
                 (``{"kitchen": (5.0, 2.0, 0.0)}``).
+            wake: with one of these a spoken command must begin, beside the ``wake`` of the files. A stop never must.
 
         Raises:
             ConfigError: with everything that is wrong in any file.
@@ -95,6 +99,7 @@ class IntentEngine:
         engine._lock = threading.Lock()
         engine._grammar_paths = _paths(grammar)
         engine._location_paths = ()
+        engine._wake = tuple(plain_phrase(text) for text in wake)
         given: LocationMap | None = None
         if isinstance(locations, (str, os.PathLike)) or (
             isinstance(locations, Sequence) and not isinstance(locations, Mapping)
@@ -124,6 +129,8 @@ class IntentEngine:
                 problems.extend(error.problems)
         if problems:
             raise ConfigError(problems)
+        if self._wake:
+            grammars = tuple(replace(grammar, wake=(*grammar.wake, *self._wake)) for grammar in grammars)
         return _build(grammars, places)
 
     def _use(self, loaded: _Loaded) -> None:

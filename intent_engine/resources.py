@@ -12,7 +12,7 @@ from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["default_grammar", "default_locations", "default_robot", "find"]
+__all__ = ["default_grammar", "default_locations", "default_robot", "find", "shipped"]
 
 _SUFFIX = ".yaml"
 
@@ -42,6 +42,11 @@ def find(kind: str, name: str) -> Path:
     known = sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{_SUFFIX}")})
     hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
     raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))
+
+
+def shipped(kind: str, name: str) -> Path | None:
+    """A file that comes with the engine, by its full name; None where it was left out."""
+    return next((folder / name for folder in _folders(kind)[1:] if (folder / name).is_file()), None)
 
 
 def default_grammar(language: str = "en") -> Path:

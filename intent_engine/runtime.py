@@ -37,6 +37,9 @@ MAX_GAP = 1.5
 """nats a word (and as much once) between the free words and the best sentence of the grammar, beyond which something
 else was said. Measured on commands and other speech of ../shared/data: see docs/speech.md."""
 
+LAST_DECODE = 2.0
+"""s that are given to a decode which is under way when listening ends, before it is left behind."""
+
 
 class HeardKind(StrEnum):
     """What a runtime tells."""
@@ -220,6 +223,8 @@ class Runtime:
                 self.executor.stop()
             elif self._held:
                 self._release(self._summary.seconds, "the sound ended")
+            # A thread that is still inside the model when the interpreter ends would abort the process.
+            self._decoding.settle(LAST_DECODE)
         return self._summary
 
     def _move_clock(self, time: float) -> None:

@@ -12,6 +12,7 @@ import typer
 
 from intent_engine.cli.check import check
 from intent_engine.cli.complete import complete
+from intent_engine.cli.doctor import doctor
 from intent_engine.cli.drill import drill
 from intent_engine.cli.evaluate import evaluate
 from intent_engine.cli.examples import run_examples
@@ -119,6 +120,12 @@ app.command(
     "intent-engine drill --json | jq .passed",
     rich_help_panel=_TRUST,
 )(drill)
+
+app.command(
+    epilog="Examples:\n\nintent-engine doctor\n\nintent-engine doctor --model base --device headset\n\n"
+    "intent-engine doctor --no-microphone --json | jq .ok",
+    rich_help_panel=_TRUST,
+)(doctor)
 
 
 def main() -> None:

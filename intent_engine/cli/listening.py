@@ -2,46 +2,55 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import contextlib
+import sys
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
-from intent_engine.cli.terminal import note, say
-from intent_engine.errors import AudioError
+from intent_engine.cli.terminal import json_line, note, table
+from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
-    from intent_engine.engine import IntentEngine
-    from intent_engine.execution.clock import Clock
-    from intent_engine.execution.robots.robot_file import RobotFile
-    from intent_engine.execution.robots.simulated import SimulatedRobot
+    from intent_engine.cli.session import Session
+    from intent_engine.execution.executor import Executor
+    from intent_engine.runtime import Runtime, Summary
     from intent_engine.speech.audio import AudioSource
-    from intent_engine.speech.recognizer import Recognizer
-    from intent_engine.speech.reflex import Reflex
 
-__all__ = ["run"]
+__all__ = ["listen", "run"]
 
 Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
-
-
 Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
 NoReflex = Annotated[
     bool, typer.Option("--no-reflex", help="Do not hold the robot while a stop word is still being said.")
+]
+WakeWord = Annotated[
+    list[str] | None,
+    typer.Option("--wake-word", help='A command must begin with it, "stop" never must; may be repeated.'),
+]
+Denoise = Annotated[
+    bool, typer.Option("--denoise", help="Reduce noise before recognising; seldom better, see the docs on speech.")
 ]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
 Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
 JournalFile = Annotated[
     Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
 ]
+Rate = Annotated[int, typer.Option(help="Samples a second, of raw samples.")]
+Format = Annotated[str, typer.Option(help="Format of raw samples, as ffmpeg or ALSA names it: s16le, f32le, ...")]
+Channels = Annotated[int, typer.Option(help="Interleaved channels of raw samples.")]
 
 
 @verb
 def run(
-    file: Annotated[Path, typer.Argument(help="A recording: WAV or FLAC, any rate, mono or stereo.")],
+    file: Annotated[
+        Path, typer.Argument(help="A recording: WAV or FLAC, any rate, mono or stereo; - reads raw samples or WAV.")
+    ],
     grammar: Grammars = None,
     locations: Locations = None,
     robot: Robots = "simulated",
@@ -49,114 +58,186 @@ def run(
     model: Model = "tiny.en",
     free: Free = False,
     no_reflex: NoReflex = False,
+    wake_word: WakeWord = None,
+    denoise: Denoise = False,
     realtime: Annotated[
         bool, typer.Option("--realtime", help="Play at the speed of the recording, not as fast as possible.")
     ] = False,
+    rate: Rate = 16_000,
+    format: Format = "s16le",
+    channels: Channels = 1,
     as_json: Json = False,
     plot: Plot = None,
     draw: Draw = False,
     journal: JournalFile = None,
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
+    from intent_engine.cli.session import Session
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
     from intent_engine.execution.robots.robot_file import load_robot
     from intent_engine.speech.sources.file import FileSource
 
-    source = FileSource(file, realtime=realtime)
-    session = _Session(
-        engine=load_engine(grammar, locations, language),
+    source: AudioSource
+    if str(file) == "-":
+        source, name = _pcm("-", rate, format, channels, live=realtime), "standard input"
+    else:
+        source, name = FileSource(file, realtime=realtime), str(file)
+    session = Session(
+        engine=load_engine(grammar, locations, language, wake_word),
         robot=load_robot(find("robots", robot)),
         clock=MonotonicClock() if realtime else VirtualClock(),
         model=model,
         language=language,
         free=free,
         reflex=not no_reflex,
+        denoise=denoise,
         as_json=as_json,
         plot=plot,
         draw=draw,
         journal=journal,
     )
-    return session.play(source, str(file))
+
+    def somebody_spoke(summary: Summary) -> None:
+        if summary.utterances == 0:
+            raise AudioError(
+                f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
+                "    listen to it; if there is speech, it is too quiet or buried in noise"
+            )
+
+    ended = session.play(source, check=somebody_spoke)
+    return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
 
-@dataclass(frozen=True)
-class _Session:
-    """A simulated robot that listens to one source."""
+@verb
+def listen(
+    device: Annotated[
+        str | None, typer.Option(help="Microphone: its number, name, or a part of the name.", show_default="default")
+    ] = None,
+    list_devices: Annotated[bool, typer.Option("--list-devices", help="List the microphones and exit.")] = False,
+    push_to_talk: Annotated[
+        bool, typer.Option("--push-to-talk", help="Listen only after the space bar, until it is pressed again.")
+    ] = False,
+    pcm: Annotated[
+        str | None, typer.Option(help="Raw samples from this file or pipe instead; - is standard input.")
+    ] = None,
+    rate: Rate = 16_000,
+    format: Format = "s16le",
+    channels: Channels = 1,
+    grammar: Grammars = None,
+    locations: Locations = None,
+    robot: Robots = "simulated",
+    language: Language = None,
+    model: Model = "tiny.en",
+    free: Free = False,
+    no_reflex: NoReflex = False,
+    wake_word: WakeWord = None,
+    denoise: Denoise = False,
+    as_json: Json = False,
+    plot: Plot = None,
+    draw: Draw = False,
+    journal: JournalFile = None,
+) -> int:
+    """Listen to a microphone and drive a simulated robot, until Ctrl-C. Speak: "go forward two meters"."""
+    from intent_engine.cli.session import Session
+    from intent_engine.execution.clock import MonotonicClock
+    from intent_engine.execution.robots.robot_file import load_robot
 
-    engine: IntentEngine
-    robot: RobotFile
-    clock: Clock
-    model: str
-    language: str | None
-    free: bool
-    reflex: bool
-    as_json: bool
-    plot: Path | None = None
-    draw: bool = False
-    journal: Path | None = None
+    if list_devices:
+        return _list_devices(as_json)
+    if device is not None and pcm is not None:
+        raise ConfigError(Problem("a microphone and raw samples at once", hint="give --device or --pcm, not both"))
+    session = Session(
+        engine=load_engine(grammar, locations, language, wake_word),
+        robot=load_robot(find("robots", robot)),
+        clock=MonotonicClock(),
+        model=model,
+        language=language,
+        free=free,
+        reflex=not no_reflex,
+        denoise=denoise,
+        as_json=as_json,
+        plot=plot,
+        draw=draw,
+        journal=journal,
+    )
+    source: AudioSource
+    if pcm is not None:
+        source, name = _pcm(pcm, rate, format, channels, live=True, session=session), pcm.replace("-", "standard input")
+    else:
+        from intent_engine.speech.sources.microphone import Microphone
 
-    def play(self, source: AudioSource, name: str) -> int:
-        """Listen until the source ends and the robot has done what it was told; returns the exit code."""
-        from intent_engine.cli.reporter import Reporter
-        from intent_engine.execution.executor import Executor
-        from intent_engine.execution.robots.robot import Pose
-        from intent_engine.runtime import Runtime
+        microphone = Microphone(device, on_report=session.report)
+        source, name = microphone, f"microphone {microphone.device.name!r}"
+    how = "space: begin and end talking, s: stop the robot, q: quit" if push_to_talk else "Ctrl-C ends it"
+    session.controls = _push_to_talk if push_to_talk else None
+    note(f"listening to {name}; {how}")
+    session.play(source)
+    return 0
 
-        places = {
-            name: Pose(place.x, place.y, place.yaw, place.frame)
-            for name, place in (self.engine.locations or {}).items()
-        }
-        recognizer = self._recognizer()
-        robot = self.robot.simulated(self.clock, places)
-        reporter = Reporter(robot, as_json=self.as_json)
-        options = self.robot.executor_options()
-        if self.journal is not None:
-            from intent_engine.execution.journal import Journal
 
-            options["journal"] = Journal(self.journal)
-        with Executor(robot, clock=self.clock, on_event=reporter.executed, **options) as executor:
-            runtime = Runtime(self.engine, executor, recognizer, reflex=self._reflex(), on_event=reporter.heard)
-            reporter.start = self.clock.now()
-            try:
-                summary = runtime.run(source)
-            finally:
-                reporter.mute_stops()
-            if summary.utterances == 0:
-                raise AudioError(
-                    f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
-                    "    listen to it; if there is speech, it is too quiet or buried in noise"
-                )
-            executor.wait()
-            reporter.end(summary, self.clock.now())
-        self._draw(robot)
-        return 0 if summary.accepted and not reporter.failed else EXIT_NOT_ACCEPTED
+@contextlib.contextmanager
+def _push_to_talk(runtime: Runtime, executor: Executor) -> Iterator[None]:
+    from intent_engine.cli.keys import keys
 
-    def _draw(self, robot: SimulatedRobot) -> None:
-        if self.draw and not self.as_json:
-            from intent_engine.execution.robots.path_view import path_text
+    talking = False
 
-            say()
-            say(path_text(robot))
-        if self.plot is not None:
-            from intent_engine.execution.robots.path_view import plot_path
+    def pressed(key: str) -> None:
+        nonlocal talking
+        if key == " ":
+            talking = not talking
+            runtime.talk(talking)
+            note("listening" if talking else "not listening")
+        elif key in "sS\x1b":
+            executor.stop()
+        elif key in "qQ":
+            runtime.close()
 
-            self.plot.parent.mkdir(parents=True, exist_ok=True)
-            plot_path(robot, self.plot, title="The way of the robot")
-            note(f"the way of the robot is drawn in {self.plot}")
+    runtime.push_to_talk()
+    with keys(pressed):
+        yield
 
-    def _reflex(self) -> Reflex | None:
-        if not self.reflex:
-            return None
-        from intent_engine.execution.clock import SteppedClock
-        from intent_engine.speech.reflex import reflex_for
 
-        return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
+def _pcm(
+    where: str, rate: int, encoding: str, channels: int, *, live: bool, session: Session | None = None
+) -> AudioSource:
+    from intent_engine.speech.sources.pcm import PcmFormat, PcmSource
 
-    def _recognizer(self) -> Recognizer:
-        if self.free:
-            from intent_engine.speech.whisper import WhisperRecognizer
+    form = PcmFormat.of(rate, encoding, channels)
+    file: BinaryIO
+    if where == "-":
+        if sys.stdin is None or sys.stdin.isatty():
+            raise AudioError(
+                "standard input is a terminal, and no sound comes from it\n"
+                "    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | intent-engine ..."
+            )
+        file, name = sys.stdin.buffer, "standard input"
+    else:
+        try:
+            file, name = Path(where).open("rb"), where  # noqa: SIM115 - it ends with the process
+        except OSError as error:
+            raise AudioError(f"{where}: {(error.strerror or str(error)).lower()}\n    give a file or a pipe") from None
+    return PcmSource(file, form, live=live, name=name, on_report=session.report if session is not None else None)
 
-            return WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
-        from intent_engine.speech.steered import SteeredWhisper
 
-        return SteeredWhisper(self.engine, self.model, language=self.language)
+def _list_devices(as_json: bool) -> int:
+    from intent_engine.speech.sources.devices import hint_for_no_microphone, list_devices
+
+    there = list_devices()
+    if as_json:
+        for one in there:
+            json_line(
+                {
+                    "index": one.index,
+                    "name": one.name,
+                    "channels": one.channels,
+                    "rate": one.rate,
+                    "interface": one.interface,
+                    "default": one.default,
+                }
+            )
+    elif there:
+        rows = ((one.index, one.name, one.channels, one.rate, one.interface, "*" * one.default) for one in there)
+        table("microphones", ("number", "name", "channels", "Hz", "interface", "default"), rows)
+    if not there:
+        raise DeviceError(f"there is no microphone\n    {hint_for_no_microphone()}")
+    return 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -37,7 +38,12 @@ Language = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="JSON lines instead of text.")]
 
 
-def load_engine(grammars: list[str] | None, locations: list[str] | None, language: str | None) -> IntentEngine:
+def load_engine(
+    grammars: list[str] | None,
+    locations: list[str] | None,
+    language: str | None,
+    wake: list[str] | None = None,
+) -> IntentEngine:
     """The engine that the options describe.
 
     Raises:
@@ -47,7 +53,9 @@ def load_engine(grammars: list[str] | None, locations: list[str] | None, languag
 
     grammar_paths = [_readable(find("grammars", name)) for name in grammars or [language or "en"]]
     map_paths = [_readable(find("locations", name)) for name in locations] if locations else [default_locations()]
-    return IntentEngine.from_files(grammar_paths, locations=map_paths)
+    if wake and not all(re.search(r"\w", word) for word in wake):
+        raise ConfigError(Problem("the wake word has no letters", hint='give a name: --wake-word "robot"'))
+    return IntentEngine.from_files(grammar_paths, locations=map_paths, wake=wake or ())
 
 
 def _readable(path: Path) -> Path:

@@ -14,6 +14,7 @@ from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.runtime import Heard, HeardKind, Summary
+from intent_engine.speech.audio import Report
 
 __all__ = ["Reporter"]
 
@@ -23,7 +24,12 @@ _ENDS = {
     GoalState.ABORTED: ("aborted", "red"),
     GoalState.REJECTED: ("refused", "red"),
 }
-_TOLD = {HeardKind.HOLD: "hold", HeardKind.RELEASE: "release", HeardKind.ERROR: "error"}
+_TOLD = {
+    HeardKind.HOLD: "hold",
+    HeardKind.RELEASE: "release",
+    HeardKind.LOST: "lost",
+    HeardKind.ERROR: "error",
+}
 
 
 class Reporter:
@@ -85,6 +91,15 @@ class Reporter:
             self._line(None, word, _meaning(found), STYLES[found.status])
         elif event.kind in _TOLD:
             self._line(event.time, _TOLD[event.kind], event.detail or "a stop word, perhaps", "yellow")
+
+    def source(self, report: Report) -> None:
+        """What a live source of sound tells."""
+        with self._lock:
+            if self._json:
+                data = {"event": "source", "time": round(report.time, 3), "kind": report.kind.value}
+                json_line(data | {"detail": report.detail})
+            else:
+                self._line(report.time, "sound", report.detail, "yellow")
 
     # -- what is done -------------------------------------------------------------------------------------------
 

@@ -15,7 +15,18 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-__all__ = ["LogNotes", "error_block", "json_line", "note", "progress", "say", "table", "track", "working"]
+__all__ = [
+    "LogNotes",
+    "error_block",
+    "json_line",
+    "level_meter",
+    "note",
+    "progress",
+    "say",
+    "table",
+    "track",
+    "working",
+]
 
 T = TypeVar("T")
 
@@ -122,3 +133,16 @@ def progress(what: str, steps: int) -> Iterator[Callable[[], None]]:
 def _bar() -> Progress:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     return Progress(*columns, console=_err(), transient=True)
+
+
+@contextlib.contextmanager
+def level_meter(what: str) -> Iterator[Callable[[float], None]]:
+    """A bar on standard error that follows a level in dBFS, -60 to 0."""
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[level]}"))
+    with Progress(*columns, console=_err(), transient=True) as progress:
+        bar = progress.add_task(what, total=60, level="", visible=False)
+
+        def move(level: float) -> None:
+            progress.update(bar, completed=min(max(60 + level, 0), 60), level=f"{level:4.0f} dBFS", visible=True)
+
+        yield move

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import threading
 import time
 from concurrent.futures import Future
@@ -38,13 +39,13 @@ class DecodeThread:
         """Whether a decode can begin."""
         return self._busy is None or self._busy.done()
 
-    def settle(self) -> None:
-        """Wait for the decode under way, but no longer than it may take."""
+    def settle(self, most: float = math.inf) -> None:
+        """Wait for the decode under way, but no longer than it may take, nor than ``most`` s."""
         busy = self._busy
         if busy is not None:
             left = self._began + self.patience - time.monotonic()
             with contextlib.suppress(TimeoutError):
-                busy.exception(timeout=max(0.0, left))
+                busy.exception(timeout=max(0.0, min(left, most)))
 
     def give_up(self) -> None:
         """Forget the decode under way."""

@@ -1,0 +1,98 @@
+"""Keys of the terminal while something else goes on: each is told as it is pressed, without Enter."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator
+
+from intent_engine.errors import ConfigError, Problem
+
+__all__ = ["keys"]
+
+_NO_TERMINAL = Problem(
+    "push-to-talk needs a terminal, whose space bar is the key",
+    hint="without one leave out --push-to-talk; a program calls Runtime.talk(True) and Runtime.talk(False)",
+)
+
+
+@contextlib.contextmanager
+def keys(on_key: Callable[[str], object]) -> Iterator[None]:
+    """Call ``on_key`` with each key, in a thread of its own; the terminal is as before afterwards.
+
+    Ctrl-C stays what it is.
+
+    Raises:
+        ConfigError: there is no terminal.
+    """
+    with _windows(on_key) if sys.platform == "win32" else _unix(on_key):
+        yield
+
+
+@contextlib.contextmanager
+def _unix(on_key: Callable[[str], object]) -> Iterator[None]:
+    import select
+    import termios
+    import tty
+
+    terminal = _terminal()
+    before = termios.tcgetattr(terminal)
+    ending, end = os.pipe()
+
+    def read() -> None:
+        while True:
+            ready, _, _ = select.select([terminal, ending], [], [])
+            if ending in ready:
+                return
+            pressed = os.read(terminal, 32)
+            if not pressed:
+                return
+            for key in pressed.decode("utf-8", errors="replace"):
+                on_key(key)
+
+    thread = threading.Thread(target=read, name="keys", daemon=True)
+    try:
+        tty.setcbreak(terminal)
+        thread.start()
+        yield
+    finally:
+        os.close(end)
+        thread.join(timeout=1.0)
+        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
+        os.close(ending)
+        os.close(terminal)
+
+
+def _terminal() -> int:
+    """A descriptor of the terminal. Standard input may be where the sound comes from; the terminal is still there."""
+    try:
+        if sys.stdin.isatty():
+            return os.dup(sys.stdin.fileno())
+        return os.open("/dev/tty", os.O_RDONLY | os.O_NOCTTY)
+    except (OSError, ValueError, AttributeError):
+        raise ConfigError(_NO_TERMINAL) from None
+
+
+@contextlib.contextmanager
+def _windows(on_key: Callable[[str], object]) -> Iterator[None]:
+    import importlib
+
+    msvcrt = importlib.import_module("msvcrt")
+    if not sys.stdin.isatty():
+        raise ConfigError(_NO_TERMINAL)
+    ending = threading.Event()
+
+    def read() -> None:
+        while not ending.wait(0.02):
+            while msvcrt.kbhit():
+                on_key(msvcrt.getwch())
+
+    thread = threading.Thread(target=read, name="keys", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ending.set()
+        thread.join(timeout=1.0)

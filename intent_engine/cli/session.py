@@ -1,0 +1,146 @@
+"""A simulated robot that listens: what ``run`` and ``listen`` have in common."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from intent_engine.cli.terminal import note, say
+
+if TYPE_CHECKING:
+    from intent_engine.cli.reporter import Reporter
+    from intent_engine.engine import IntentEngine
+    from intent_engine.execution.clock import Clock
+    from intent_engine.execution.executor import Executor
+    from intent_engine.execution.robots.robot_file import RobotFile
+    from intent_engine.execution.robots.simulated import SimulatedRobot
+    from intent_engine.runtime import Runtime, Summary
+    from intent_engine.speech.audio import AudioSource, Report
+    from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.reflex import Reflex
+
+__all__ = ["Ended", "Session"]
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a session came out."""
+
+    summary: Summary
+    failed: int
+    """Goals that the robot could not do."""
+
+
+@dataclass
+class Session:
+    """A simulated robot that listens to one source. Life cycle: made -> ``play``, once."""
+
+    engine: IntentEngine
+    robot: RobotFile
+    clock: Clock
+    model: str = "tiny.en"
+    language: str | None = None
+    free: bool = False
+    reflex: bool = True
+    denoise: bool = False
+    as_json: bool = False
+    plot: Path | None = None
+    draw: bool = False
+    journal: Path | None = None
+    controls: Callable[[Runtime, Executor], contextlib.AbstractContextManager[object]] | None = None
+    """Keys and whatever else a person has in hand while it listens."""
+    reporter: Reporter | None = None
+    """Set while it plays."""
+
+    def play(self, source: AudioSource, *, check: Callable[[Summary], None] | None = None) -> Ended:
+        """Listen until the source ends and the robot has done what it was told.
+
+        Args:
+            source: is closed in any case.
+            check: may raise on what was heard, before the robot goes on.
+        """
+        from intent_engine.cli.reporter import Reporter
+        from intent_engine.execution.executor import Executor
+        from intent_engine.execution.robots.robot import Pose
+        from intent_engine.runtime import Runtime
+
+        with contextlib.ExitStack() as stack:
+            stack.enter_context(contextlib.closing(source))
+            places = {
+                name: Pose(place.x, place.y, place.yaw, place.frame)
+                for name, place in (self.engine.locations or {}).items()
+            }
+            recognizer = stack.enter_context(contextlib.closing(self._recognizer()))
+            reflex = self._reflex()
+            if reflex is not None:
+                stack.enter_context(contextlib.closing(reflex))
+            robot = self.robot.simulated(self.clock, places)
+            self.reporter = reporter = Reporter(robot, as_json=self.as_json)
+            options = self.robot.executor_options()
+            if self.journal is not None:
+                from intent_engine.execution.journal import Journal
+
+                options["journal"] = Journal(self.journal)
+            executor = stack.enter_context(Executor(robot, clock=self.clock, on_event=reporter.executed, **options))
+            runtime = Runtime(self.engine, executor, recognizer, reflex=reflex, on_event=reporter.heard)
+            if self.controls is not None:
+                stack.enter_context(self.controls(runtime, executor))
+            reporter.start = self.clock.now()
+            try:
+                summary = runtime.run(source)
+            except KeyboardInterrupt:
+                executor.stop()
+                self._draw(robot)
+                raise
+            finally:
+                reporter.mute_stops()
+            if check is not None:
+                check(summary)
+            executor.wait()
+            reporter.end(summary, self.clock.now())
+        self._draw(robot)
+        return Ended(summary, reporter.failed)
+
+    def report(self, report: Report) -> None:
+        """What a source tells; for its ``on_report``."""
+        if self.reporter is not None:
+            self.reporter.source(report)
+
+    def _draw(self, robot: SimulatedRobot) -> None:
+        if self.draw and not self.as_json:
+            from intent_engine.execution.robots.path_view import path_text
+
+            say()
+            say(path_text(robot))
+        if self.plot is not None:
+            from intent_engine.execution.robots.path_view import plot_path
+
+            self.plot.parent.mkdir(parents=True, exist_ok=True)
+            plot_path(robot, self.plot, title="The way of the robot")
+            note(f"the way of the robot is drawn in {self.plot}")
+
+    def _reflex(self) -> Reflex | None:
+        if not self.reflex:
+            return None
+        from intent_engine.execution.clock import SteppedClock
+        from intent_engine.speech.reflex import reflex_for
+
+        return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
+
+    def _recognizer(self) -> Recognizer:
+        from intent_engine.speech.steered import SteeredWhisper
+        from intent_engine.speech.whisper import WhisperRecognizer
+
+        recognizer: Recognizer
+        if self.free:
+            recognizer = WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
+        else:
+            recognizer = SteeredWhisper(self.engine, self.model, language=self.language)
+        if self.denoise:
+            from intent_engine.speech.denoise import DenoisedRecognizer
+
+            return DenoisedRecognizer(recognizer)
+        return recognizer
