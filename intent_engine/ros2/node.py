@@ -1,24 +1,27 @@
 """The node ``intent_engine``: text in, a moving robot out.
 
 In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop``
-(std_msgs/Empty) and the service ``stop`` (std_srvs/Trigger). Out: ``voice_commands/command`` and
-``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All names are relative and can be
-remapped.
+(std_msgs/Empty) and the service ``stop`` (std_srvs/Trigger). Out: ``voice_commands/command``,
+``voice_commands/action`` and ``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All
+names are relative and can be remapped.
 """
 
 from __future__ import annotations
 
+import json
 import sys
 import time
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
+from intent_engine.actions import Action, to_json
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.journal import Journal
+from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Status
@@ -55,6 +58,7 @@ class VoiceCommands:
         )
         self._warm_up()
         self._commands = node.create_publisher(String, "voice_commands/command", 10)
+        self._actions = node.create_publisher(String, "voice_commands/action", 10)
         self._status = node.create_publisher(String, "voice_commands/status", 50)
         self.robot = Ros2Robot(
             node,
@@ -130,6 +134,11 @@ class VoiceCommands:
         """s of the node's clock, of a time on the executor's."""
         return float(self._node.get_clock().now().nanoseconds) * 1e-9 + time - self.executor.clock.now()
 
+    def _hand_over(self, action: Action) -> str:
+        """It is an action's turn that other nodes do."""
+        self._actions.publish(self._string(data=json.dumps(to_json(action))))
+        return "handed over on voice_commands/action"
+
     def _tell(self, text: str) -> None:
         self._status.publish(self._string(data=text))
 
@@ -165,6 +174,9 @@ class VoiceCommands:
         )
         if clock is not None:
             clock.on_reset = executor.stop
+        executor.register("custom", self._hand_over)
+        for arm in {Capability.PICK, Capability.PLACE} & robot_file.capabilities:
+            executor.register(arm.value, self._hand_over)
         return executor
 
     def _warm_up(self) -> None:

@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.execution.limits import Limits, OverLimit
 from intent_engine.execution.motion import Rates
+from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.robot_file import RobotFile, load_robot
 from intent_engine.execution.robots.ros2_navigation import NavigationWay
 from intent_engine.execution.robots.ros2_velocity import Stamped
@@ -86,7 +87,7 @@ class NodeParameters:
     grammar: tuple[str, ...]
     locations: tuple[str, ...]
     robot: RobotFile
-    """Limits, rates and policies; those of a robot file, with what parameters say in their place."""
+    """Limits, rates, policies and capabilities; of a robot file, with what parameters say in their place."""
     stamped: Stamped
     frame_id: str
     navigation: NavigationWay
@@ -110,6 +111,7 @@ DEFAULT = RobotFile(
         duration=120.0,
         over_each={"linear_velocity": OverLimit.CLAMP, "angular_velocity": OverLimit.CLAMP},
     ),
+    capabilities=frozenset({Capability.MOVE, Capability.TURN, Capability.NAVIGATE}),
 )
 """A robot of which nothing is known: the tutorials' speed and no more."""
 
@@ -145,13 +147,14 @@ def read_parameters(node: Any) -> NodeParameters:
     except ValueError as error:
         declared.problems.append(Problem(f"parameters rate and ttl: {error}", hint="ttl must be longer than 1 / rate"))
     expire = declared.number("expire_after", robot.expire_after, "s; text older than this is not acted on")
+    navigation = declared.choice("navigation", NavigationWay, NavigationWay.AUTO, "How goals are given to Nav2")
     parameters = NodeParameters(
         grammar=grammar,
         locations=locations,
         robot=replace(robot, limits=limits, rates=rates, expire_after=expire),
         stamped=declared.choice("stamped", Stamped, Stamped.AUTO, "Twist, TwistStamped or what is subscribed to"),
         frame_id=declared.text("frame_id", "base_link", "Frame of TwistStamped"),
-        navigation=declared.choice("navigation", NavigationWay, NavigationWay.AUTO, "How goals are given to Nav2"),
+        navigation=navigation if Capability.NAVIGATE in robot.capabilities else NavigationWay.NONE,
         navigate_to_pose=declared.text("navigate_to_pose", "navigate_to_pose", "Name of Nav2's action"),
         command_form=declared.choice(
             "command_form", CommandForm, CommandForm.JSON, "How commands are published on voice_commands/command"

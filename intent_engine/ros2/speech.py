@@ -145,6 +145,9 @@ class Speech:
         self._runtime.close()
         self._thread.join(2.0)
         self._executor.close()
+        from rclpy.duration import Duration
+
+        self._publishers["stop"].wait_for_all_acked(Duration(seconds=0.3))
 
     def _listen(self, source: AudioSource) -> None:
         try:

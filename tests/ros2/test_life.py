@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import signal
 import time
+from pathlib import Path
 
 import pytest
 
 pytestmark = pytest.mark.ros2
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def driving(peer, **parameters):
@@ -250,3 +252,33 @@ def test_a_robot_file_and_a_journal(peer, tmp_path):
         assert max(twist[1] for twist in peer.twists) <= 0.25
     lines = [json.loads(line) for line in path.read_text().splitlines()]
     assert any(line.get("text") == "go forward ten centimeters" for line in lines)
+
+
+def test_actions_of_others_are_handed_over_when_their_turn_comes(peer, tmp_path):
+    from ros_stage import NodeProcess, until
+    from std_msgs.msg import String
+
+    grammar = tmp_path / "wave.yaml"
+    grammar.write_text(
+        f"language: en\ninclude: [{ROOT / 'grammars/en.yaml'}]\nintents:\n  wave:\n"
+        "    action: {type: custom, name: wave}\n    sentences: [wave your arm]\n"
+    )
+    actions: list[tuple[dict, int]] = []
+    peer.node.create_subscription(
+        String,
+        "voice_commands/action",
+        lambda message: actions.append((json.loads(message.data), sum(map(any, peer.twists)))),
+        10,
+    )
+    with NodeProcess(peer, grammar=grammar, robot="arm_mobile"):
+        peer.meet()
+        until(lambda: peer.node.count_publishers(f"{peer.namespace}/voice_commands/action"))
+        time.sleep(0.2)
+        peer.say("go forward ten centimeters then wave your arm and pick up the bottle")
+        until(lambda: len(peer.goals("succeeded")) == 3)
+        until(lambda: len(actions) == 2)
+    assert [action for action, _ in actions] == [
+        {"type": "custom", "name": "wave", "slots": {}},
+        {"type": "pick", "object": "bottle"},
+    ]
+    assert all(driven > 0 for _, driven in actions)

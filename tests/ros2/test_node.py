@@ -129,3 +129,14 @@ def test_hold_and_release(talk):
     talk.hold.publish(Bool(data=False))
     until(talk.moving)
     until(lambda: talk.goals("succeeded"))
+
+
+def test_a_flood_of_commands_ends_where_the_last_one_says(talk):
+    for number in range(300):
+        talk.say("go forward five meters" if number % 2 else "turn left")
+    time.sleep(0.1)
+    talk.say("stop")
+    until(lambda: "stop" in talk.heard_texts())
+    until(talk.standing)
+    time.sleep(0.3)
+    assert talk.standing()
