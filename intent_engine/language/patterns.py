@@ -16,6 +16,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.grammar import Grammar, Intent, Sentence
 from intent_engine.language.grammar_parts import Places
 from intent_engine.language.template import Word
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 __all__ = ["Patterns", "pattern_problems"]
 
 
+MAX_LARK_WORDS = 40
+"""Words that a Lark grammar is tried on: an ambiguous one costs the cube of the length."""
 PROBES = ("", "qwx", "qwx vbn", "qwx vbn zrt", "vbn zrt plk qwx djf")
 """What nobody says. A pattern that fits one of these fits everything, and a robot would act on any noise."""
 
@@ -126,6 +129,16 @@ class Patterns:
             if intent.lark is not None:
                 lark = self._checked(_lark(intent.lark), intent)
                 self._larks.append((intent, Sentence(intent.lark, Word(intent.name)), lark))
+        operators = grammar.operators
+        self._operators = PhraseSet(
+            (
+                *operators.negation,
+                *operators.correction,
+                *operators.cancel,
+                *operators.stop,
+                *((word,) for word in operators.closed),
+            )
+        )
 
     @staticmethod
     def _checked(compiled: _Compiled, intent: Intent) -> Any:
@@ -137,13 +150,30 @@ class Patterns:
         return bool(self._regexes or self._larks)
 
     def read(self, words: list[str], matcher: Matcher) -> list[Reading]:
-        """The readings of patterns that match all the words."""
+        """The readings of patterns that match all the words.
+
+        A pattern with holes (``.*forward.*``) fits "do not go forward" as well. So a word that changes what is meant
+        must be spelled out in the pattern, or allowed by a slot of it.
+        """
         text = " ".join(words)
+        changing = self._changing(words)
         found = [
             self._reading(intent, sentence, values, words, matcher)
             for intent, sentence, values in (*self._by_regex(text), *self._by_lark(text))
+            if not changing or changing <= self._spelled_out(sentence)
         ]
         return sorted(found, key=lambda reading: (bool(reading.problem), -reading.intent.priority))
+
+    def _changing(self, words: list[str]) -> set[str]:
+        """The words of every operator that is said."""
+        if not self._operators.may_stand_in(words):
+            return set()
+        found = ((at, self._operators.at(words, at)) for at in range(len(words)))
+        return {word for at, length in found for word in words[at : at + length]}
+
+    def _spelled_out(self, sentence: Sentence) -> set[str]:
+        written = set(re.findall(r"[^\W\d_]+", sentence.text))
+        return written.union(*(slot.allow for name, slot in self._grammar.slots.items() if name in written))
 
     def _by_regex(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, str]]]:
         for intent, sentence, pattern in self._regexes:
@@ -158,7 +188,7 @@ class Patterns:
     def _by_lark(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, str]]]:
         from lark.exceptions import LarkError
 
-        for intent, sentence, parser in self._larks:
+        for intent, sentence, parser in self._larks if text.count(" ") < MAX_LARK_WORDS else ():
             try:
                 tree = parser.parse(text)
             except LarkError:
