@@ -71,6 +71,8 @@ class Outcome:
     """s that the last decode took."""
     held: float | None = None
     """s from the end of speech to the first time that the reflex held the robot, negative before it; None: never."""
+    held_at: float | None = None
+    """s since the sound began."""
     errors: tuple[str, ...] = ()
 
 
@@ -98,6 +100,7 @@ def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
         latency,
         hearing.decodes[-1] if hearing.decodes else 0.0,
         _held(row, hearing),
+        hearing.holds[0] if hearing.holds else None,
         tuple(hearing.errors),
     )
 

@@ -113,17 +113,21 @@ def _energy(samples: Samples) -> float:
     return float(np.square(frames, dtype=np.float64).sum(axis=1).max())
 
 
-def end_of_speech(samples: Samples) -> float:
-    """s: where the sound last is louder than :data:`SPEECH_FLOOR` below its loudest; for quiet recordings.
+def end_of_speech(samples: Samples, floor: float = SPEECH_FLOOR) -> float:
+    """s: where the sound is last louder than so much below its loudest; for quiet recordings. 0 for silence.
 
-    This is the end of the last word as one would cut it by hand, give or take 10 ms; 0 for silence.
+    This is the end of the last word as one would cut it by hand, give or take 10 ms.
+
+    Args:
+        samples: ``(n,)``
+        floor: dB below the loudest 10 ms.
     """
     size = SAMPLE_RATE // 100
     whole = samples.size // size
     energies = np.square(samples[: whole * size].reshape(whole, size), dtype=np.float64).mean(axis=1)
     if not np.any(energies):
         return 0.0
-    loud = np.nonzero(energies >= energies.max() * 10 ** (-SPEECH_FLOOR / 10))[0]
+    loud = np.nonzero(energies >= energies.max() * 10 ** (-floor / 10))[0]
     return float((loud[-1] + 1) * size / SAMPLE_RATE)
 
 

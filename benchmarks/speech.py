@@ -1,0 +1,106 @@
+"""Speech: a set of synthetic commands, clean and in noise; the reflex; what listening costs."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import Any
+
+import numpy as np
+
+from benchmarks.recordings import (
+    DATA,
+    SPEECH_SET,
+    Ways,
+    accuracy_rows,
+    hear,
+    holds,
+    kitchen,
+    minute,
+    needs,
+    row,
+    some,
+    speech_set,
+)
+from intent_engine.engine import IntentEngine
+from intent_engine.evaluation.hearing import Listener
+from intent_engine.evaluation.labels import read_labels
+from intent_engine.evaluation.scoring import Outcome
+from intent_engine.evaluation.sound import SamplesSource, load, read_whole
+from intent_engine.evaluation.trial import Trial
+from intent_engine.resources import default_grammar, default_locations
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
+
+_COMMAND = "python -m benchmarks --only speech"
+NOISE_SNR = 10.0
+"""dB"""
+PAUSE = 1.0
+"""s between two commands of a minute of commands."""
+
+
+def run(quick: bool) -> list[dict[str, Any]]:
+    """The rows of this benchmark."""
+    needs(DATA / "noise", "the noise recordings of the development data")
+    engine = IntentEngine.from_files(default_grammar(), locations=default_locations())
+    labels = read_labels(speech_set(), engine)
+    kinds = {
+        str(label["id"]): label["kind"]
+        for label in map(json.loads, (SPEECH_SET / "labels.jsonl").read_text("utf-8").splitlines())
+    }
+    chosen = some(labels, quick)
+    ways = Ways.of(engine)
+    ours, peer = hear("commands", chosen, Trial(kitchen(), [NOISE_SNR]), (ways.ours, ways.peer))
+    rows = []
+    for snr, name in ((None, "clean"), (NOISE_SNR, "kitchen noise at 10 dB")):
+        for kind, what in (("plain", "plain commands"), ("sampled", "the grammar's rare sentences"), ("other", "talk")):
+            pair = [[one for one in heard[snr] if kinds[one.row.id] == kind] for heard in (ours, peer)]
+            if pair[0]:
+                rows += accuracy_rows(f"{what}, {name}", _COMMAND, *pair)
+        rows += reflex_rows(name, ours[snr])
+    rows += cost(ways, [load(one) for one in labels if one.expected.command][: 4 if quick else 40], quick)
+    return rows
+
+
+def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:
+    """Of recordings that are a stop phrase and nothing else, so that the word's end is the sound's."""
+    stops = [one for one in outcomes if one.row.expected.stops and len((one.row.text or "").split()) == 1]
+    others = [one for one in outcomes if not one.row.expected.stops]
+    rows = []
+    if stops:
+        times = [one.held for one in stops if one.held is not None]
+        rows += holds(f"stop word, synthetic voices, {name}", _COMMAND, times, len(stops))
+    held = sum(one.held is not None for one in others)
+    figure = f"everything else, synthetic voices, {name}: held for a moment"
+    return [*rows, row(figure, _COMMAND, 100 * held / max(len(others), 1), "%", runs=len(others))]
+
+
+# -- cost --------------------------------------------------------------------------------------------------------------
+
+
+def cost(ways: Ways, commands: list[Samples], quick: bool) -> list[dict[str, Any]]:
+    """Processor time for a minute of silence, of talk and of commands."""
+    room = np.random.default_rng(1).normal(0.0, 0.0003, 60 * SAMPLE_RATE).astype(np.float32)
+    talk = sorted((DATA / "clips" / "audio").glob("*austen*.flac"))
+    gap = np.zeros(int(PAUSE * SAMPLE_RATE), np.float32)
+    sounds = {
+        "silence": room,
+        "talk": minute([read_whole(path) for _ in range(4) for path in talk]) if talk else None,
+        "commands": minute([part for sound in commands for part in (sound, gap)]),
+    }
+    rows = []
+    for name, sound in sounds.items():
+        if sound is None:
+            continue
+        if quick:
+            sound = sound[: 15 * SAMPLE_RATE]
+        mine, theirs = (core_seconds(way, sound) for way in (ways.ours, ways.peer))
+        rows.append(row(f"core-seconds for a minute of {name}", _COMMAND, mine, "s", theirs))
+    return rows
+
+
+def core_seconds(way: Listener, sound: Samples) -> float:
+    """Processor time of all threads for a minute of such sound; a recording is heard before, to warm up."""
+    way.hear(SamplesSource(sound[: 5 * SAMPLE_RATE]))
+    began = time.process_time()
+    way.hear(SamplesSource(sound))
+    return (time.process_time() - began) * 60 * SAMPLE_RATE / sound.size
