@@ -122,12 +122,13 @@ class _Parameters:
             return usual * value.factor, True
         if value is None:
             return usual, False
-        return abs(float(value)), True
+        return float(value), True
 
 
 def _positive(name: str, value: float) -> float:
     if not math.isfinite(value) or value <= 0:
-        raise CannotActError(f"a {name} of {value:g} cannot be driven")
+        article = "an" if name.startswith("a") else "a"
+        raise CannotActError(f"{article} {name} of {value:g} cannot be driven")
     return value
 
 
@@ -153,6 +154,9 @@ def _move(parameters: _Parameters) -> Move:
                 duration = MOVE_DURATION if distance is None else distance / _positive("speed", speed)
         duration = _positive("duration", duration)
         distance = _positive("speed", speed) * duration
+    # What was divided may have become too small or too large for a number.
+    for name, value in (("distance", distance), ("duration", duration), ("speed", speed)):
+        _positive(name, value)
     return Move(-speed if backward else speed, distance, duration)
 
 
@@ -177,6 +181,8 @@ def _turn(parameters: _Parameters) -> Turn:
     else:
         duration = _positive("duration", duration)
         angle = _positive("speed", speed) * duration
+    for name, value in (("angle", angle), ("duration", duration), ("speed", speed)):
+        _positive(name, value)
     sign = -1.0 if right else 1.0
     return Turn(sign * angle, sign * speed, duration)
 
