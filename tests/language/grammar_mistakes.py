@@ -106,7 +106,6 @@ MISTAKES: dict[str, str | bytes] = {
     "a filler that stops": says("wave", "fillers: [please, 'stop it']\n"),
     "sound-alikes of two words": says("wave", "sound_alikes: {the wave: [wave]}\n"),
     "an include that is not there": says("wave", "include: [gramar/base.yaml]\n"),
-    "an include of a shipped grammar that is not there": says("wave", "include: [klingon]\n"),
     "an include that includes itself": says("wave", "include: [grammar.yaml]\n"),
     # -- slots
     "a misspelt type": slot("{type: distnace}"),
