@@ -1,0 +1,102 @@
+"""Phrases in words, and what an utterance is besides its words."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.language.normalize import tokenize
+from intent_engine.language.utterance import PhraseSet, Utterance
+
+words = st.sampled_from("abc")
+phrases = st.lists(st.lists(words, max_size=3), max_size=5)
+said = st.lists(words, max_size=8)
+
+
+@given(phrases, said, st.integers(0, 9))
+def test_phrases_are_found_where_they_stand_longest_first(given: list[list[str]], text: list[str], at: int) -> None:
+    found = PhraseSet(given)
+    here = sorted({len(one) for one in given if one and text[at : at + len(one)] == one}, reverse=True)
+    assert found.lengths_at(text, at) == here
+    assert found.at(text, at) == (here[0] if here else 0)
+    assert bool(found) == any(given)
+
+
+@given(phrases, said)
+def test_the_first_and_the_last_phrase(given: list[list[str]], text: list[str]) -> None:
+    found = PhraseSet(given)
+    places = [place for place in range(len(text)) if found.at(text, place)]
+    assert found.find(text) == ((places[0], found.at(text, places[0])) if places else None)
+    endings = [len(one) for one in given if one and text[-len(one) :] == one]
+    # The longest that is also the longest where it begins, or none: what is cut away must be a phrase.
+    assert found.ends(text) in {0, *endings}
+    if endings and all(found.at(text, len(text) - length) == length for length in endings):
+        assert found.ends(text) == max(endings)
+    if places:
+        assert found.may_stand_in(text)
+
+
+@given(phrases, said, st.data())
+def test_what_is_left_without_phrases(given: list[list[str]], text: list[str], data: st.DataObject) -> None:
+    breaks = data.draw(st.lists(st.booleans(), min_size=len(text), max_size=len(text)))
+    found = PhraseSet(given)
+    left = Utterance(text, breaks).without(found)
+    expected, pauses, place, pause = [], [], 0, False
+    while place < len(text):
+        length = found.at(text, place)
+        pause = pause or any(breaks[place : place + max(length, 1)])
+        if not length:
+            expected.append(text[place])
+            pauses.append(pause)
+            pause = False
+        place += max(length, 1)
+    assert left.words == expected
+    assert left.breaks == pauses, "no pause is lost, and none is made"
+    assert all(0 < place < len(left) for place in left.joined)
+
+
+@given(st.text(max_size=60))
+def test_an_utterance_has_the_words_of_its_text(text: str) -> None:
+    found = Utterance.of(text)
+    assert len(found) == len(found.breaks) == len(found.words)
+    if not any(bracket in text for bracket in "[(<*"):
+        every = [token.word for token in tokenize(text)]
+        assert len(found) <= len(every)
+        rest = iter(every)
+        assert all(word in rest for word in found.words), "only stutters are left out"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("t turn left", "turn left"),
+        ("turn f forty degrees", "turn forty degrees"),
+        ("go to a aisle", "go to a aisle"),
+        ("i insist", "i insist"),
+        ("2 m meters", "2 m meters"),
+        ("go to bay b", "go to bay b"),
+        ("b b", "b b"),
+        ("[BLANK_AUDIO] go (laughs) forward *coughing* <noise>", "go forward"),
+        ("[stop]", "stop"),
+        ("(go forward)", "go forward"),
+        ("", ""),
+    ],
+)
+def test_noises_and_stutters(text: str, words: str) -> None:
+    assert Utterance.of(text).words == words.split()
+
+
+def test_a_pause_that_a_noise_makes_is_kept() -> None:
+    assert Utterance.of("go forward [noise] turn left").breaks == [False, False, True, False]
+
+
+def test_a_part_keeps_its_pauses() -> None:
+    found = Utterance.of("go, stop, wait")
+    assert found.part(1, 3) == Utterance(["stop", "wait"], [True, True])
+
+
+def test_where_a_word_was_taken_out_is_remembered() -> None:
+    fillers = PhraseSet([("uh",), ("you", "know")])
+    assert Utterance.of("nine uh forty you know degrees").without(fillers).joined == {1, 2}
+    assert Utterance.of("uh go forward uh").without(fillers).joined == frozenset()
