@@ -1,0 +1,114 @@
+"""``check`` and ``parse --explain`` as a person and a program meet them."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+FINE = """\
+language: en
+intents:
+  wave:
+    action: custom
+    sentences: ['wave [at me]']
+    examples:
+      - wave: {}
+"""
+DOUBTFUL = FINE + "  bow: {action: {type: custom, name: bow}, sentences: ['(wave|bow) at me']}\n"
+BROKEN = FINE.replace("[at me]", "[at {who]")
+FAILING = FINE.replace("- wave: {}", "- greet: {}")
+
+
+@pytest.fixture
+def grammar(tmp_path):
+    def write(text: str, name: str = "g.yaml"):
+        (tmp_path / name).write_text(text)
+        return tmp_path / name
+
+    return write
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "code", "says"),
+    [
+        (FINE, [], 0, "0 errors, 0 warnings"),
+        (DOUBTFUL, [], 0, "warning: {}:8:56: 'wave at me' could be"),
+        (DOUBTFUL, ["--strict"], 1, "0 errors, 1 warning"),
+        (BROKEN, [], 1, "error: {}:5:31: ']' does not close the '{{'"),
+        (FAILING, [], 1, "error: {}:7:9: the example 'greet' fails: status should be accepted, is rejected"),
+    ],
+    ids=["fine", "doubtful", "strict", "broken", "failing"],
+)
+def test_the_exit_code_is_the_answer(intent_engine, grammar, text, options, code, says):
+    path = grammar(text)
+    done = intent_engine("check", *options, path)
+    assert says.format(path) in done.stdout
+    assert (done.returncode, done.stderr) == (code, "")
+
+
+def test_one_bad_file_does_not_disturb_another(intent_engine, grammar):
+    done = intent_engine("check", grammar(BROKEN, "bad.yaml"), grammar(FINE, "good.yaml"))
+    assert done.returncode == 1
+    assert "bad.yaml:5" in done.stdout
+    assert "good.yaml (en)" in done.stdout
+    assert "1 error, 0 warnings" in done.stdout
+
+
+def test_files_may_be_checked_together(intent_engine, grammar):
+    one, other = (
+        grammar(FINE, "a.yaml"),
+        grammar(FINE.replace("wave", "bow").replace("bow [", "(wave|bow) ["), "b.yaml"),
+    )
+    assert "0 warnings" in intent_engine("check", one, other).stdout
+    assert "1 warning" in intent_engine("check", "--together", one, other).stdout
+
+
+def test_notes_are_told_when_asked_for(intent_engine, grammar):
+    text = FINE + "  all: {action: {type: custom, name: all}, sentences: ['wave {thing}']}\nslots: {thing: text}\n"
+    done = intent_engine("check", grammar(text))
+    assert "--notes tells 1 note" in done.stdout
+    assert "note:" not in done.stdout
+    assert "note: " in intent_engine("check", "--notes", grammar(text)).stdout
+
+
+def test_json(intent_engine, grammar):
+    done = intent_engine("check", "--json", grammar(DOUBTFUL), grammar(BROKEN, "bad.yaml"))
+    first, second = map(json.loads, done.stdout.splitlines())
+    assert done.returncode == 1
+    assert (first["ok"], second["ok"]) == (True, False)
+    (finding,) = first["findings"]
+    assert (finding["level"], finding["topic"], finding["line"]) == ("warning", "ambiguous", 8)
+    assert first["figures"][0]["sentences"] == 2
+    assert second["findings"][0]["hint"]
+    assert second["figures"] == []
+
+
+def test_a_missing_grammar_is_an_error(intent_engine):
+    done = intent_engine("check", "nowhere.yaml")
+    assert done.returncode == 1
+    assert "error: nowhere.yaml: no such file" in done.stdout
+
+
+def test_an_explanation_in_words(intent_engine):
+    done = intent_engine("parse", "--explain", "uh go to the kitchn please")
+    assert done.returncode == 0
+    for line in (
+        "words: uh go to the kitchn please",
+        "  filler: uh",
+        "misheard: 'go to the kitchn': understood as navigate (heard 'kitchn' as 'kitchen')",
+        "  place=kitchen: said 'kitchn', fuzzy",
+        "  -> navigate to kitchen",
+    ):
+        assert line in done.stdout
+
+
+def test_an_explanation_as_json(intent_engine):
+    lines = b"don't go forward\ngo forward\n"
+    done = intent_engine("parse", "--explain", "-", stdin=lines)
+    refused, taken = map(json.loads, done.stdout.splitlines())
+    assert refused["status"] == "rejected"
+    assert {"kind": "negation", "words": "not", "start": 1} in refused["explanation"]["noticed"]
+    assert taken["explanation"]["slots"][0][0]["source"] == "said"
+    plain = json.loads(intent_engine("parse", "--json", "go forward").stdout)
+    assert plain == {key: value for key, value in taken.items() if key != "explanation"}
