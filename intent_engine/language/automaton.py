@@ -37,12 +37,13 @@ Trace = list[tuple[int, Mark]]
 class _Stack:
     """The networks to return to, shared by all pairs that have the same way back."""
 
-    __slots__ = ("call_mark", "calls", "parent", "target")
+    __slots__ = ("apart", "call_mark", "calls", "parent", "target")
 
-    def __init__(self, target: State | None, parent: _Stack | None, call_mark: Any) -> None:
+    def __init__(self, target: State | None, parent: _Stack | None, call_mark: Any, apart: bool = False) -> None:
         self.target = target
         self.parent = parent
         self.call_mark = call_mark
+        self.apart = apart
         self.calls: dict[tuple[int, bool], _Stack] = {}
 
 
@@ -267,7 +268,9 @@ class Automaton:
                 continue
             inner = stack.calls.get((id(edge), loose))
             if inner is None:
-                inner = stack.calls[(id(edge), loose)] = _Stack(edge.target, stack, call.mark)
+                inner = stack.calls[(id(edge), loose)] = _Stack(
+                    edge.target, stack, call.mark, stack.apart or call.apart
+                )
             opened = marks if call.mark is None else (*marks, ("open", call.mark, loose))
             pending.append((self._networks[key].start, inner, origin, opened))
 
@@ -295,6 +298,6 @@ class Automaton:
     def inside(self, state: WordState) -> bool:
         """Whether a sentence that was begun could go on (not only a further one begin)."""
         return any(
-            stack.parent is not None and (place.arcs or place.numeral or place.number or place.wild)
+            stack.parent is not None and not stack.apart and (place.arcs or place.numeral or place.number or place.wild)
             for place, stack in state.members
         )

@@ -162,8 +162,8 @@ class Matcher:
         begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
         begin.edges.append(Edge(middle))
         if fillers:
-            begin.edges.append(Edge(begin, call=Call("fillers")))
-            end.edges.append(Edge(end, call=Call("fillers")))
+            begin.edges.append(Edge(begin, call=Call("fillers", apart=True)))
+            end.edges.append(Edge(end, call=Call("fillers", apart=True)))
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
         if stop_anywhere:
@@ -172,7 +172,7 @@ class Matcher:
             alone = State()
             alone.final = True
             begin.edges.append(Edge(alone, call=Call("stop")))
-        end.edges.append(Edge(middle, call=Call("sequence")))
+        end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
         return self._automaton(begin, loose=False)
 
     def _add_networks(self) -> None:

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import islice
 
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 __all__ = ["Nearest"]
 
@@ -48,6 +48,8 @@ class Nearest:
         match node:
             case Word(text):
                 yield (text,)
+            case WordClass():
+                yield ("<number>",)
             case Reference(name, label, _):
                 if name in grammar.phrases and depth < 6:
                     yield from islice(self._say(grammar.phrases[name], depth + 1), 3)

@@ -35,6 +35,8 @@ class Call:
     """Put into the reading where the call begins and ends; None for phrases, which leave no trace."""
     loose: str | None = None
     """Key of the network to enter besides, when spelling may be wrong: any words, to be compared later."""
+    apart: bool = False
+    """Whether what is read there is no part of a sentence: fillers, and what joins one sentence to the next."""
 
 
 class Edge:
