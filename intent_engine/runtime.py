@@ -33,9 +33,8 @@ from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
-MAX_GAP = 1.5
-"""nats a word (and as much once) between the free words and the best sentence of the grammar, beyond which something
-else was said. Measured on commands and other speech of ../shared/data: see docs/speech.md."""
+MAX_GAP = 1.15
+"""Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
 
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
@@ -470,4 +469,4 @@ class Runtime:
 
 
 def _too_far(transcript: Transcript) -> bool:
-    return transcript.gap is not None and transcript.gap > MAX_GAP * (1 + len(transcript.text.split()))
+    return transcript.gap is not None and transcript.gap > MAX_GAP

@@ -13,7 +13,7 @@ from typing import Any, Protocol, TypeAlias
 
 from intent_engine.language.likeness import sound
 
-__all__ = ["Graph", "nearest_utterances"]
+__all__ = ["FreeWord", "Graph", "nearest_utterances"]
 
 MAX_SPAN = 4
 """Words heard that one word of the grammar may stand for."""
@@ -21,6 +21,8 @@ MISSED = 0.7
 """Cost of a letter of a word that was said but not heard."""
 EXTRA = 0.9
 """Cost of a letter of a word that was heard but not said."""
+FREE = 0.3
+"""Cost of a word that a free slot takes as it was heard."""
 WIDTH = 48
 """Partial sentences kept for each number of words heard."""
 PER_STATE = 3
@@ -38,6 +40,12 @@ _Move: TypeAlias = tuple[float, tuple[str, ...], Any, str | None]
 """Cost afterwards, words said before, state before, and the word to go on with; None: stay, a word heard is noise."""
 
 
+class FreeWord(str):
+    """A word that a free slot took as it was heard: it says nothing about whether the grammar was spoken."""
+
+    __slots__ = ()
+
+
 class Graph(Protocol):
     """What the search asks of a grammar."""
 
@@ -48,6 +56,8 @@ class Graph(Protocol):
     def next_words(self, state: Any) -> Collection[str]: ...
 
     def accepting(self, state: Any) -> bool: ...
+
+    def free(self, state: Any) -> bool: ...
 
 
 @lru_cache(maxsize=200_000)
@@ -77,7 +87,7 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
         most: how many to give.
 
     Returns:
-        (words, cost in letters) pairs, nearest first.
+        (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
     """
     heard = list(heard[:MAX_HEARD])
     count = len(heard)
@@ -121,6 +131,9 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
         for state, ways in states.items():
             for cost, said in ways:
                 pending[place + 1].append((cost + EXTRA * len(heard[place]), said, state, None))
+            if graph.free(state):
+                taken = FreeWord(heard[place])
+                pending[place + 1].extend((cost + FREE, said, state, taken) for cost, said in ways)
             for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
                 span = spans[(place, end)]
                 onward = pending[end]

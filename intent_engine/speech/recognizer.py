@@ -21,8 +21,9 @@ class Transcript:
     free_text: str = ""
     """What was heard without steering; the same as ``text`` if there was none."""
     gap: float | None = None
-    """Log probability of the free text less that of the best sentence of the grammar, in nats; None if not steered.
-    Small: the grammar explains the sound as well as anything. Large: something else was said."""
+    """Log probability of the free text less that of the best sentence of the grammar, in nats, for each word of the
+    grammar in that sentence and one more; None if not steered or nothing of the grammar was near. Small: the grammar
+    explains the sound as well as anything. Large: something else was said."""
     alternatives: tuple[str, ...] = ()
     """Further readings, best first."""
     language: str | None = None

@@ -8,14 +8,16 @@ between the free words and the best utterance says whether a command was said at
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from rapidfuzz.distance import Levenshtein
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.approximate import nearest_utterances
+from intent_engine.language.approximate import FreeWord, nearest_utterances
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import Samples
@@ -34,6 +36,9 @@ SEARCHES = 64
 """Searches whose results are kept."""
 FAR = 0.5
 """Share of the letters heard, without any hint, that may differ; beyond it something else was said."""
+FAR_HINTED = 0.65
+"""The same for a sentence that was heard with the grammar's vocabulary as a hint: it must still be like the free words,
+or a hint would turn silence into a command."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
 LETTER = 0.35
@@ -41,8 +46,8 @@ LETTER = 0.35
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
 RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
-RETRY_GAP = 0.6
-"""nats a word beyond which a longer encoder input is tried."""
+RETRY_GAP = 0.5
+"""Gap beyond which a longer encoder input is tried."""
 RUNAWAY = 1.5
 """Words of a hinted draft for each word heard without the hint, beyond which it has gone round in a loop: scoring what
 is like it would take seconds."""
@@ -57,6 +62,13 @@ class _Candidate:
     """Difference from the free words."""
     score: float
     """Log probability of the sound's being these words."""
+    text: str
+    """As the model was asked."""
+
+    @property
+    def known(self) -> int:
+        """Words that are the grammar's, and not a free slot's."""
+        return sum(not isinstance(word, FreeWord) for word in self.words)
 
     @property
     def rank(self) -> float:
@@ -109,7 +121,7 @@ class SteeredWhisper(WhisperRecognizer):
         encoded = self.encode(samples)
         language = self.language or self.detect(encoded)
         found: Transcript | None = None
-        best_rank = -np.inf
+        best_rank = -math.inf
         drafts: list[str] = []
         hints: list[str] = []
         for attempt in range(2):
@@ -137,12 +149,13 @@ class SteeredWhisper(WhisperRecognizer):
                 found = found or Transcript(free, mean, free, None, language=language)
                 continue
             best = ranked[0]
-            gap = max(max(self.score(encoded, list(dict.fromkeys(drafts)), language)) - best.score, 0.0)
+            free_score = max(self.score(encoded, list(dict.fromkeys(drafts)), language))
+            gap = max(free_score - best.score, 0.0) / (1 + best.known)
             if best.rank > best_rank:
                 others = tuple(" ".join(one.words) for one in ranked[1:4])
                 found = Transcript(" ".join(best.words), mean, free, gap, others, language)
                 best_rank = best.rank
-            if gap < RETRY_GAP * len(best.words):
+            if gap < RETRY_GAP:
                 break
         assert found is not None
         return found
@@ -154,12 +167,16 @@ class SteeredWhisper(WhisperRecognizer):
         graph = self._engine.matcher(language if language in self._engine.languages else None).likely
         differ: dict[tuple[str, ...], float] = {}
         for draft in dict.fromkeys(drafts):
-            heard = in_words(Utterance.of(draft).words)
+            heard = self._words(draft, language)
             most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
             for words, apart in self._nearest(graph, tuple(heard)):
-                if apart <= most:
-                    differ[words] = min(apart, differ.get(words, apart))
+                if apart <= most and apart < differ.get(words, math.inf):
+                    differ[words] = apart
         return differ
+
+    def _words(self, draft: str, language: str | None) -> list[str]:
+        words = Utterance.of(draft).words
+        return in_words(words) if language in (None, "en") else words
 
     def _nearest(self, graph: Any, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:
         """As :func:`nearest_utterances`; the drafts of one utterance are asked for again and again."""
@@ -172,20 +189,36 @@ class SteeredWhisper(WhisperRecognizer):
 
     def _ranked(self, encoded: Encoded, drafts: list[str], hints: list[str], language: str | None) -> list[_Candidate]:
         """Utterances of the grammar that the sound may be, likeliest first."""
-        near = sorted(self._near([*drafts, *hints], language).items(), key=lambda row: (row[1], row[0]))
+        found = self._near(drafts, language)
+        free = ["".join(self._words(draft, language)) for draft in drafts]
+        for words, apart in self._near(hints, language).items():
+            said = "".join(words)
+            if min(Levenshtein.normalized_distance(said, heard) for heard in free) <= FAR_HINTED:
+                found[words] = min(apart, found.get(words, math.inf))
+        # What would not be accepted was not said, except that something shall not be done.
+        near = [
+            row
+            for row in sorted(found.items(), key=lambda row: (row[1], row[0]))
+            if self._possible(" ".join(row[0]), language)
+        ]
         if not near:
             return []
         texts: list[str] = []
         owners: list[int] = []
         for index, (words, _) in enumerate(near):
-            for text in dict.fromkeys((" ".join(words), " ".join(in_digits(words)))):
+            digits = in_digits(words) if language in (None, "en") else words
+            for text in dict.fromkeys((" ".join(words), " ".join(digits))):
                 texts.append(text[:1].upper() + text[1:])
                 owners.append(index)
-        scores = [-np.inf] * len(near)
-        for owner, score in zip(owners, self.score(encoded, texts, language), strict=True):
-            scores[owner] = max(scores[owner], score)
-        found = [_Candidate(words, apart, float(score)) for (words, apart), score in zip(near, scores, strict=True)]
-        return sorted(found, key=lambda one: -one.rank)
+        scores = [(-math.inf, "")] * len(near)
+        for owner, text, score in zip(owners, texts, self.score(encoded, texts, language), strict=True):
+            scores[owner] = max(scores[owner], (score, text))
+        ranked = [_Candidate(words, apart, *score) for (words, apart), score in zip(near, scores, strict=True)]
+        return sorted(ranked, key=lambda one: -one.rank)
+
+    def _possible(self, text: str, language: str | None) -> bool:
+        meaning = self._parse(text, language)
+        return meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or _is_refusal(meaning)
 
     def score(self, encoded: Encoded, texts: list[str], language: str | None = None) -> list[float]:
         """Log probability of each text, its end included, given the sound: the better of two ways to end it."""
