@@ -66,6 +66,8 @@ class Interpreter:
         own = own_words(grammar)
         self._idle = PhraseSet(words for words in grammar.fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
+        self._phrases = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
+        """Operators, of which no filler takes a part."""
         self._wake = PhraseSet(grammar.wake)
         self._stop = PhraseSet(operators.stop)
         self._negation = PhraseSet(operators.negation)
@@ -107,7 +109,7 @@ class Interpreter:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not self._fillers.may_stand_in(said.words):
                 return self._accepted(text, clause)  # else fillers may stand in the free words: "the cup please"
-        core = said.without(self._fillers)
+        core = said.without(self._fillers, self._phrases)
         if clause is not None and clause.accepted and core is said:
             return self._accepted(text, clause)
         if not core.words:
@@ -115,7 +117,7 @@ class Interpreter:
         if core is not said and not self._number_restarted(core):
             again = self._exact(core.words, state)
             if again is None and self._idle is not self._fillers:
-                again = self._exact(said.without(self._idle).words, state)
+                again = self._exact(said.without(self._idle, self._phrases).words, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
@@ -228,7 +230,9 @@ class Interpreter:
 
     def _clause_begins(self, words: list[str], start: int, position: int) -> bool:
         """Whether what stands before could be a command by itself, so that a new clause can begin here."""
-        before = Utterance(words[start:position], [False] * (position - start)).without(self._fillers).words
+        before = (
+            Utterance(words[start:position], [False] * (position - start)).without(self._fillers, self._phrases).words
+        )
         if not before:
             return True
         correction = self._correction.ends(before)
@@ -271,7 +275,7 @@ class Interpreter:
         part = part.part(self._sequence.at(part.words, 0), len(part))
         for joint in (self._correction, self._sequence):
             part = part.part(0, len(part) - joint.ends(part.words))
-        core = part.without(self._fillers)
+        core = part.without(self._fillers, self._phrases)
         known = not core.words or self._accepts(part, state) or self._accepts(core, state)
         return known or self._compound(core, state) is not None
 

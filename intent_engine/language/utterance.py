@@ -98,8 +98,11 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
-    def without(self, phrases: PhraseSet) -> Utterance:
-        """The utterance less every such phrase; a pause before or after a removed phrase is kept."""
+    def without(self, phrases: PhraseSet, but: PhraseSet | None = None) -> Utterance:
+        """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no").
+
+        A pause before or after a removed phrase is kept.
+        """
         if not phrases.may_stand_in(self.words):
             return self
         words: list[str] = []
@@ -110,6 +113,13 @@ class Utterance:
         while position < len(self.words):
             pause = pause or self.breaks[position]
             length = phrases.at(self.words, position)
+            whole = but.at(self.words, position) if but is not None else 0
+            if whole > max(length, 1):
+                words.extend(self.words[position : position + whole])
+                breaks.extend((pause, *self.breaks[position + 1 : position + whole]))
+                position += whole
+                pause = removed = False
+                continue
             if length:
                 pause = pause or any(self.breaks[position : position + length])
                 position += length

@@ -5,6 +5,7 @@ Each function takes the words of a sample apart and puts them together otherwise
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import StrEnum
@@ -47,8 +48,12 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     A sentence with a filler of its own ("wait for me") gets only such as no sentence needs.
     """
     said = list(pieces)
-    fillers = PhraseSet(grammar.fillers)
-    own = own_words(grammar) if fillers.find(_words(said)) is not None else frozenset()
+    operators = grammar.operators
+    special = (
+        PhraseSet(grammar.fillers),
+        PhraseSet((*operators.negation, *operators.correction, *operators.cancel, *operators.stop)),
+    )
+    own = own_words(grammar) if special[0].find(_words(said)) is not None else frozenset()
     usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
     for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
         filler = usable[choices.below(len(usable))]
@@ -56,8 +61,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
         longer = [*said[:place], Piece(" ".join(filler)), *said[place:]]
-        if _count(fillers, _words(longer)) == _count(fillers, _words(said)) + _count(fillers, filler):
-            said = longer  # else it makes another filler with the word beside it: "around" + "about"
+        if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
+            said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
     return said
 
 
@@ -65,14 +70,19 @@ def _words(pieces: Sequence[Piece]) -> list[str]:
     return [word for piece in pieces for word in piece.text.split()]
 
 
-def _count(phrases: PhraseSet, words: Sequence[str]) -> int:
-    return sum(len(phrases.lengths_at(words, position)) for position in range(len(words)))
+def _found(phrases: PhraseSet, words: Sequence[str]) -> Counter[tuple[str, ...]]:
+    return Counter(
+        tuple(words[position : position + length])
+        for position in range(len(words))
+        for length in phrases.lengths_at(words, position)
+    )
 
 
 def _belong_together(piece: Piece, after: Piece, grammar: Grammar) -> bool:
-    """Whether nothing can be said between two pieces: "one" and "eighty", "never" and "mind"."""
+    """Whether nothing can be said between two pieces: "one" and "eighty", "never" and "mind", "u" and "turn"."""
     closed = grammar.operators.closed
-    return (_is_number(piece) and _is_number(after)) or piece.text in closed or after.text in closed
+    letter = len(piece.text) == 1 and piece.text.isalpha()
+    return letter or (_is_number(piece) and _is_number(after)) or piece.text in closed or after.text in closed
 
 
 def _is_number(piece: Piece) -> bool:
@@ -145,7 +155,10 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
     """
     words = [piece.text.split() for piece in pieces]
     plain = all(piece.slot is None or piece.slot.type not in _FREE for piece in pieces)
-    if not plain or any(not grammar.operators.closed.isdisjoint(said) for said in words) or choices.below(3) != 2:
+    own = PhraseSet(grammar.fillers).find(_words(pieces)) is not None  # "turn about", where "about" is a filler too
+    if own or not plain or any(not grammar.operators.closed.isdisjoint(said) for said in words):
+        return pieces
+    if choices.below(3) != 2:
         return pieces
     found = [
         (place, number, heard)
@@ -175,8 +188,9 @@ def spelled(pieces: Sequence[Piece], choices: Choices, *, whole: bool = True) ->
         place = choices.below(len(texts) - 1)
         texts[place] += ","
     text = " ".join(texts)
-    style = choices.below(4)
-    text = (text, text[:1].upper() + text[1:], text.upper(), text.title())[style]
+    written = (text, text[:1].upper() + text[1:], text.upper(), text.title())[choices.below(4)]
+    if written.lower() == text.lower():  # not so with "ß", of which capitals make "SS"
+        text = written
     return text + ("", ".", "!", "...", " .")[choices.below(5)]
 
 

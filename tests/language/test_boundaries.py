@@ -75,3 +75,15 @@ def test_what_replaces_what_is_not_guessed(engine, text):
     thing = engine.parse(text).slots.get("thing", "")
     assert "locate" not in thing
     assert "scratch" not in thing
+
+
+def test_no_filler_takes_a_part_of_an_operator(tmp_path):
+    (tmp_path / "doch.yaml").write_text(
+        "language: de\nfillers: [doch, bitte]\noperators: {correction: [doch lieber]}\n"
+        "slots: {side: {type: choice, values: {left: [links], right: [rechts]}}}\n"
+        "intents: {turn: {action: {type: turn, direction: '{side}'}, sentences: ['nach {side}']}}\n",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "doch.yaml")
+    assert engine.parse("doch nach links bitte").slots == {"side": "left"}
+    assert engine.parse("nach rechts doch lieber links").slots == {"side": "left"}
