@@ -6,6 +6,7 @@ grammar, the sampler or the language room is mended.
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -15,24 +16,28 @@ from intent_engine.engine import IntentEngine
 from intent_engine.testing import assert_means, moves, sentences
 
 ROOT = Path(__file__).resolve().parent.parent
-HOME, WAREHOUSE, COFFEE = "at home", "in the warehouse", "coffee"
-
-
 ENGLISH = ROOT / "grammars" / "en.yaml"
-ENGINES = {
-    HOME: IntentEngine.from_files(ENGLISH, locations=ROOT / "locations" / "home.yaml"),
-    WAREHOUSE: IntentEngine.from_files(ENGLISH, locations=ROOT / "locations" / "warehouse.yaml"),
-    COFFEE: IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml"),
+LOCATIONS = ROOT / "locations"
+GRAMMARS = {
+    "in the warehouse": (ENGLISH, LOCATIONS / "warehouse.yaml"),
+    "coffee": (ROOT / "examples" / "coffee" / "coffee.yaml", LOCATIONS / "home.yaml"),
+    **{file.stem: (file, LOCATIONS / "home.yaml") for file in sorted((ROOT / "grammars").glob("*.yaml"))},
 }
+
+
+@cache
+def engine_of(name):
+    grammar, locations = GRAMMARS[name]
+    return IntentEngine.from_files(grammar, locations=locations)
 
 
 def law(noise=(), state=(), examples=250):
     """A property of each engine and of every sentence of its grammar."""
 
     def decorate(function):
-        @pytest.mark.parametrize("name", ENGINES)
+        @pytest.mark.parametrize("name", GRAMMARS)
         def test(name):
-            engine = ENGINES[name]
+            engine = engine_of(name)
 
             @settings(max_examples=examples, deadline=None, derandomize=True)
             @given(sentences(engine, noise=noise, state=state))
