@@ -30,6 +30,7 @@ from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import reflex_for
 from intent_engine.speech.steered import SteeredWhisper
+from intent_engine.speech.weights import find_weights
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT.parent / "shared" / "data"
@@ -46,8 +47,10 @@ QUICK = 12
 class Transcribe:
     """faster-whisper as its documentation shows it, with the same weights and compute type as ours."""
 
-    def __init__(self, ours: SteeredWhisper) -> None:
-        self._model: Any = ours._model
+    def __init__(self) -> None:
+        from faster_whisper import WhisperModel
+
+        self._model: Any = WhisperModel(str(find_weights(MODEL).path), device="cpu", compute_type="int8")
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
@@ -56,7 +59,7 @@ class Transcribe:
         return Transcript(text, free_text=text, decode_seconds=time.perf_counter() - began)
 
     def close(self) -> None:
-        """The model is ours, and closed with it."""
+        self._model.model.unload_model()
 
 
 @dataclass(frozen=True)
@@ -65,18 +68,16 @@ class Ways:
 
     ours: Listener
     peer: Listener
-    recognizer: SteeredWhisper
 
     @classmethod
     def of(cls, engine: IntentEngine, *, reflex: bool = True) -> Ways:
         robot = load_robot(default_robot())
         ours = SteeredWhisper(engine, MODEL)
-        peer: Recognizer = Transcribe(ours)
+        peer: Recognizer = Transcribe()
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
         return cls(
             Listener(engine, ours, robot, reflex=reflex_for(engine, background=False) if reflex else None),
             Listener(engine, peer, robot, settings=late, speculate=False),
-            ours,
         )
 
 
@@ -85,8 +86,10 @@ Heard = dict[float | None, list[Outcome]]
 """SNR in dB, or None for without noise -> one outcome for each recording."""
 
 
-def kitchen() -> Noise:
-    """The kitchen noises of the development data."""
+def kitchen() -> Noise | None:
+    """The kitchen noises of the development data; None where that is not."""
+    if not (DATA / "noise").exists():
+        return None
     return Noise.read([DATA / "noise" / "audio" / f"{name}.flac" for name in ("running_tap", "doing_the_dishes")])
 
 

@@ -17,7 +17,6 @@ from benchmarks.recordings import (
     holds,
     kitchen,
     minute,
-    needs,
     row,
     some,
     speech_set,
@@ -40,7 +39,6 @@ PAUSE = 1.0
 
 def run(quick: bool) -> list[dict[str, Any]]:
     """The rows of this benchmark."""
-    needs(DATA / "noise", "the noise recordings of the development data")
     engine = IntentEngine.from_files(default_grammar(), locations=default_locations())
     labels = read_labels(speech_set(), engine)
     kinds = {
@@ -49,9 +47,11 @@ def run(quick: bool) -> list[dict[str, Any]]:
     }
     chosen = some(labels, quick)
     ways = Ways.of(engine)
-    ours, peer = hear("commands", chosen, Trial(kitchen(), [NOISE_SNR]), (ways.ours, ways.peer))
+    trial = Trial(kitchen(), [NOISE_SNR])
+    ours, peer = hear("commands", chosen, trial, (ways.ours, ways.peer))
     rows = []
-    for snr, name in ((None, "clean"), (NOISE_SNR, "kitchen noise at 10 dB")):
+    for snr in (condition.snr for condition in trial.conditions("")):
+        name = "clean" if snr is None else f"kitchen noise at {snr:g} dB"
         for kind, what in (("plain", "plain commands"), ("sampled", "the grammar's rare sentences"), ("other", "talk")):
             pair = [[one for one in heard[snr] if kinds[one.row.id] == kind] for heard in (ours, peer)]
             if pair[0]:
