@@ -1,8 +1,9 @@
 """Stands in for Nav2: a real action server ``navigate_to_pose``, run as a program of its own.
 
-nav2_msgs has no wheel, so its type is that of test_msgs; the protocol around it (UUIDs, acceptance, status, cancel,
-result) is the same for every action. A goal of order N "drives" for N hundredths of a second. With ``goal_pose`` it
-also does what Nav2's bt_navigator does with that topic: sends the goal to itself, through a client of its own.
+With ``nav2`` its type is Nav2's; without, it is one of test_msgs, which is in a wheel: the protocol around it (UUIDs,
+acceptance, status, cancel, result) is the same for every action. A goal at x = N "drives" for N hundredths of a
+second; one that ends in 7 fails, one below zero is refused. With ``goal_pose`` it also does what Nav2's bt_navigator
+does with that topic: sends the goal to itself, through a client of its own.
 
 Prints a JSON line for each goal that begins or ends, so that what it did is not hearsay.
 """
@@ -19,56 +20,107 @@ from geometry_msgs.msg import PoseStamped
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
-from test_msgs.action import Fibonacci
 
 
 def say(**what) -> None:
     print(json.dumps(what), flush=True)
 
 
+class Counted:
+    """test_msgs/Fibonacci: the order is the length of the drive."""
+
+    def __init__(self) -> None:
+        from test_msgs.action import Fibonacci
+
+        self.type = Fibonacci
+
+    def goal(self, pose):
+        return self.type.Goal(order=int(pose.pose.position.x))
+
+    def order(self, request) -> int:
+        return request.order
+
+    def told(self, request) -> dict:
+        return {}
+
+    def feedback(self, left: float):
+        return self.type.Feedback(sequence=[int(left * 1000)])
+
+    def failure(self):
+        return self.type.Result()
+
+
+class Nav2:
+    """nav2_msgs/NavigateToPose, at a metre a second."""
+
+    def __init__(self) -> None:
+        from nav2_msgs.action import NavigateToPose
+
+        self.type = NavigateToPose
+
+    def goal(self, pose):
+        return self.type.Goal(pose=pose)
+
+    def order(self, request) -> int:
+        return int(request.pose.pose.position.x)
+
+    def told(self, request) -> dict:
+        pose = request.pose.pose
+        return {
+            "frame": request.pose.header.frame_id,
+            "at": [pose.position.x, pose.position.y],
+            "facing": [pose.orientation.z, pose.orientation.w],
+        }
+
+    def feedback(self, left: float):
+        message = self.type.Feedback(distance_remaining=left)
+        message.current_pose.header.frame_id = "map"
+        message.current_pose.pose.position.x = 1.5
+        return message
+
+    def failure(self):
+        return self.type.Result(error_code=9002, error_msg="the map has no way there")
+
+
 def main() -> None:
     rclpy.init()
     node = rclpy.create_node("navigation")
     group = ReentrantCallbackGroup()
+    kind = Nav2() if "nav2" in sys.argv else Counted()
 
     def drive(handle):
         uuid = bytes(handle.goal_id.uuid).hex()
-        order = handle.request.order
-        say(goal=uuid, state="driving", order=order)
-        result = Fibonacci.Result()
+        order = kind.order(handle.request)
+        say(goal=uuid, state="driving", order=order, **kind.told(handle.request))
         end = time.monotonic() + order * 0.01
         while (left := end - time.monotonic()) > 0:
             if handle.is_cancel_requested:
                 handle.canceled()
                 say(goal=uuid, state="canceled", order=order)
-                return result
-            handle.publish_feedback(Fibonacci.Feedback(sequence=[int(left * 1000)]))
+                return kind.type.Result()
+            handle.publish_feedback(kind.feedback(left))
             time.sleep(min(0.005, left))
         if order % 10 == 7:
             handle.abort()
             say(goal=uuid, state="aborted", order=order)
-        else:
-            handle.succeed()
-            say(goal=uuid, state="succeeded", order=order)
-        return result
+            return kind.failure()
+        handle.succeed()
+        say(goal=uuid, state="succeeded", order=order)
+        return kind.type.Result()
 
     ActionServer(
         node,
-        Fibonacci,
+        kind.type,
         "navigate_to_pose",
         drive,
         callback_group=group,
-        goal_callback=lambda request: GoalResponse.REJECT if request.order < 0 else GoalResponse.ACCEPT,
+        goal_callback=lambda goal: GoalResponse.REJECT if kind.order(goal) < 0 else GoalResponse.ACCEPT,
         cancel_callback=lambda handle: CancelResponse.ACCEPT,
     )
     if "goal_pose" in sys.argv:
-        own = ActionClient(node, Fibonacci, "navigate_to_pose", callback_group=group)
+        own = ActionClient(node, kind.type, "navigate_to_pose", callback_group=group)
         node.create_subscription(
-            PoseStamped,
-            "goal_pose",
-            lambda message: own.send_goal_async(Fibonacci.Goal(order=int(message.pose.position.x))),
-            10,
-            callback_group=group,
+            PoseStamped, "goal_pose", lambda pose: own.send_goal_async(kind.goal(pose)), 10, callback_group=group
         )
     executor = MultiThreadedExecutor(num_threads=4)
     executor.add_node(node)

@@ -150,6 +150,35 @@ class NodeProcess:
             self.end()
 
 
+class Server:
+    """The navigation's process, and what it says it did."""
+
+    def __init__(self, namespace: str, *words: str) -> None:
+        program = [sys.executable, str(HERE / "navigation_server.py"), *words]
+        self.process = subprocess.Popen(
+            [*program, "--ros-args", "-r", f"__ns:={namespace}"], stdout=subprocess.PIPE, text=True
+        )
+        self.said: list[dict] = []
+        self.thread = threading.Thread(target=self._read, daemon=True)
+        self.thread.start()
+
+    def _read(self) -> None:
+        for line in self.process.stdout:
+            with contextlib.suppress(ValueError):
+                self.said.append(json.loads(line))
+
+    def count(self, *states: str) -> int:
+        return sum(each.get("state") in states for each in list(self.said))
+
+    def driving(self) -> int:
+        return self.count("driving") - self.count("canceled", "succeeded", "aborted")
+
+    def end(self) -> None:
+        self.process.kill()
+        self.process.wait()
+        self.thread.join(5.0)
+
+
 def _yaml(value: object) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 

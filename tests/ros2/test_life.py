@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import signal
 import time
@@ -232,6 +233,8 @@ def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
 def test_other_mistakes_end_it_with_a_reason(peer, arguments, code, said):
     from ros_stage import NodeProcess
 
+    if "nav2_msgs" in said and importlib.util.find_spec("nav2_msgs") is not None:
+        pytest.skip("nav2_msgs is installed here")
     node = NodeProcess(peer, *arguments)
     assert node.wait() == code, node.output
     assert said in node.output

@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
 import random
-import subprocess
-import sys
-import threading
 import time
-from pathlib import Path
 
 import pytest
 
@@ -25,55 +19,18 @@ TRIALS = int(os.environ.get("INTENT_ENGINE_ROS2_TRIALS", "100"))
 WAYS = ["action", "goal_pose"]
 
 
-class Server:
-    """The navigation's process, and what it says it did."""
-
-    def __init__(self, namespace: str) -> None:
-        self.process = subprocess.Popen(
-            [
-                sys.executable,
-                Path(__file__).parent / "navigation_server.py",
-                "goal_pose",
-                "--ros-args",
-                "-r",
-                f"__ns:={namespace}",
-            ],
-            stdout=subprocess.PIPE,
-            text=True,
-        )
-        self.said: list[dict] = []
-        self.thread = threading.Thread(target=self._read, daemon=True)
-        self.thread.start()
-
-    def _read(self) -> None:
-        for line in self.process.stdout:
-            with contextlib.suppress(ValueError):
-                self.said.append(json.loads(line))
-
-    def count(self, *states: str) -> int:
-        return sum(each.get("state") in states for each in list(self.said))
-
-    def driving(self) -> int:
-        return self.count("driving") - self.count("canceled", "succeeded", "aborted")
-
-    def end(self) -> None:
-        self.process.kill()
-        self.process.wait()
-        self.thread.join(5.0)
-
-
 class Stage:
     """A robot in this process, its server in another, and an executor."""
 
     def __init__(self, way: str) -> None:
-        from ros_stage import Peer, until
+        from ros_stage import Peer, Server, until
         from test_msgs.action import Fibonacci
 
         from intent_engine.execution.robots.ros2 import Ros2Robot
         from intent_engine.execution.robots.ros2_navigation import NavigationAction
 
         self.peer = Peer()
-        self.server = Server(self.peer.namespace)
+        self.server = Server(self.peer.namespace, "goal_pose")
         action = NavigationAction(
             Fibonacci,
             lambda pose: Fibonacci.Goal(order=int(pose.pose.position.x)),

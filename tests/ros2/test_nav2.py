@@ -1,0 +1,93 @@
+"""The node and Nav2's own action type, made here: every field arrives, and a goal's end says why."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import os
+
+import pytest
+
+pytestmark = [pytest.mark.ros2, pytest.mark.slow]
+
+MAP = """
+locations:
+  near: {x: 50.0, y: 2.0, yaw: 1.5707963}
+  far: {x: 3000.0, y: 0.0, yaw: 0.0}
+  nowhere: {x: 27.0, y: 0.0, yaw: 0.0}
+"""
+
+
+@pytest.fixture(scope="module")
+def with_nav2(tmp_path_factory):
+    """Programs that are started now find nav2_msgs."""
+    if importlib.util.find_spec("nav2_msgs") is not None:
+        yield
+        return
+    import nav2_types
+
+    try:
+        folder = nav2_types.build(tmp_path_factory.mktemp("types"))
+    except nav2_types.CannotBuildError as error:
+        pytest.skip(str(error))
+    before = os.environ.get("PYTHONPATH")
+    os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(folder), before]))
+    yield
+    if before is None:
+        del os.environ["PYTHONPATH"]
+    else:
+        os.environ["PYTHONPATH"] = before
+
+
+@pytest.fixture(scope="module")
+def stage(with_nav2, tmp_path_factory):
+    from ros_stage import NodeProcess, Peer, Server, until
+
+    places = tmp_path_factory.mktemp("map") / "places.yaml"
+    places.write_text(MAP)
+    with Peer() as peer, NodeProcess(peer, locations=places, navigation="action") as node:
+        server = Server(peer.namespace, "nav2")
+        peer.meet()
+        until(lambda: server.said)
+        until(lambda: peer.node.count_services(f"{peer.namespace}/navigate_to_pose/_action/cancel_goal"))
+        until(lambda: peer.node.count_clients(f"{peer.namespace}/navigate_to_pose/_action/send_goal"))
+        yield peer, server, node
+        server.end()
+
+
+def test_a_goal_arrives_whole_and_its_progress_comes_back(stage):
+    from ros_stage import until
+
+    peer, server, _ = stage
+    peer.forget()
+    peer.say("go to near")
+    until(lambda: peer.goals("succeeded"))
+    (driven,) = [each for each in server.said if each.get("state") == "driving"]
+    assert (driven["frame"], driven["at"]) == ("map", [50.0, 2.0])
+    assert driven["facing"] == pytest.approx([math.sin(math.pi / 4), math.cos(math.pi / 4)])
+    feedback = [each for each in peer.status if each["event"] == "feedback"]
+    assert feedback[-1]["pose"]["x"] == 1.5
+    assert any(each["progress"] and 0 < each["progress"] < 1 for each in feedback)
+
+
+def test_a_failure_says_why_in_nav2s_words(stage):
+    from ros_stage import until
+
+    peer, _, _ = stage
+    peer.forget()
+    peer.say("go to nowhere")
+    until(lambda: peer.goals("aborted"))
+    assert peer.goals("aborted")[0]["detail"] == "the map has no way there"
+
+
+def test_stop_text_ends_it(stage):
+    from ros_stage import until
+
+    peer, server, _ = stage
+    for _ in range(10):
+        peer.forget()
+        server.said.clear()
+        peer.say("go to far")
+        peer.say("stop")
+        until(lambda: peer.goals("canceled"))
+        until(lambda: server.count("driving") == server.count("canceled") == 1)
