@@ -343,6 +343,9 @@ STOP = {
     "hold on": "stop",
     "emergency stop": "stop",
     "e-stop": "stop",
+    "I said stop!": "stop",
+    "abort mission": "stop",
+    "hold on a second": "stop",
     "[stop]": "stop",
     # In every position.
     "go forward stop": "stop",
