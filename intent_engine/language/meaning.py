@@ -145,9 +145,11 @@ class Interpreter:
         words = core.words
         if self._cancel.may_stand_in(words) and 0 < self._cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
+        if self._halts(core):
+            return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0)
         taken_back = self._correction.ends(words) if self._correction.may_stand_in(words) else 0
-        if 0 < taken_back < len(words):
-            return self._taken_back(text, words[-taken_back:], state)
+        if 0 < taken_back < len(words) and not self._sequenced(words, len(words) - taken_back):
+            return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
         negated = self._negation.may_stand_in(words) and self._negation.find(words) is not None
         if negated:
             wanted, reason = self._after_negation(core, state)
@@ -242,6 +244,21 @@ class Interpreter:
             return True
         count, reached = self.matcher.prefix(before)
         return reached is not None and count > 0
+
+    def _halts(self, core: Utterance) -> bool:
+        """ "go forward for two seconds, wait a minute": a command, and then a sentence of the stop intent.
+
+        The words of those sentences are more than stop words, and begin like corrections: nothing is corrected.
+        """
+        words = core.words
+        for position in range(1, len(words)):
+            readings = self.matcher.read(words[position:])
+            if not any(reading.intent.action.type == "stop" and not reading.problem for reading in readings):
+                continue
+            apart = core.breaks[position] or self._clause_begins(words, 0, position)
+            if apart and not self._negated_before(words, position) and not self._sequenced(words, position):
+                return True
+        return False
 
     def _corrected_after(self, words: list[str], position: int) -> bool:
         """Whether a stop phrase stands here and a correction or negation after it.
@@ -589,6 +606,8 @@ class Interpreter:
                 elif depth < MAX_PARTS:
                     onward = rest(after, depth + 1)
                     found = [clause, *onward] if onward is not None else None
+                    if after > end and onward and len(onward) == 1 and isinstance(onward[0].action, Stop):
+                        found = [clause]  # "... and wait there"
                 if found is not None:
                     break
             tried[start] = found
@@ -652,13 +671,6 @@ class Interpreter:
         intent = clause.reading.intent.name if clause.reading else None
         slots = slot_values(clause.reading) if clause.reading else {}
         return Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
-
-    def _taken_back(self, text: str, last: list[str], state: Collection[str]) -> Interpretation:
-        """ "go forward, no": not done. "go forward, wait": the last word is a command to stop."""
-        clause = self._exact(last, state) or self._exact(last[-1:], state)
-        if clause is not None and isinstance(clause.action, Stop):
-            return self._accepted(text, clause)
-        return self._rejected(text, f"taken back: {' '.join(last)!r}")
 
     def _rejected(self, text: str, reason: str) -> Interpretation:
         return Interpretation(text, Status.REJECTED, reason=reason)

@@ -172,6 +172,10 @@ CORRECTED = {
     "turn left and go forward no": NOTHING,
     "go forward wait": "stop",
     "go to the kitchen no wait": "stop",
+    "go forward for two seconds, wait a minute": "stop",
+    "go forward, hold on": "stop",
+    "he said wait": NOTHING,
+    "don't wait": NOTHING,
 }
 CANCELLED = {
     "go forward never mind": NOTHING,
@@ -209,6 +213,8 @@ COMPOUND = {
     "turn left next go forward": "left 43, forward 1",
     "go to the kitchen and when you get there turn left": "to kitchen, left 43",
     "go forward then stop": "forward 1",
+    "go to the kitchen and wait there": "to kitchen",
+    "go to the kitchen and wait": "to kitchen",
     "go forward and": NOTHING,
     "turn left and then": NOTHING,
     "and then": NOTHING,
