@@ -172,13 +172,13 @@ def _tell(outcomes: list[Outcome]) -> None:
 
 
 def _show(results: list[Score], outcomes: list[Outcome], as_json: bool, all_in: Path | None) -> None:
-    from intent_engine.evaluation.report import COLUMNS, MISS_COLUMNS, cells, miss_cells, misses, reflex_text
+    from intent_engine.evaluation.report import MISS_COLUMNS, miss_cells, misses, reflex_text, score_table
 
     if as_json:
         for found in results:
             json_line({"event": "score", **found.to_json()})
         return
-    table("", COLUMNS, map(cells, results))
+    table("", *score_table(results))
     for text in filter(None, map(reflex_text, results)):
         say(text)
     failed = misses(outcomes)

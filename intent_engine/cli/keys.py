@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["keys"]
+__all__ = ["check_terminal", "keys"]
 
 _NO_TERMINAL = Problem(
     "push-to-talk needs a terminal, whose space bar is the key",
@@ -63,6 +63,16 @@ def _unix(on_key: Callable[[str], object]) -> Iterator[None]:
         termios.tcsetattr(terminal, termios.TCSADRAIN, before)
         os.close(ending)
         os.close(terminal)
+
+
+def check_terminal() -> None:
+    """Raises:
+    ConfigError: there is no terminal.
+    """
+    if sys.platform != "win32":
+        os.close(_terminal())
+    elif not sys.stdin.isatty():
+        raise ConfigError(_NO_TERMINAL)
 
 
 def _terminal() -> int:

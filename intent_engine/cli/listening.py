@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,6 +14,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, table
+from intent_engine.cli.watching import Watch, watched
 from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
 from intent_engine.resources import find
 
@@ -70,6 +72,7 @@ def run(
     plot: Plot = None,
     draw: Draw = False,
     journal: JournalFile = None,
+    watch: Watch = False,
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
     from intent_engine.cli.session import Session
@@ -77,6 +80,8 @@ def run(
     from intent_engine.execution.robots.robot_file import load_robot
     from intent_engine.speech.sources.file import FileSource
 
+    if watch and not realtime:
+        raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
     source: AudioSource
     if str(file) == "-":
         source, name = _pcm("-", rate, format, channels, live=realtime), "standard input"
@@ -104,7 +109,8 @@ def run(
                 "    listen to it; if there is speech, it is too quiet or buried in noise"
             )
 
-    ended = session.play(source, check=somebody_spoke)
+    with watched(session.engine, watch):
+        ended = session.play(source, check=somebody_spoke)
     return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
 
@@ -136,6 +142,7 @@ def listen(
     plot: Plot = None,
     draw: Draw = False,
     journal: JournalFile = None,
+    watch: Watch = False,
 ) -> int:
     """Listen to a microphone and drive a simulated robot, until Ctrl-C. Speak: "go forward two meters"."""
     from intent_engine.cli.session import Session
@@ -146,6 +153,10 @@ def listen(
         return _list_devices(as_json)
     if device is not None and pcm is not None:
         raise ConfigError(Problem("a microphone and raw samples at once", hint="give --device or --pcm, not both"))
+    if push_to_talk:
+        from intent_engine.cli.keys import check_terminal
+
+        check_terminal()
     session = Session(
         engine=load_engine(grammar, locations, language, wake_word),
         robot=load_robot(find("robots", robot)),
@@ -168,15 +179,19 @@ def listen(
 
         microphone = Microphone(device, on_report=session.report)
         source, name = microphone, f"microphone {microphone.device.name!r}"
-    how = "space: begin and end talking, s: stop the robot, q: quit" if push_to_talk else "Ctrl-C ends it"
-    session.controls = _push_to_talk if push_to_talk else None
-    note(f"listening to {name}; {how}")
-    session.play(source)
+    session.controls = functools.partial(_controls, name, push_to_talk)
+    with watched(session.engine, watch):
+        session.play(source)
     return 0
 
 
 @contextlib.contextmanager
-def _push_to_talk(runtime: Runtime, executor: Executor) -> Iterator[None]:
+def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executor) -> Iterator[None]:
+    """Say that it listens, once it does; and the keys of push-to-talk."""
+    if not push_to_talk:
+        note(f"listening to {name}; Ctrl-C ends it")
+        yield
+        return
     from intent_engine.cli.keys import keys
 
     talking = False
@@ -194,6 +209,7 @@ def _push_to_talk(runtime: Runtime, executor: Executor) -> Iterator[None]:
 
     runtime.push_to_talk()
     with keys(pressed):
+        note(f"space: begin and end talking to {name}, s: stop the robot, q: quit")
         yield
 
 
@@ -216,7 +232,9 @@ def _pcm(
             file, name = Path(where).open("rb"), where  # noqa: SIM115 - it ends with the process
         except OSError as error:
             raise AudioError(f"{where}: {(error.strerror or str(error)).lower()}\n    give a file or a pipe") from None
-    return PcmSource(file, form, live=live, name=name, on_report=session.report if session is not None else None)
+    source = PcmSource(file, form, live=live, name=name, on_report=session.report if session is not None else None)
+    source.check()
+    return source
 
 
 def _list_devices(as_json: bool) -> int:

@@ -86,9 +86,10 @@ class Session:
                 options["journal"] = Journal(self.journal)
             executor = stack.enter_context(Executor(robot, clock=self.clock, on_event=reporter.executed, **options))
             runtime = Runtime(self.engine, executor, recognizer, reflex=reflex, on_event=reporter.heard)
+            reporter.start = self.clock.now()
             if self.controls is not None:
                 stack.enter_context(self.controls(runtime, executor))
-            reporter.start = self.clock.now()
+                reporter.start = self.clock.now()
             try:
                 summary = runtime.run(source)
             except KeyboardInterrupt:

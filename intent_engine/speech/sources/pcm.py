@@ -128,7 +128,36 @@ class PcmSource:
         self._live = live
         self._name = name
         self._error: AudioError | None = None
+        self._head: bytes | None = None
+        self._left: float = np.inf
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
+
+    def check(self) -> None:
+        """Wait for the first bytes, and see whether they may be sound; else this is seen in ``frames``.
+
+        Raises:
+            AudioError: it is empty, or no raw samples.
+        """
+        if self._head is not None:
+            return
+        try:
+            head = _exactly(self._file, 12)
+        except (OSError, ValueError) as error:
+            raise AudioError(f"{self._name} cannot be read: {error}") from None
+        if not head:
+            raise AudioError(
+                f"{self._name} is empty (0 bytes)\n    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | ..."
+            )
+        for magic, what in OTHERS.items():
+            if head.startswith(magic):
+                raise AudioError(
+                    f"{self._name} is a {what} file, not raw samples\n"
+                    "    give the path of the file; or convert it: ffmpeg -i FILE -f s16le -ar 16000 -ac 1 -"
+                )
+        if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
+            self._form, self._left = _wav_header(self._file, self._name)
+            head = b""
+        self._head = head
 
     def frames(self) -> Iterator[Frame]:
         """Raises:
@@ -156,24 +185,9 @@ class PcmSource:
             self._inbox.end()
 
     def _read(self) -> None:
-        head = _exactly(self._file, 12)
-        if not head:
-            raise AudioError(
-                f"{self._name} is empty (0 bytes)\n    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | ..."
-            )
-        form, left = self._form, np.inf
-        if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
-            form, left = _wav_header(self._file, self._name)
-            head = b""
-        else:
-            for magic, what in OTHERS.items():
-                if head.startswith(magic):
-                    raise AudioError(
-                        f"{self._name} is a {what} file, not raw samples\n"
-                        "    give the path of the file; or convert it: ffmpeg -i FILE -f s16le -ar 16000 -ac 1 -"
-                    )
+        self.check()
+        form, left, rest = self._form, self._left, self._head or b""
         size = max(1, int(form.rate * BLOCK_SECONDS)) * form.frame_bytes
-        rest = head
         while True:
             data = self._some(int(min(size, left)))
             left -= len(data)

@@ -1,0 +1,137 @@
+"""What a person has in hand beside the voice: the key of push-to-talk, the wake word, and ending it all."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+from conftest import ROOT, Frames, framed
+
+from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.runtime import HeardKind
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.sources.stream import StreamSource
+
+
+def held_down(engine, whisper, sound: np.ndarray, down: float, up: float):
+    """The key is down from one time to another; gives the transcripts and where the robot went."""
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    events = []
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(engine, executor, whisper, on_event=events.append, patience=120)
+        runtime.push_to_talk()
+
+        def frames():
+            for frame in framed(sound):
+                runtime.talk(down <= frame.time < up)
+                yield frame
+
+        runtime.run(Frames(frames()))
+        executor.wait()
+    return [event for event in events if event.kind is HeardKind.TRANSCRIPT], robot.pose().x
+
+
+def test_push_to_talk_hears_only_while_the_key_is_down(engine, whisper, go_forward):
+    heard, x = held_down(engine, whisper, go_forward, 0.5, 4.0)
+    assert len(heard) == 1
+    assert x == pytest.approx(2.0)
+
+
+def test_without_the_key_nothing_is_heard(engine, whisper, go_forward):
+    heard, x = held_down(engine, whisper, go_forward, 9.0, 9.0)
+    assert (heard, x) == ([], 0.0)
+
+
+def test_the_key_ends_the_utterance_at_once(engine, whisper, go_forward):
+    heard, x = held_down(engine, whisper, go_forward, 0.5, 3.05)
+    assert len(heard) == 1
+    assert heard[0].time <= 3.1
+    assert x == pytest.approx(2.0)
+
+
+class Says:
+    """A recogniser that is sure of what was said, whatever it was: what is tested comes after it."""
+
+    def __init__(self, *texts: str) -> None:
+        self.texts = list(texts)
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        text = self.texts.pop(0)
+        return Transcript(text, free_text=text, gap=0.0)
+
+    def close(self) -> None: ...
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("go forward two meters", False),
+        ("robot go forward two meters", True),
+        ("hey robot, could you go forward two meters", True),
+        ("okay Robot: go forward two meters", True),
+        ("go forward two meters robot", False),
+        ("the robot go forward two meters", False),
+        ("robot", False),
+    ],
+)
+def test_wake_word(go_forward, said, done):
+    engine = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", wake=["robot"])
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    with Executor(robot, clock=clock) as executor:
+        Runtime(engine, executor, Says(said), speculate=False).run(Frames(framed(go_forward)))
+        executor.wait()
+    assert (robot.pose().x > 0) is done
+
+
+def test_a_stop_needs_no_wake_word(go_forward):
+    engine = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", wake=["robot"])
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    both = np.concatenate((go_forward[: int(3.6 * SAMPLE_RATE)], go_forward[int(1.3 * SAMPLE_RATE) :]))
+    with Executor(robot, clock=clock) as executor:
+        Runtime(engine, executor, Says("robot go forward two meters", "stop"), speculate=False).run(
+            Frames(framed(both))
+        )
+        executor.wait()
+    assert 0 < robot.pose().x < 1.9
+
+
+def test_a_wake_word_stays_after_a_reload(tmp_path):
+    grammar = tmp_path / "go.yaml"
+    grammar.write_text("language: en\nintents:\n  stop: {action: stop, sentences: [hold it]}\n", "utf-8")
+    engine = IntentEngine.from_files(grammar, wake=["Robbie the robot"])
+    engine.reload()
+    assert not engine.parse("hold it", spoken=True).actions
+    assert engine.parse("robbie the robot hold it", spoken=True).actions
+    assert engine.parse("hold it").actions, "who types is meant to"
+
+
+def test_close_from_another_thread_ends_it_and_stops_the_robot(engine, whisper, go_forward):
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    source = StreamSource(SAMPLE_RATE, live=False)
+    submitted = threading.Event()
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            whisper,
+            on_event=lambda event: submitted.set() if event.kind is HeardKind.SUBMITTED else None,
+            patience=120,
+        )
+        thread = threading.Thread(target=runtime.run, args=(source,))
+        thread.start()
+        source.push(go_forward)
+        assert submitted.wait(120)
+        runtime.close()
+        runtime.close()
+        thread.join(timeout=30)
+        assert not thread.is_alive()
+        executor.wait()
+        assert executor.idle
+    assert robot.pose().x < 2.0

@@ -1,0 +1,104 @@
+"""Keys while something else goes on, on a terminal of its own; and push-to-talk with them."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from intent_engine.cli.keys import keys
+from intent_engine.errors import ConfigError
+
+pty = pytest.importorskip("pty", reason="terminals of Unix")
+ROOT = Path(__file__).resolve().parent.parent
+RATE = 16_000
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    """A terminal: what is written to the descriptor is typed."""
+    typed, screen = pty.openpty()
+    with os.fdopen(screen, "r+b", buffering=0) as file:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(file))
+        yield typed
+    os.close(typed)
+
+
+def test_each_key_is_told_without_enter(terminal):
+    import termios
+
+    before = termios.tcgetattr(sys.stdin.fileno())
+    pressed: list[str] = []
+    enough = threading.Event()
+
+    def on_key(key: str) -> None:
+        pressed.append(key)
+        if len(pressed) == 3:
+            enough.set()
+
+    with keys(on_key):
+        os.write(terminal, " sü".encode())
+        assert enough.wait(10)
+    assert pressed == [" ", "s", "ü"]
+    assert termios.tcgetattr(sys.stdin.fileno()) == before, "the terminal is as it was"
+
+
+def test_the_terminal_is_as_it_was_after_an_error(terminal):
+    import termios
+
+    before = termios.tcgetattr(sys.stdin.fileno())
+    with pytest.raises(ZeroDivisionError), keys(print):
+        raise ZeroDivisionError
+    assert termios.tcgetattr(sys.stdin.fileno()) == before
+
+
+def test_without_a_terminal(monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO())
+    monkeypatch.setattr(os, "open", lambda *_: (_ for _ in ()).throw(OSError("no such device")))
+    with pytest.raises(ConfigError, match=r"needs a terminal(.|\n)*Runtime\.talk"), keys(print):
+        pass
+
+
+def test_push_to_talk(tmp_path):
+    """A whole process on a terminal: nothing is heard until the key is pressed, and q ends it."""
+    samples, _ = soundfile.read(ROOT / "examples" / "demo.flac", start=RATE, stop=int(3.6 * RATE), dtype="float32")
+    soundfile.write(tmp_path / "said.wav", np.concatenate((np.zeros(RATE), samples)), RATE)
+    typed, screen = pty.openpty()
+    played = {"PYTHONPATH": str(ROOT / "tests" / "speech" / "played_microphone"), "PLAYED": str(tmp_path / "said.wav")}
+    command = [sys.executable, "-u", "-m", "intent_engine.cli", "listen", "--push-to-talk", "--json", "--no-reflex"]
+    with subprocess.Popen(
+        command,
+        cwd=ROOT,
+        env={**os.environ, **played},
+        stdin=screen,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        os.close(screen)
+        assert process.stdout is not None
+        assert process.stderr is not None
+        assert "space: begin and end talking to microphone 'played'" in process.stderr.readline()
+        os.write(typed, b" ")
+        assert process.stderr.readline().strip() == "listening"
+        states = []
+        for line in process.stdout:
+            event = json.loads(line)
+            if event["event"] == "goal":
+                states.append(event["state"])
+            if event.get("state") == "executing":
+                os.write(typed, b"s")
+            if event.get("state") == "canceled":
+                os.write(typed, b"q")
+        error = process.stderr.read()
+    os.close(typed)
+    assert process.returncode == 0, error
+    assert states[-1] == "canceled"

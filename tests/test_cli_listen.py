@@ -1,0 +1,177 @@
+"""``intent-engine listen``, and ``run -``: sound from pipes and from a microphone, keys, wake word, what goes wrong."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+import soxr
+
+ROOT = Path(__file__).resolve().parent.parent
+RATE = 16_000
+PLAYED = ROOT / "tests" / "speech" / "played_microphone"
+
+
+@pytest.fixture(scope="module")
+def go_forward() -> np.ndarray:
+    """ "go forward two meters", without the quiet before it."""
+    samples, _ = soundfile.read(
+        ROOT / "examples" / "demo.flac", start=int(1.0 * RATE), stop=int(3.6 * RATE), dtype="float32"
+    )
+    return samples
+
+
+def raw(samples: np.ndarray) -> bytes:
+    return (samples * 32_767).astype("<i2").tobytes()
+
+
+def events(done: subprocess.CompletedProcess[str]) -> list[dict]:
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def end_of(done: subprocess.CompletedProcess[str]) -> dict:
+    return events(done)[-1]
+
+
+def wav(samples: np.ndarray, rate: int, folder: Path) -> bytes:
+    soundfile.write(folder / "piped.wav", samples, rate, subtype="PCM_24")
+    return (folder / "piped.wav").read_bytes()
+
+
+def test_raw_samples_from_a_pipe(intent_engine, go_forward):
+    done = intent_engine("run", "-", "--json", "--no-reflex", stdin=raw(go_forward))
+    assert done.returncode == 0, done.stderr
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0)
+
+
+def test_a_wav_file_from_a_pipe_says_its_own_format(intent_engine, tmp_path, go_forward):
+    stereo = np.stack([soxr.resample(go_forward, RATE, 44_100)] * 2, axis=1)
+    done = intent_engine("run", "-", "--json", "--no-reflex", stdin=wav(stereo, 44_100, tmp_path))
+    assert done.returncode == 0, done.stderr
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0)
+
+
+def test_listen_to_a_pipe_in_real_time(intent_engine, go_forward):
+    done = intent_engine("listen", "--pcm", "-", "--json", stdin=raw(go_forward))
+    assert done.returncode == 0, done.stderr
+    assert "listening to standard input" in done.stderr
+    states = [event["state"] for event in events(done) if event["event"] == "goal"]
+    assert states[-1] == "succeeded"
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+
+
+def test_with_a_wake_word_other_commands_are_not_meant(intent_engine, go_forward):
+    done = intent_engine("run", "-", "--wake-word", "computer", "--no-reflex", stdin=raw(go_forward))
+    assert done.returncode == 1
+    assert "did not begin with 'computer'" in done.stdout
+    assert "doing" not in done.stdout
+
+
+def test_noise_reduction_as_an_option(intent_engine, go_forward):
+    pytest.importorskip("noisereduce", reason="needs the extra intent-engine[noise]")
+    done = intent_engine("run", "-", "--denoise", "--json", "--no-reflex", stdin=raw(go_forward))
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0), done.stdout + done.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_a_microphone_until_ctrl_c(tmp_path, go_forward):
+    """A process of its own, in real time: the robot is on its way when Ctrl-C comes."""
+    soundfile.write(tmp_path / "said.wav", go_forward, RATE)
+    environment = {**os.environ, "PYTHONPATH": str(PLAYED), "PLAYED": str(tmp_path / "said.wav")}
+    command = [sys.executable, "-u", "-m", "intent_engine.cli", "listen", "--json"]
+    with subprocess.Popen(
+        command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        for line in process.stdout:
+            if json.loads(line).get("state") == "executing":
+                process.send_signal(signal.SIGINT)
+                break
+        rest = [json.loads(line) for line in process.stdout]
+        error = process.stderr.read()
+    assert process.returncode == 130, error
+    assert "listening to microphone 'played'; Ctrl-C ends it" in error
+    assert "interrupted; the robot is stopped" in error
+    assert "Traceback" not in error
+    assert [event["state"] for event in rest if event["event"] == "goal"][-1] == "canceled"
+
+
+def fake(played: str) -> dict[str, str]:
+    return {"PYTHONPATH": str(PLAYED), "PLAYED": played}
+
+
+def test_microphones_are_listed(intent_engine):
+    done = intent_engine("listen", "--list-devices", **fake("zeros"))
+    assert done.returncode == 0, done.stderr
+    assert "played" in done.stdout
+    (one,) = events(intent_engine("listen", "--list-devices", "--json", **fake("zeros")))
+    assert one == {
+        "index": 0, "name": "played", "channels": 1, "rate": 16_000, "interface": "a file", "default": True,
+    }  # fmt: skip
+
+
+NO_PORTAUDIO = "raise OSError('PortAudio library not found')\n"
+
+
+@pytest.mark.parametrize("args", [["listen"], ["listen", "--list-devices"]], ids=" ".join)
+def test_without_portaudio(intent_engine, tmp_path, args):
+    (tmp_path / "sounddevice.py").write_text(NO_PORTAUDIO, "utf-8")
+    done = intent_engine(*args, PYTHONPATH=str(tmp_path))
+    assert done.returncode == 4
+    assert done.stdout == ""
+    assert done.stderr.startswith("error: PortAudio is not there, so no microphone can be heard")
+    assert "install" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "says"),
+    [
+        (["listen"], 4, "there is no microphone"),
+        (["listen", "--list-devices"], 4, "there is no microphone"),
+        (["listen", "--device", "0", "--pcm", "-"], 2, "a microphone and raw samples at once"),
+        (["listen", "--pcm", "nowhere.raw"], 3, "nowhere.raw: no such file"),
+        (["listen", "--pcm", "-"], 3, "standard input is empty"),
+        (["listen", "--pcm", "-", "--format", "mp3"], 3, "mp3 is no format of raw samples"),
+        (["listen", "--pcm", "-", "--push-to-talk"], 2, "push-to-talk needs a terminal"),
+        (["run", "-"], 3, "standard input is empty"),
+        (["run", "examples/demo.flac", "--wake-word", "!"], 2, "the wake word has no letters"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_what_goes_wrong(args, code, says):
+    done = _without_a_terminal(args, fake("none"))
+    assert done.returncode == code, done.stdout + done.stderr
+    assert f"error: {says}" in done.stderr
+    assert done.stderr.count("error: ") == 1
+    assert "Traceback" not in done.stderr
+    assert done.stdout == ""
+
+
+def _without_a_terminal(args: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    """A session of its own has no terminal, not even behind /dev/tty."""
+    return subprocess.run(
+        [sys.executable, "-m", "intent_engine.cli", *args],
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        env={**os.environ, **environment},
+        start_new_session=True,
+        timeout=120,
+        check=False,
+    )
+
+
+def test_what_is_no_raw_sound(intent_engine):
+    done = intent_engine("run", "-", stdin=(ROOT / "examples" / "demo.flac").read_bytes())
+    assert done.returncode == 3
+    assert "standard input is a FLAC file, not raw samples" in done.stderr
