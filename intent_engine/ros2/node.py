@@ -1,7 +1,7 @@
 """The node ``intent_engine``: text in, a moving robot out.
 
 In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop``
-(std_msgs/Empty) and the service ``stop`` (std_srvs/Trigger). Out: ``voice_commands/command``,
+(std_msgs/Empty), the services ``stop`` and ``~/reset`` (std_srvs/Trigger). Out: ``voice_commands/command``,
 ``voice_commands/action`` and ``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All
 names are relative and can be remapped.
 """
@@ -75,7 +75,7 @@ class VoiceCommands:
         node.create_subscription(String, "voice_commands/text", self._heard, 10)
         node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
         node.create_subscription(Empty, "voice_commands/stop", lambda message: self.executor.stop(), 10)
-        self._offer_stop()
+        self._offer_services()
         self._log.info(self._summary(parameters))
 
     def close(self) -> None:
@@ -110,11 +110,11 @@ class VoiceCommands:
         else:
             self.executor.release()
 
-    def _offer_stop(self) -> None:
+    def _offer_services(self) -> None:
         try:
             from std_srvs.srv import Trigger
         except ImportError:
-            self._log.warning("no service 'stop': std_srvs is not installed")
+            self._log.warning("no services: std_srvs is not installed")
             return
 
         def stop(request: Any, response: Any) -> Any:
@@ -122,7 +122,16 @@ class VoiceCommands:
             response.success, response.message = True, "stopped"
             return response
 
+        def reset(request: Any, response: Any) -> Any:
+            try:
+                self.executor.reset()
+                response.success = True
+            except IntentEngineError as error:
+                response.success, response.message = False, str(error)
+            return response
+
         self._node.create_service(Trigger, "stop", stop)
+        self._node.create_service(Trigger, "~/reset", reset)
 
     # -- out -----------------------------------------------------------------------------------------------------------
 
@@ -219,7 +228,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return VoiceCommands(node)
 
     try:
-        return run_node("intent_engine", make, sys.argv if arguments is None else arguments)
+        return run_node("intent_engine", make, sys.argv if arguments is None else arguments, __doc__)
     except IntentEngineError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code

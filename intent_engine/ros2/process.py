@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import signal
 import threading
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from types import FrameType
 from typing import Any, Protocol
 
@@ -24,7 +26,9 @@ class Room(Protocol):
     def close(self) -> None: ...
 
 
-def run_node(name: str, make: Callable[[Any, Callable[[], None]], Room], arguments: Sequence[str] | None = None) -> int:
+def run_node(
+    name: str, make: Callable[[Any, Callable[[], None]], Room], arguments: Sequence[str], about: str | None = None
+) -> int:
     """Run a node until SIGINT, SIGTERM or its own end; returns the exit code.
 
     The order of the end is the point of this function. rclpy's own signal handlers close the middleware first, and then
@@ -34,14 +38,21 @@ def run_node(name: str, make: Callable[[Any, Callable[[], None]], Room], argumen
     Args:
         name: of the node, if it is not remapped.
         make: makes what the node does, given the node and a function that ends the process.
-        arguments: of the command line, ``--ros-args`` among them; None: those of this process.
+        arguments: the whole command line, ``--ros-args`` among them.
+        about: what ``--help`` prints.
 
     Raises:
         RobotError: no ROS 2 in this Python.
+        ConfigError: an argument is not understood.
     """
+    words = itertools.takewhile(lambda word: word != "--ros-args", arguments[1:])
+    if {"-h", "--help"} & set(words):
+        print(f"{about}\nParameters: {Path(arguments[0]).name} --ros-args -p name:=value; all of them: docs/ros2.md")
+        return 0
     rclpy = import_rclpy()
     from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
     from rclpy.signals import SignalHandlerOptions
+    from rclpy.utilities import remove_ros_args
 
     ending = threading.Event()
 
@@ -53,11 +64,13 @@ def run_node(name: str, make: Callable[[Any, Callable[[], None]], Room], argumen
     context = rclpy.Context()
     code = 0
     try:
-        rclpy.init(args=arguments, context=context, signal_handler_options=SignalHandlerOptions.NO)
+        for word in remove_ros_args(list(arguments))[1:]:
+            raise ValueError(f"{word!r} is not understood")
+        rclpy.init(args=list(arguments), context=context, signal_handler_options=SignalHandlerOptions.NO)
         node = rclpy.create_node(name, context=context)
     except Exception as error:  # rclpy has an exception for each mistake in a ROS argument, of no common kind
         raise ConfigError(
-            Problem(f"--ros-args: {str(error).strip()}", hint="ros2 run ... --ros-args -p name:=value")
+            Problem(f"arguments: {str(error).strip()}", hint="--ros-args -p parameter:=value -r name:=other")
         ) from None
     try:
         room = make(node, ending.set)

@@ -204,7 +204,7 @@ class Speech:
 def main(arguments: Sequence[str] | None = None) -> int:
     """What the script ``intent-engine-ros2-speech`` runs."""
     try:
-        return run_node("speech", Speech, sys.argv if arguments is None else arguments)
+        return run_node("speech", Speech, sys.argv if arguments is None else arguments, __doc__)
     except IntentEngineError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code

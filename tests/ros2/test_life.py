@@ -71,10 +71,11 @@ def test_a_frozen_node_leaves_zero(peer):
         assert stays_still(peer)
 
 
-def test_a_killed_velocity_process_leaves_zero(peer):
+def test_a_killed_velocity_process_leaves_zero_until_it_is_reset(peer):
     import os
 
     from ros_stage import until
+    from std_srvs.srv import Trigger
 
     with driving(peer) as node:
         (child,) = node.children()
@@ -83,6 +84,16 @@ def test_a_killed_velocity_process_leaves_zero(peer):
         until(lambda: peer.goals("aborted"))
         assert peer.goals("aborted")[0]["reason"] == "velocity_loop"
         assert stays_still(peer)
+        peer.say("turn left")
+        until(lambda: peer.goals("rejected"))
+        client = peer.node.create_client(Trigger, "intent_engine/reset")
+        until(client.service_is_ready)
+        answer = client.call_async(Trigger.Request())
+        until(answer.done)
+        assert answer.result().success
+        until(lambda: peer.node.count_publishers(f"{peer.namespace}/cmd_vel") >= 2)
+        peer.say("turn left")
+        until(peer.moving)
 
 
 def test_without_a_guardian_the_end_leaves_zero_too(peer):
@@ -228,6 +239,7 @@ def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
         (["-p", "navigation:=action"], 6, "nav2_msgs is not installed"),
         (["-p", "broken"], 2, "broken"),
         (["-r", "cmd_vel:=not a name"], 2, "not a name"),
+        (["--", "turn left"], 2, "'turn left' is not understood"),
     ],
 )
 def test_other_mistakes_end_it_with_a_reason(peer, arguments, code, said):

@@ -49,8 +49,14 @@ def stage(with_nav2, tmp_path_factory):
         server = Server(peer.namespace, "nav2")
         peer.meet()
         until(lambda: server.said)
-        until(lambda: peer.node.count_services(f"{peer.namespace}/navigate_to_pose/_action/cancel_goal"))
-        until(lambda: peer.node.count_clients(f"{peer.namespace}/navigate_to_pose/_action/send_goal"))
+        # The node and the server have to find each other too, which only the node can tell.
+        for _ in range(20):
+            peer.forget()
+            peer.say("go to near")
+            until(lambda: peer.goals("succeeded") or peer.goals("aborted"), "the first goal ends")
+            if peer.goals("succeeded"):
+                break
+        server.said.clear()
         yield peer, server, node
         server.end()
 
@@ -91,3 +97,20 @@ def test_stop_text_ends_it(stage):
         peer.say("stop")
         until(lambda: peer.goals("canceled"))
         until(lambda: server.count("driving") == server.count("canceled") == 1)
+
+
+def test_a_hold_ends_it_and_a_release_gives_it_again(stage):
+    from ros_stage import until
+    from std_msgs.msg import Bool
+
+    peer, server, _ = stage
+    peer.forget()
+    server.said.clear()
+    peer.say("go to near")
+    until(lambda: server.count("driving") == 1)
+    peer.hold.publish(Bool(data=True))
+    until(lambda: server.count("canceled") == 1)
+    peer.hold.publish(Bool(data=False))
+    until(lambda: peer.goals("succeeded"))
+    until(lambda: server.count("succeeded") == 1)
+    assert server.count("driving") == 2

@@ -26,3 +26,15 @@ def test_a_node_says_what_is_missing(root, module):
 def test_the_robot_says_what_is_missing():
     with pytest.raises(RobotError, match=r"pip install 'intent-engine\[ros2\]'"):
         Ros2Robot()
+
+
+def test_help_needs_no_ros(root):
+    done = subprocess.run(
+        [sys.executable, "-m", "intent_engine.ros2.node", "--help"],
+        cwd=root,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "voice_commands/text" in done.stdout
+    assert "--ros-args -p" in done.stdout
