@@ -28,7 +28,7 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "two": ("to",), "too": ("to", "two"), "to": ("two",),
         "for": ("four",), "four": ("for",), "fore": ("for", "four"),
         "write": ("right",),
-        "rite": ("right",), "wright": ("right",), "write's": ("right",),
+        "rite": ("right",), "wright": ("right",), "writes": ("right",),
         "bae": ("bay",), "bey": ("bay",), "foreword": ("forward",), "forwards": ("forward",), "forword": ("forward",),
         "meeters": ("meters",), "meeter": ("meter",), "metres": ("meters",), "ford": ("forward",),
         "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
@@ -205,9 +205,10 @@ class _Builder:
 
     def add_intents(self) -> None:
         """Read the intents of all files, once the slots of all files are known."""
+        known = Grammar(self.language, (), self.phrases, self.slots, self.intents, Operators())
         for parts in self.parts:
             for at, name, spec in _section(parts.source, "intents"):
-                intent = read_intent(parts, at, name, spec, self.slots)
+                intent = read_intent(parts, at, name, spec, known)
                 old = self.intents.get(name)
                 if old is None:
                     self.intents[name] = intent

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -12,38 +12,55 @@ from intent_engine.language.grammar import (
     ActionSpec,
     Condition,
     Example,
+    Grammar,
     Intent,
     Sentence,
     Slot,
 )
 from intent_engine.language.grammar_parts import PartReader
+from intent_engine.language.template import Node, references
 from intent_engine.language.yaml_source import YamlPath, did_you_mean
 
-__all__ = ["merged", "read_intent", "slot_of_parameter"]
+__all__ = ["merged", "read_intent", "slot_of_parameter", "slots_by_label"]
 
 RESULTS = ("accepted", "rejected", "ambiguous", "incomplete")
 """What an example may say of a sentence instead of its slots."""
 
 
 def read_intent(
-    parts: PartReader, path: YamlPath, name: str, spec: Mapping[str, Any], slots: Mapping[str, Slot]
+    parts: PartReader,
+    path: YamlPath,
+    name: str,
+    spec: Mapping[str, Any],
+    known: Grammar,
 ) -> Intent:
-    """The intent at a path of a file; what is wrong in it is told, and left out of it."""
+    """The intent at a path of a file; what is wrong in it is told, and left out of it.
+
+    Args:
+        known: the slots and phrases of all files, and the intents of those before this one.
+    """
     source = parts.source
     if any(broken[: len(path)] == path for broken in source.broken):
         parts.draft.partial.add(name)
     action = _action(parts, (*path, "action"), name, spec.get("action", "custom"))
-    sentences = []
+    read: list[tuple[YamlPath, Any, Node]] = []
     for at, _, entry in source.entries((*path, "sentences"), spec.get("sentences")):
-        fixed: Mapping[str, Any] = {}
-        if isinstance(entry, dict):
-            fixed = _values(parts, (*at, "slots"), entry.get("slots"), action, slots)
-            at, entry = (*at, "say"), entry["say"]
-        node = parts.template(at, entry, "sentence", name)
+        said = (*at, "say") if isinstance(entry, dict) else at
+        node = parts.template(said, entry["say"] if isinstance(entry, dict) else entry, "sentence", name)
         if node is None:
             parts.draft.partial.add(name)
         else:
-            sentences.append(Sentence(entry, node, fixed, source.place(at)))
+            read.append((at, entry, node))
+    before = known.intents.get(name)
+    nodes = [*(node for _, _, node in read), *(one.template for one in (before.sentences if before else ()))]
+    slots = {**known.slots, **slots_by_label(nodes, known)}
+    sentences = []
+    for at, entry, node in read:
+        if isinstance(entry, dict):
+            fixed = _values(parts, (*at, "slots"), entry.get("slots"), action, slots)
+            sentences.append(Sentence(entry["say"], node, fixed, source.place((*at, "say"))))
+        else:
+            sentences.append(Sentence(entry, node, {}, source.place(at)))
     regex = spec.get("regex", ())
     conditions = []
     for at, _, item in source.entries((*path, "when"), spec.get("when")):
@@ -65,6 +82,21 @@ def read_intent(
         description=str(spec.get("description", "")),
         place=source.place(path, key=True),
     )
+
+
+def slots_by_label(nodes: Iterable[Node], known: Grammar) -> dict[str, Slot]:
+    """The slots that templates fill, through their phrases, by label; of several with one label the first."""
+    found: dict[str, Slot] = {}
+    met: set[str] = set()
+    pending = [reference for node in nodes for reference in references(node)]
+    while pending:
+        reference = pending.pop(0)
+        if reference.name in known.slots:
+            found.setdefault(reference.label, known.slots[reference.name])
+        elif reference.name in known.phrases and reference.name not in met:
+            met.add(reference.name)
+            pending.extend(references(known.phrases[reference.name]))
+    return found
 
 
 def merged(old: Intent, new: Intent) -> Intent:

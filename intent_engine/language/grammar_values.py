@@ -15,9 +15,8 @@ from intent_engine.language.grammar import (
     Sentence,
     Slot,
 )
-from intent_engine.language.grammar_intents import slot_of_parameter
+from intent_engine.language.grammar_intents import slot_of_parameter, slots_by_label
 from intent_engine.language.grammar_parts import Places
-from intent_engine.language.template import Reference, references
 from intent_engine.language.yaml_source import YamlPath, did_you_mean
 
 __all__ = ["action_problems", "example_problems", "value_problems"]
@@ -119,22 +118,7 @@ def _fixed(
 
 
 def _slots_of(grammar: Grammar, intent: Intent) -> dict[str, Slot]:
-    """Label to slot, through phrases; the first of several that share a label."""
-    found: dict[str, Slot] = {}
-    met: set[str] = set()
-
-    def gather(reference: Reference) -> None:
-        if reference.name in grammar.slots:
-            found.setdefault(reference.label, grammar.slots[reference.name])
-        elif reference.name in grammar.phrases and reference.name not in met:
-            met.add(reference.name)
-            for inner in references(grammar.phrases[reference.name]):
-                gather(inner)
-
-    for sentence in intent.sentences:
-        for reference in references(sentence.template):
-            gather(reference)
-    return found
+    return slots_by_label((sentence.template for sentence in intent.sentences), grammar)
 
 
 def _patterns(intent: Intent) -> bool:
