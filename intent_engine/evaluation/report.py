@@ -10,7 +10,7 @@ from typing import Any
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.scoring import Outcome, Score, Verdict
 
-__all__ = ["COLUMNS", "MISS_COLUMNS", "cells", "miss_cells", "misses", "outcome_json", "reflex_text", "write_csv"]
+__all__ = ["MISS_COLUMNS", "miss_cells", "misses", "outcome_json", "reflex_text", "score_table", "write_csv"]
 
 COLUMNS = (
     "model",
@@ -20,17 +20,24 @@ COLUMNS = (
     "wrong",
     "missed",
     "slots right",
-    "others acted on",
+    "talk acted on",
     "word errors",
-    "to action p50",
+    "p50",
     "p90",
     "p99",
 )
+"""The last three: time from the end of speech to the action."""
 MISS_COLUMNS = ("recording", "noise", "what came of it", "said", "heard", "done")
 
 
-def cells(found: Score) -> list[str]:
-    """One row of the table."""
+def score_table(scores: Sequence[Score]) -> tuple[list[str], list[list[str]]]:
+    """Heads and rows, one for each condition; a column that has nothing to tell is left out."""
+    rows = [_cells(found) for found in scores]
+    told = [index for index in range(len(COLUMNS)) if any(row[index] != "-" for row in rows)]
+    return [COLUMNS[index] for index in told], [[row[index] for index in told] for row in rows]
+
+
+def _cells(found: Score) -> list[str]:
     sure = "-"
     if found.accuracy_low is not None and found.accuracy_high is not None:
         sure = f"{100 * found.accuracy_low:.0f}-{100 * found.accuracy_high:.0f} %"
