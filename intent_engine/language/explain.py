@@ -149,7 +149,8 @@ class Witness(Interpreter):
         self._open: list[_Open] = [_Open()]
         self._clauses: list[Clause] = []
         for name, tell in _TOLD.items():
-            setattr(self, name, self._watched(getattr(self, name), tell))
+            if hasattr(self, name):  # a test says when one is gone; an explanation is then only shorter
+                setattr(self, name, self._watched(getattr(self, name), tell))
         for name in _CLAUSES:
             setattr(self, name, self._keeping(getattr(self, name)))
         setattr(self, "_choose", self._judging(self._choose))  # noqa: B010 - to mypy a method is no attribute
@@ -207,17 +208,19 @@ class Witness(Interpreter):
             if told is not None and (step.steps or told[2] != NO_SPLIT):
                 inner = step.steps[:MAX_STEPS]
                 whole = Step(*told, tuple(step.candidates), tuple(inner), len(step.steps) - len(inner))
-                if whole not in self._open[-1].steps:  # the same is asked again with and without fillers
-                    self._open[-1].steps.append(whole)
+                told_before = self._open[-1].steps
+                again = bool(told_before) and whole.name == "refused" and told_before[-1].outcome == whole.outcome
+                if whole not in told_before and not again:  # the same is asked with and without fillers
+                    told_before.append(whole)
             return answer
 
         return watching
 
     def _keeping(self, method: Callable[..., Interpretation]) -> Callable[..., Interpretation]:
         @functools.wraps(method)
-        def keeping(text: str, told: Clause | list[Clause]) -> Interpretation:
+        def keeping(text: str, told: Clause | list[Clause], *rest: Any) -> Interpretation:
             self._clauses = [told] if isinstance(told, Clause) else list(told)
-            return method(text, told)
+            return method(text, told, *rest)
 
         return keeping
 
@@ -298,8 +301,8 @@ def _tell_replaced(answer: Any, said: list[str], meant: list[str], *_: Any) -> t
     return "correction", f"{' '.join(said)} / {' '.join(meant)}", outcome
 
 
-def _tell_taken_back(answer: Interpretation, *_: Any) -> tuple[str, str, str]:
-    return "cancellation", answer.text, answer.reason
+def _tell_refused(answer: Interpretation, *_: Any) -> tuple[str, str, str]:
+    return "refused", answer.text, answer.reason
 
 
 def _tell_nothing(answer: Interpretation, _: str, core: Utterance, *__: Any) -> tuple[str, str, str]:
@@ -318,7 +321,7 @@ _TOLD: Mapping[str, Callable[..., tuple[str, str, str] | None]] = {
     "_corrected": _tell_clause("correction", "nothing that can be corrected"),
     "_replace": _tell_replaced,
     "_misheard": _tell_clause("misheard", "no sentence comes near"),
-    "_taken_back": _tell_taken_back,
+    "_rejected": _tell_refused,
     "_not_understood": _tell_nothing,
 }
 """Methods of the interpreter that decide something, and how each is told."""
