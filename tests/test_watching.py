@@ -219,3 +219,32 @@ def test_watch_is_for_many_sentences(intent_engine, file):
     done = intent_engine("parse", "--watch", "--grammar", file, "alpha", COLUMNS="200")
     assert done.returncode == 2
     assert "--watch is for sentences from standard input" in done.stderr
+
+
+def test_watch_is_for_recordings_that_last(intent_engine):
+    done = intent_engine("run", "--watch", "examples/demo.flac", COLUMNS="200")
+    assert done.returncode == 2
+    assert "--watch needs --realtime" in done.stderr
+
+
+def test_a_robot_that_listens_takes_up_changes(tmp_path, root):
+    """Sound goes on for as long as its pipe is open; the grammar changes in between."""
+    pytest.importorskip("watchfiles")
+    text = (root / "grammars/en.yaml").read_text("utf-8")
+    path = tmp_path / "en.yaml"
+    path.write_text(text)
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--watch", "--json", "--no-reflex", "--pcm", "-"]
+    command += ["--grammar", str(path)]
+    silence = bytes(2 * 16_000)
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
+        assert run.stdin is not None
+        assert run.stderr is not None
+        run.stdin.write(silence)
+        run.stdin.flush()
+        lines = iter(lambda: run.stderr.readline().decode(), "")
+        assert any(line.startswith("listening to") for line in lines)
+        for edited, told in ((text + "intents: {", "not reloaded"), (text + "# edited\n", "reloaded: ")):
+            path.write_text(edited)
+            assert any(line.startswith(told) for line in lines)
+        run.stdin.close()
+        assert run.wait(timeout=60) == 0
