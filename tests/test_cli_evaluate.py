@@ -80,3 +80,14 @@ def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_p
     done = intent_engine("evaluate", tmp_path)
     assert done.returncode == 3
     assert f"{tmp_path / 'labels.jsonl'}:2: {tmp_path / 'cut.wav'}: is cut off" in done.stderr
+
+
+def test_two_models_in_folders_of_one_name_are_told_apart():
+    from intent_engine.cli.evaluate import _names
+
+    assert _names(["tiny.en", "a/whisper", "b/whisper", "tiny.en"]) == {
+        "tiny.en": "tiny.en",
+        "a/whisper": "a/whisper",
+        "b/whisper": "b/whisper",
+    }
+    assert _names(["models/mine"]) == {"models/mine": "mine"}

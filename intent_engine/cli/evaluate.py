@@ -87,7 +87,7 @@ def evaluate(
     trial = Trial(Noise.read(noise) if noise else None, snrs)
     models = model or ["tiny.en"]
     outcomes: list[Outcome] = []
-    with progress("hearing", len(rows) * len(models) * (1 + free)) as step:
+    with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, language, free):
             listener = _listener(engine, recognizer, robot, None if no_reflex else _reflex(engine, language))
             for found in trial.hear(rows, listener, name):
@@ -141,14 +141,16 @@ def _recognizers(
     from intent_engine.speech.steered import SteeredWhisper
     from intent_engine.speech.whisper import WhisperRecognizer
 
-    for model in dict.fromkeys(models):
-        yield _short(model), SteeredWhisper(engine, model, language=language)
+    for model, name in _names(models).items():
+        yield name, SteeredWhisper(engine, model, language=language)
         if free:
-            yield f"{_short(model)} free", WhisperRecognizer(model, language=language or engine.languages[0])
+            yield f"{name} free", WhisperRecognizer(model, language=language or engine.languages[0])
 
 
-def _short(model: str) -> str:
-    return Path(model).name or model
+def _names(models: list[str]) -> dict[str, str]:
+    """Each model once, with a short name; in full where two have the same."""
+    short = {model: Path(model).name or model for model in models}
+    return {model: name if list(short.values()).count(name) == 1 else model for model, name in short.items()}
 
 
 def _reflex(engine: IntentEngine, language: str | None) -> Reflex:
