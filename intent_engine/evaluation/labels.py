@@ -283,7 +283,7 @@ class _Reader:
             self.wrong("has 'slots' but no 'intent'", "slots", hint="say whose slots they are")
         actions, types = self._actions(data) if "actions" in data else (None, None)
         if "intent" not in data and "actions" not in data:
-            meaning = engine.parse(text or "")
+            meaning = engine.parse(text or "", spoken=True)
             steps = steps_of(meaning)
             actions = meaning.actions if meaning.status is Status.ACCEPTED else None
         kinds = types or tuple(action.type for action in actions or ()) or tuple(map(self._kind(engine), steps))
