@@ -150,7 +150,7 @@ class Interpreter:
         taken_back = self._correction.ends(words) if self._correction.may_stand_in(words) else 0
         if 0 < taken_back < len(words) and not self._sequenced(words, len(words) - taken_back):
             return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
-        negated = self._negation.may_stand_in(words) and self._negation.find(words) is not None
+        negated = self._negation.may_stand_in(words) and self._negated_at(words) is not None
         if negated:
             wanted, reason = self._after_negation(core, state)
             if wanted is None:
@@ -421,6 +421,23 @@ class Interpreter:
 
     # -- operators ----------------------------------------------------------------------------------------------
 
+    def _negated_at(self, words: list[str]) -> tuple[int, int] | None:
+        """(position, length) of the first negation that is no part of a correction: "no espera" corrects, where "no"
+        negates; "no no" may be either, and so negates."""
+        position = 0
+        while position < len(words):
+            length = self._negation.at(words, position)
+            corrects = self._correction.at(words, position)
+            if corrects > length and not all(
+                self._negation.at([word], 0) for word in words[position : position + corrects]
+            ):
+                position += corrects
+            elif length:
+                return position, length
+            else:
+                position += 1
+        return None
+
     def _after_negation(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
         """What is still wanted of an utterance with a negation: only what follows "instead" or "but".
 
@@ -428,7 +445,7 @@ class Interpreter:
         and what follows must be whole commands. Anything else with a negation does nothing.
         """
         words = core.words
-        found = self._negation.find(words)
+        found = self._negated_at(words)
         if found is None:
             return core, ""
         position, length = found
@@ -516,7 +533,7 @@ class Interpreter:
         whole = self._whole(meant, state)
         if not said:
             return meant if whole else None
-        kept: dict[int, dict[tuple[Any, ...], list[str]]] = {}
+        kept: dict[tuple[bool, int], dict[tuple[Any, ...], list[str]]] = {}
         first = next((reading for reading in self.matcher.read(said) if not reading.problem), None)
         for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
@@ -533,7 +550,9 @@ class Interpreter:
                 if set(new) != set(old) or sum(old[label] != value for label, value in new.items()) > 1:
                     continue
                 meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
-                kept.setdefault(count, {}).setdefault(meaning, words)
+                # A place takes the place of a place, though free words would take it as well.
+                known = not any(slot.slot.type in ("text", "object") for slot in touched)
+                kept.setdefault((known, count), {}).setdefault(meaning, words)
         if kept:
             best = kept[max(kept)]
             return next(iter(best.values())) if len(best) == 1 else None
@@ -574,7 +593,8 @@ class Interpreter:
         if not mixed:
             return False
         if slot.slot.type in QUANTITY_KINDS:
-            return any(evaluate(meant, kind, self._grammar.language) is not None for kind in _WITH_UNITS)
+            kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
+            return any(evaluate(meant, kind, self._grammar.language) is not None for kind in kinds)
         return self.matcher.slot_from_words(slot.slot, slot.label, meant).status == "exact"
 
     def _whole(self, words: list[str], state: Collection[str]) -> bool:

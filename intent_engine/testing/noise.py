@@ -16,6 +16,7 @@ from intent_engine.language.matcher import NEGATED
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler, own_words
+from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
@@ -82,11 +83,12 @@ def _belong_together(piece: Piece, after: Piece, grammar: Grammar) -> bool:
     """Whether nothing can be said between two pieces: "one" and "eighty", "never" and "mind", "u" and "turn"."""
     closed = grammar.operators.closed
     letter = len(piece.text) == 1 and piece.text.isalpha()
-    return letter or (_is_number(piece) and _is_number(after)) or piece.text in closed or after.text in closed
+    numbers = _is_number(piece.text.split()[-1]) and _is_number(after.text.split()[0])
+    return letter or numbers or piece.text in closed or after.text in closed
 
 
-def _is_number(piece: Piece) -> bool:
-    return piece.text.isdigit() or piece.text in NUMBER_WORDS
+def _is_number(word: str) -> bool:
+    return word[0].isdigit() or word in NUMBER_WORDS
 
 
 def negated(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list[Piece]:
@@ -106,9 +108,12 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
     Either its last value is said again ("turn left, no, right") or a command of another kind follows.
     """
     grammar = sampler.grammar
-    if not grammar.operators.correction or _holds_operator(first, grammar):
+    operators = grammar.operators
+    # "izquierda, no, derecha": in Spanish that may as well negate.
+    clear = [words for words in operators.correction if not all((word,) in operators.negation for word in words)]
+    if not clear or _holds_operator(first, grammar):
         return None
-    again = Piece(" ".join(grammar.operators.correction[choices.below(len(grammar.operators.correction))]))
+    again = Piece(" ".join(clear[choices.below(len(clear))]))
     last = first.pieces[-1]
     slots = [piece.slot for piece in first.pieces if piece.slot is not None]
     alike = [slot for slot in slots if last.slot is not None and _kind(slot) == _kind(last.slot)]
@@ -116,7 +121,7 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
         assert last.label is not None
         if choices.below(2) == 0:
             piece = sampler.spoken(last.slot, last.label, choices)
-            if _is_bare_number(piece):
+            if _is_bare_number(piece, grammar.language):
                 return None  # "a meter and a half, no, two": and a half?
             meant = sampler.finish(first.intent, first.sentence, [*first.pieces[:-1], piece])
             return None if meant is None else ([*first.pieces, again, piece], meant)
@@ -142,9 +147,11 @@ def _holds_operator(sample: Sample, grammar: Grammar) -> bool:
     return not grammar.operators.closed.isdisjoint(words) or isinstance(sample.actions[0], Stop)
 
 
-def _is_bare_number(piece: Piece) -> bool:
-    last = piece.text.split()[-1]
-    return piece.slot is not None and piece.slot.unit is not None and (last[-1].isdigit() or last in NUMBER_WORDS)
+def _is_bare_number(piece: Piece, language: str) -> bool:
+    if piece.slot is None or piece.slot.unit is None:
+        return False
+    numbers = spoken_forms("number", language, None, None, None)
+    return any(piece.text == spoken.text for form in numbers for spoken in form)
 
 
 def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Sequence[Piece]:

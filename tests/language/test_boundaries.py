@@ -87,3 +87,26 @@ def test_no_filler_takes_a_part_of_an_operator(tmp_path):
     engine = IntentEngine.from_files(tmp_path / "doch.yaml")
     assert engine.parse("doch nach links bitte").slots == {"side": "left"}
     assert engine.parse("nach rechts doch lieber links").slots == {"side": "left"}
+
+
+def test_a_correction_may_hold_a_word_that_negates(tmp_path):
+    (tmp_path / "es.yaml").write_text(
+        "language: es\nslots: {lado: {type: choice, values: {left: [izquierda], right: [derecha]}}}\n"
+        "intents: {girar: {action: {type: turn, direction: '{lado}'}, sentences: ['gira a la {lado}']}}\n",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "es.yaml")
+    assert engine.parse("gira a la izquierda no espera derecha").slots == {"lado": "right"}
+    for text in ("no gira a la izquierda", "no no gira a la izquierda", "gira a la izquierda no no gira a la derecha"):
+        assert not engine.parse(text).actions, text
+
+
+def test_a_place_is_corrected_by_a_place(tmp_path):
+    (tmp_path / "meet.yaml").write_text(
+        "language: en\nslots: {who: {type: text, max_words: 1}, where: {type: location}, n: {type: number}}\n"
+        "intents:\n  meet: {action: {type: custom, name: meet}, sentences: ['meet {who} at {where}', 'count {n}']}\n",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "meet.yaml", locations={"home": (0, 0), "front room": (1, 1)})
+    assert engine.parse("meet anna at front room actually home").slots == {"who": "anna", "where": "home"}
+    assert engine.parse("count one point two five no seventeen").slots == {"n": 17.0}

@@ -1,0 +1,71 @@
+"""Every type of slot, in every language whose numbers are known: sampled, disturbed and understood."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from hypothesis import given, settings
+
+from intent_engine.engine import IntentEngine
+from intent_engine.testing import assert_means, moves, sentences
+
+GRAMMAR = """
+fillers: [please, mhm]
+phrases:
+  put: (put|lay) [it] [right]
+slots:
+  n: {type: number, min: 1, max: 1000}
+  nth: {type: ordinal}
+  length: {type: distance, unit: m}
+  span: {type: distance}
+  bend: {type: angle, unit: deg}
+  wait: {type: duration, unit: s, min: 1 s}
+  pace: {type: speed}
+  spin: {type: angular_speed}
+  part: {type: percent, min: 0.01, max: 1.0}
+  lamp: {type: boolean}
+  tone: {type: choice, fuzzy: false, values: {low: ["(low|deep) [tone]"], high: [high, "very high"]}}
+  where: {type: location}
+  what: {type: text, max_words: 3}
+  who: {type: object, max_words: 1}
+intents:
+  measure:
+    action: {type: custom, name: measure}
+    sentences: ["count {n}", "choose the {nth} one", "measure {length}", "stretch {span}"]
+  adjust:
+    action: {type: custom, name: adjust}
+    sentences: ["bend {bend}", "linger {wait}", "pace {pace}", "whirl {spin}", "fill {part}", "lamp {lamp}"]
+  meet:
+    action: {type: custom, name: meet}
+    sentences: ["meet {who} at {where}", "describe {what} [to {who}]", "from {where:start} to {where:finish}"]
+  arrange:
+    action: {type: custom, name: arrange}
+    sentences: ["{put} ({n} times;{tone};[at {where}])", "sing {tone}", "mix {n:first} with {n:second} (now|[very] soon)"]
+"""
+PLACES = {"bay 3": (1.0, 2.0, 0.0), "loading dock": (3.0, 2.0, 0.0), "room 101": (4.0, 0.0, 1.57)}
+
+
+@cache
+def engine_of(language):
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "every.yaml"
+        file.write_text(f"language: {language}\n{GRAMMAR}", "utf-8")
+        return IntentEngine.from_files(file, locations=PLACES)
+
+
+@pytest.mark.parametrize("noise", [(), ("fillers", "spelling"), ("correction",), ("negation", "fillers")], ids=str)
+@pytest.mark.parametrize("language", ["en", "de", "es", "fr", "it"])
+def test_a_sentence_means_what_it_was_made_from(language, noise):
+    engine = engine_of(language)
+
+    @settings(max_examples=120, deadline=None, derandomize=True)
+    @given(sentences(engine, noise=noise))
+    def holds(said):
+        found = engine.parse(said.text)
+        assert_means(found, said.expected)
+        assert "negation" not in noise or not moves(found)
+
+    holds()
