@@ -75,12 +75,15 @@ class Plug:
         sound: Callable[[np.ndarray], np.ndarray] | None = None,
         true_rate: float | None = None,
         busy: bool = False,
+        delay: float = 0.0,
     ) -> None:
         self.name, self.channels, self.rate, self.rates = name, channels, rate, rates
         self.sound = sound or tone()
         self.true_rate = true_rate
         """Hz at which samples really come; a cheap oscillator."""
         self.busy = busy
+        self.delay = delay
+        """s from its start to its first sound."""
         self.plugged = True
         self.overflows = 0
         """Of so many blocks to come it is said that sound was lost before them."""
@@ -166,7 +169,7 @@ class _Stream:
             raise PortAudioError("Device unavailable [PaErrorCode -9985]")
         self.running = True
         self.owner.open_streams.append(self)
-        self.began = self.owner.time.now()
+        self.began = self.owner.time.now() + self.plug.delay
         self._next()
 
     def _next(self) -> None:

@@ -93,6 +93,14 @@ def test_unplugged_and_plugged_in_again(audio, time):
     assert len(fake.open_streams) == 1
 
 
+def test_a_microphone_that_takes_its_time_to_begin(audio, time):
+    audio(Plug("bluetooth", delay=2.5))
+    reports = []
+    frames = Microphone(clock=time, on_report=reports.append).frames()
+    assert not any(frame.deaf for frame in take(frames, 50))
+    assert reports == []
+
+
 def test_a_driver_that_falls_silent_without_a_word(audio, time):
     fake = audio(Plug("headset"))
     frames = Microphone(clock=time).frames()

@@ -38,6 +38,8 @@ AWAY_STEP = 0.128
 """s between two frames of a source from which no sound comes."""
 STAND_IN = 0.25
 """s without sound, beyond the longest block so far, after which silence stands in for it."""
+FIRST = 4.0
+"""s that a source is given for its first sound: PulseAudio and Bluetooth take more than one."""
 TAIL_SECONDS = 0.8
 """s of silence after the last sound, so that the last command is heard to end."""
 
@@ -231,7 +233,10 @@ class Inbox:
         """s to wait for the next block. Who brings a second at a time is not late after half a one."""
         if away:
             return AWAY_STEP
-        return (STAND_IN if self._patience is None else self._patience) + 1.5 * self._longest
+        patience = STAND_IN if self._patience is None else self._patience
+        if not self._longest:
+            patience = max(patience, FIRST)
+        return patience + 1.5 * self._longest
 
     def _take(self, patience: float | None) -> _Block | None:
         """The next block; None when there is none in time, or no more."""
