@@ -43,7 +43,7 @@ intents:
     sentences: ["meet {who} at {where}", "describe {what} [to {who}]", "from {where:start} to {where:finish}"]
   arrange:
     action: {type: custom, name: arrange}
-    sentences: ["{put} ({n} times;{tone};[at {where}])", "sing {tone}", "mix {n:first} with {n:second} (now|[very] soon)"]
+    sentences: ["sing {tone}", "{put} ({n} times;{tone};[at {where}])", "mix {n:first} with {n:second} (now|soon)"]
 """
 PLACES = {"bay 3": (1.0, 2.0, 0.0), "loading dock": (3.0, 2.0, 0.0), "room 101": (4.0, 0.0, 1.57)}
 
