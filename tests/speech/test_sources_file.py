@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import struct
 import tracemalloc
 
@@ -105,6 +106,21 @@ def test_an_hour_takes_the_room_of_a_moment(tmp_path):
         tracemalloc.stop()
     assert count == pytest.approx((3600 + TAIL_SECONDS) / FRAME_SECONDS, abs=2)
     assert peak < 4_000_000, "an hour of float samples would be 230 MB"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes of Unix")
+def test_a_pipe_is_no_file(tmp_path):
+    os.mkfifo(tmp_path / "pipe.wav")
+    with pytest.raises(AudioError, match=r"is a pipe or a device(.|\n)*intent-engine run - <"):
+        FileSource(tmp_path / "pipe.wav")
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read every file")
+def test_a_file_without_permission(tmp_path):
+    soundfile.write(tmp_path / "a.wav", TONE, SAMPLE_RATE)
+    (tmp_path / "a.wav").chmod(0)
+    with pytest.raises(AudioError, match="cannot be read: permission denied"):
+        FileSource(tmp_path / "a.wav")
 
 
 def test_close_ends_it(tmp_path):

@@ -42,6 +42,13 @@ class FileSource:
             raise AudioError(f"{path}: no such file\n    give the path of a WAV or FLAC file")
         if self.path.is_dir():
             raise AudioError(f"{path}: is a folder\n    give the path of a WAV or FLAC file")
+        if not self.path.is_file():
+            raise AudioError(f"{path}: is a pipe or a device, not a file\n    pipe it in: intent-engine run - < {path}")
+        try:
+            with self.path.open("rb"):
+                pass
+        except OSError as error:
+            raise AudioError(f"{path}: cannot be read: {(error.strerror or str(error)).lower()}") from None
         if self.path.stat().st_size == 0:
             raise AudioError(f"{path}: is empty (0 bytes)\n    record it again")
         try:
