@@ -22,6 +22,7 @@ GRAMMARS = {
     "in the warehouse": (ENGLISH, LOCATIONS / "warehouse.yaml"),
     "coffee": (ROOT / "examples" / "coffee" / "coffee.yaml", LOCATIONS / "home.yaml"),
     **{file.stem: (file, LOCATIONS / "home.yaml") for file in sorted((ROOT / "grammars").glob("*.yaml"))},
+    "de": (ROOT / "grammars" / "de.yaml", LOCATIONS / "zuhause.yaml"),
 }
 
 
