@@ -144,6 +144,9 @@ CORRECTED = {
     "turn left correction right": "right 43",
     "turn left no right no left": "left 43",
     "turn left ninety no sixty degrees": "left 60",
+    "turn left at point five radians per second no twenty degrees per second": "left 30",
+    "turn left nine uh forty five degrees": NOTHING,
+    "go forward five uh twenty meters": NOTHING,
     "turn left ninety degrees no right": "right 90",
     "go forward two meters no three meters": "forward 3",
     "go forward two meters no backward three meters": "back 3",
@@ -427,7 +430,13 @@ def test_a_sentence_of_the_table(text: str, meant: str) -> None:
     assert matches(meant, does(text)), f"{text!r}: {does(text)}, not {meant}"
 
 
-@pytest.mark.parametrize("text", ["stop the music", "stop by the kitchen", "whoa what was that", "freeze, he said"])
+WHILE_MOVING = [
+    *("stop the music", "stop by the kitchen", "whoa what was that", "freeze, he said"),
+    *("uh robot stop the music", "no stop the music"),
+]
+
+
+@pytest.mark.parametrize("text", WHILE_MOVING)
 def test_while_the_robot_moves_whatever_begins_with_a_stop_word_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
@@ -658,3 +667,47 @@ def test_the_table_fails_without_a_list_of_operators(name: str) -> None:
 
 def test_an_english_grammar_has_its_operators_whatever_its_author_writes() -> None:
     assert shipped().grammar.operators != Operators()
+
+
+RULES = {
+    # Rule -> what it says when it is broken.
+    "_after_negation": lambda self, core, state: (core, ""),
+    "_negated_before": lambda self, words, position: False,
+    "_halts": lambda self, core: False,
+    "_corrected_after": lambda self, words, position: False,
+    "_stops_between": lambda self, said, state: False,
+    "_only_commands": lambda self, part, state: True,
+    "_sequenced": lambda self, words, position: False,
+    "_clause_begins": lambda self, words, start, position: True,
+    "_skip": lambda self, words, position: position,
+    "_only_stops": lambda self, words, position: bool(words[position:]),
+    "_number_restarted": lambda self, core: False,
+    "_pause_after": lambda self, part, position: True,
+    "_corrected": lambda self, part, state: None,
+    "_corrected_before": lambda self, part, state: None,
+    "_grafted": lambda self, slot, at, meant, whole: False,
+    "_compound": lambda self, core, state: None,
+    "_stops": lambda self, said, state: False,
+}
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_the_table_fails_without_a_rule(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert hasattr(meaning.Interpreter, rule)
+    assert not failures(shipped(), TABLE)
+    monkeypatch.setattr(meaning.Interpreter, rule, RULES[rule])
+    moving = [text for text in WHILE_MOVING if does(text, "moving") != "stop"]
+    assert moving or failures(shipped(), TABLE), f"no sentence of the table needs {rule}"
+
+
+FILLER_WORDS = {words[0] for words in shipped().grammar.fillers if len(words) == 1}
+
+
+@pytest.mark.parametrize("word", sorted(shipped().grammar.operators.closed - FILLER_WORDS))
+def test_a_closed_word_is_part_of_no_thing(word: str) -> None:
+    text = f"pick up the cup {word} bottle"
+    grammar = shipped().grammar
+    broken = replace(grammar.operators, closed=grammar.operators.closed - {word})
+    bare = replace(broken, negation=(), correction=(), cancel=(), sequence=(), contrast=(), stop=())
+    assert "cup" not in does(text) or "bottle" not in does(text)
+    assert done(engine_with(replace(grammar, operators=bare)).parse(text)) == f"pick cup {word} bottle"
