@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot
 from intent_engine.language.grammar_parts import Draft, Places, Written
+from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.patterns import pattern_problems
 from intent_engine.language.template import (
@@ -14,10 +15,8 @@ from intent_engine.language.template import (
     Choice,
     Node,
     Optional,
-    Reference,
     Sequence,
     Word,
-    WordClass,
     references,
 )
 from intent_engine.language.utterance import PhraseSet
@@ -27,6 +26,8 @@ __all__ = ["check_meaning"]
 
 MAX_NESTING = 50
 """Phrases in phrases. It bounds every walk through them."""
+MAX_WAYS = 10_000
+"""Ways to go on after the same words in a sentence. Shipped ones have 213 at most; the automaton gives up at 20,000."""
 
 
 def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[Problem], list[Problem]]:
@@ -45,8 +46,9 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
     problems += circles
     problems += _twice(grammar, warnings)
     if not circles:  # what follows walks through phrases
-        shapes = _Shapes(grammar)
+        shapes = Shapes(grammar)
         problems += _silent(draft, shapes)
+        problems += _too_wide(grammar, places, shapes)
         sound = not unknown and not draft.blind
         for intent in grammar.intents.values():
             whole = sound and intent.name not in draft.partial
@@ -162,69 +164,6 @@ def _recursion(grammar: Grammar, places: Places) -> Iterator[Problem]:
 # -- words ----------------------------------------------------------------------------------------------------
 
 
-class _Shapes:
-    """What can be said of templates without saying them. Each phrase is looked at once, however often it is named."""
-
-    def __init__(self, grammar: Grammar) -> None:
-        self._grammar = grammar
-        self._empty: dict[str, bool] = {}
-        self._free: dict[str, bool] = {}
-        self._labels: dict[str, dict[str, int]] = {}
-
-    def empty(self, node: Node) -> bool:
-        """Whether a template can be said with no word at all."""
-        return self._only(node, self._empty, free=False)
-
-    def free(self, node: Node) -> bool:
-        """Whether a template can be said with words of text slots alone: then it fits whatever anybody says."""
-        return self._only(node, self._free, free=True)
-
-    def _only(self, node: Node, known: dict[str, bool], *, free: bool) -> bool:
-        match node:
-            case Word() | WordClass():
-                return False
-            case Optional():
-                return True
-            case Choice(items):
-                return any(self._only(item, known, free=free) for item in items)
-            case Sequence(items) | AnyOrder(items):
-                return all(self._only(item, known, free=free) for item in items)
-            case Reference(name):
-                phrase = self._grammar.phrases.get(name)
-                if phrase is None:
-                    slot = self._grammar.slots.get(name)
-                    return free and slot is not None and slot.type in ("text", "object")
-                if name not in known:
-                    known[name] = self._only(phrase, known, free=free)
-                return known[name]
-
-    def labels(self, node: Node) -> dict[str, int]:
-        """Slot label to how often it can be said in one way through a template."""
-        match node:
-            case Word() | WordClass():
-                return {}
-            case Optional(item):
-                return self.labels(item)
-            case Choice(items):
-                counts: dict[str, int] = {}
-                for item in items:
-                    for label, count in self.labels(item).items():
-                        counts[label] = max(count, counts.get(label, 0))
-                return counts
-            case Sequence(items) | AnyOrder(items):
-                counts = {}
-                for item in items:
-                    for label, count in self.labels(item).items():
-                        counts[label] = count + counts.get(label, 0)
-                return counts
-            case Reference(name, label):
-                if name not in self._grammar.phrases:
-                    return {label: 1}
-                if name not in self._labels:
-                    self._labels[name] = self.labels(self._grammar.phrases[name])
-                return self._labels[name]
-
-
 def _alike(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
     """Values of one choice that are said with the same words."""
     for slot in grammar.slots.values():
@@ -247,7 +186,7 @@ def _written_problem(draft: Draft, slot: Slot, node: Node, message: str, hint: s
     return found.problem(message, hint) if found is not None else _problem(slot.place, message, hint)
 
 
-def _silent(draft: Draft, shapes: _Shapes) -> Iterator[Problem]:
+def _silent(draft: Draft, shapes: Shapes) -> Iterator[Problem]:
     """Values of a choice that would be heard in silence."""
     for written in draft.written:
         if written.kind == "slot" and shapes.empty(written.node):
@@ -275,6 +214,21 @@ def _twice(grammar: Grammar, warnings: list[Problem]) -> Iterator[Problem]:
                 yield _problem(sentence.place, message, "remove one of them")
 
 
+def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Problem]:
+    """Sentences that can go on in more ways than can be kept in mind: phrases of optionals of phrases of optionals."""
+    begin = 0
+    for intent in grammar.intents.values():
+        for sentence in intent.sentences:
+            begin += 1 + shapes.entries(sentence.template)
+            if shapes.widest(sentence.template) > MAX_WAYS:
+                message = f"there are more than {MAX_WAYS:,} ways to go on after the same words of this sentence"
+                hint = "name fewer phrases in which every word may be left out, one after another"
+                yield _problem(sentence.place, message, hint)
+    if begin > 2 * MAX_WAYS:
+        message = f"there are more than {2 * MAX_WAYS:,} ways to begin a sentence"
+        yield places.problem(("intents",), message, "make a slot of what many sentences have in common", key=True)
+
+
 def _where(place: Place | None, seen_from: Place | None) -> str:
     if place is None:
         return "before"
@@ -282,7 +236,7 @@ def _where(place: Place | None, seen_from: Place | None) -> str:
     return f"line {place.line}" if here else f"{place.file}:{place.line}"
 
 
-def _sentences(intent: Intent, places: Places, shapes: _Shapes, *, whole: bool, broken: set[str]) -> Iterator[Problem]:
+def _sentences(intent: Intent, places: Places, shapes: Shapes, *, whole: bool, broken: set[str]) -> Iterator[Problem]:
     if whole and not intent.sentences and not intent.regex and intent.lark is None:
         message = f"intent {intent.name!r} has nothing that a person can say"
         yield places.problem(("intents", intent.name), message, "add sentences:, regex: or lark:", key=True)

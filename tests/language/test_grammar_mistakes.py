@@ -94,12 +94,14 @@ def test_a_huge_file_is_not_read(size):
         IntentEngine.from_files("grammar.yaml")
 
 
-def test_phrases_that_double_do_not_hang():
+def test_phrases_that_double_are_refused():
     rows = "".join(f"  p{number}: '{{p{number - 1}}} {{p{number - 1}}}'\n" for number in range(1, 41))
-    text = says("wave [{p40}]", f"phrases:\n  p0: '[x]'\n{rows}")
-    Path("grammar.yaml").write_text(text)
-    engine = IntentEngine.from_files("grammar.yaml")  # 2 to the power of 40 ways: never listed
-    assert engine.grammar.intents["wave"].sentences
+    (problem,) = problems(says("wave [{p40}]", f"phrases:\n  p0: '[x]'\n{rows}"))  # 2 to the power of 40 ways
+    assert problem.message == "there are more than 10,000 ways to go on after the same words of this sentence"
+    assert problem.line == 48
+    # The same with words that must be said is long, and no way of going on is another.
+    Path("grammar.yaml").write_text(says("wave [{p40}]", f"phrases:\n  p0: 'x'\n{rows}"))
+    assert IntentEngine.from_files("grammar.yaml").parse("wave x").actions == ()
 
 
 def test_phrases_nested_without_end_are_refused():
