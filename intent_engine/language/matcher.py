@@ -107,7 +107,9 @@ class Matcher:
         self._index_lock = threading.Lock()
         # Single words of these are closed to free slots already; phrases are only seen whole.
         operators = grammar.operators
-        changing = (*operators.stop, *operators.negation, *operators.correction, *operators.cancel)
+        changing = (
+            *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
+        )  # fmt: skip
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._add_networks()
         self.strict = self._automaton(self._root(), loose=False)
