@@ -261,15 +261,14 @@ class Interpreter:
         return False
 
     def _corrected_after(self, words: list[str], position: int) -> bool:
-        """Whether a stop phrase stands here and a correction or negation after it.
+        """Whether a stop phrase stands here and a correction or cancellation ("do not") after it.
 
-        "stop, no, go forward", "stop don't move": nothing said in the same breath takes a stop back.
+        "stop, no, go forward", "stop don't move": nothing said in the same breath takes a stop back. A negation alone
+        does: "halt nicht an".
         """
         length = self._stop.at(words, position)
         after = position + length
-        return length > 0 and any(
-            phrases.at(words, after) for phrases in (self._correction, self._cancel, self._negation)
-        )
+        return length > 0 and any(phrases.at(words, after) for phrases in (self._correction, self._cancel))
 
     def _stops_between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
