@@ -20,6 +20,7 @@ from intent_engine.cli.terminal import progress
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
 from intent_engine.evaluation.labels import Row, evenly
+from intent_engine.evaluation.report import write_csv
 from intent_engine.evaluation.scoring import Outcome, Score, quantile, score
 from intent_engine.evaluation.sound import Noise
 from intent_engine.evaluation.trial import Trial
@@ -109,6 +110,8 @@ def hear(what: str, rows: Sequence[Row], trial: Trial, ways: Iterable[Listener])
                 for outcome in outcomes:
                     heard.setdefault(outcome.condition.snr, []).append(outcome)
             step()
+    # What ours heard, recording by recording: a figure that is worse than it was can be listened to.
+    write_csv(ROOT / "out" / f"heard {what}.csv", [one for outcomes in found[0].values() for one in outcomes])
     return found
 
 
