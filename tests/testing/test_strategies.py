@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+import sys
 
 import pytest
 from hypothesis import find, given, settings
 from hypothesis import strategies as st
 
+import intent_engine.testing
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Status
@@ -134,3 +136,13 @@ def test_what_cannot_be_said_is_told_at_once(engine, options, message):
 def test_noise_that_means_nothing(engine, noise):
     with pytest.raises(ValueError, match=r"loud|negated or corrected"):
         sentences(engine, noise=noise)
+
+
+def test_without_hypothesis_it_says_what_to_install(monkeypatch):
+    for name in [name for name in sys.modules if name.split(".")[0] == "hypothesis" or name.endswith("strategies")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "hypothesis", None)
+    monkeypatch.delitem(vars(intent_engine.testing), "sentences")
+    with pytest.raises(ModuleNotFoundError, match=re.escape("pip install 'intent-engine[testing]'")):
+        intent_engine.testing.sentences  # noqa: B018
+    assert intent_engine.testing.RecordingRobot
