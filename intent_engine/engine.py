@@ -18,9 +18,11 @@ from intent_engine.language.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.nearest import Nearest
+from intent_engine.language.references import resolve
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
+    from intent_engine.actions import Action
     from intent_engine.language.automaton import WordState
     from intent_engine.language.explain import Explanation
     from intent_engine.language.locations import LocationMap
@@ -193,6 +195,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
+        last: Sequence[Action] | None = None,
     ) -> Interpretation:
         """What a text means. Never raises on text; the same text gives the same interpretation.
 
@@ -202,10 +205,17 @@ class IntentEngine:
                 every utterance that begins with a stop word a stop).
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one.
+            last: the actions of the utterance before, which "again" and "it" point to; empty if there was none;
+                None: not known, then such words are left as they are.
         """
         if language is not None or len(self._parsers) == 1:
-            return self._interpreter(language).interpret(text, state, spoken=spoken)
-        return _first_accepted(self._parsers, text, state, spoken)[0]
+            parser = self._interpreter(language)
+            found = parser.interpret(text, state, spoken=spoken)
+        else:
+            found, parser = _first_accepted(self._parsers, text, state, spoken)
+        if last is not None or len(found.actions) > 1:
+            return resolve(found, last, parser.matcher.grammar.operators.pronoun)
+        return found
 
     def explain(
         self,
@@ -226,7 +236,10 @@ class IntentEngine:
         """How far partial text has come, and how it may go on."""
         matcher = self.matcher(language)
         words = Utterance.of(text).words if len(text) < 2000 else ["\0"]
-        count, reached = matcher.prefix(words)
+        try:
+            count, reached = matcher.prefix(words)
+        except ConfigError:  # see parse
+            count, reached = 0, None
         if reached is None:
             return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
         return Prefix(_status(matcher, reached), next_words(matcher, reached), count)

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Action, Stop
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
@@ -153,6 +153,8 @@ class Runtime:
         self._talk = threading.Event()
         self._push_to_talk = False
         self._held = False
+        self._last: tuple[Action, ...] = ()
+        """What was last understood, for words that point back to it."""
         self._deaf = False
         self._source: AudioSource | None = None
         self._base = 0.0
@@ -406,9 +408,9 @@ class Runtime:
             return
         self._summary.utterances += 1
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
-        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True)
+        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True, last=self._last)
         if meaning.status is Status.ACCEPTED and _too_far(transcript):
-            free = self.engine.parse(transcript.free_text, state=self._state(), spoken=True)
+            free = self.engine.parse(transcript.free_text, state=self._state(), spoken=True, last=self._last)
             if free.actions != meaning.actions:
                 meaning = Interpretation(
                     transcript.free_text,
@@ -426,6 +428,7 @@ class Runtime:
         stopping = any(isinstance(action, Stop) for action in meaning.actions)
         if stopping:
             self._held = False
+            self._last = ()
             self.executor.stop()
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, speech_ended=utterance.last_voice)
@@ -435,6 +438,7 @@ class Runtime:
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
         self._summary.accepted += 1
+        self._last = meaning.actions
         goals = self.executor.submit(meaning.actions, spoken_at=self._base + utterance.last_voice)
         self._tell(
             HeardKind.SUBMITTED,

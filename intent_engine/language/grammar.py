@@ -163,6 +163,8 @@ class Operators:
     stop: tuple[tuple[str, ...], ...] = ()
     closed: frozenset[str] = frozenset()
     """Words that a text slot never swallows: they would change what is meant."""
+    pronoun: tuple[tuple[str, ...], ...] = ()
+    """Words for a thing that was named before: "it"."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,70 @@
+"""Words that point back: to the utterance before, or to the command before in the same one."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine import IntentEngine
+from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.interpretation import Status
+
+
+@pytest.fixture(scope="module")
+def engine() -> IntentEngine:
+    return IntentEngine.from_files("grammars/en.yaml", locations="locations/home.yaml")
+
+
+LEFT = Turn(1.0, 0.5, 2.0)
+FORWARD = Move(0.5, 1.0, 2.0)
+CUP = Pick("red cup")
+BED = Navigate("bedroom", 2.0, 8.0, 3.14)
+
+
+@pytest.mark.parametrize(
+    ("text", "last", "actions"),
+    [
+        ("do that again", [LEFT], (LEFT,)),
+        ("again", [FORWARD], (FORWARD,)),
+        ("keep going", [FORWARD], (FORWARD,)),
+        ("one more time please", [CUP, BED], (BED,)),
+        ("a little more", [LEFT], (Turn(0.5, 0.5, 1.0),)),
+        ("a bit further", [FORWARD], (Move(0.5, 0.5, 1.0),)),
+        ("put it on the table", [CUP], (Place("red cup", "table"),)),
+        ("bring me that", [CUP], (Custom("bring", {"thing": "red cup"}),)),
+        ("put it on the table", [BED], (Place("it", "table"),)),
+        ("turn left again", [FORWARD], (Turn(0.75, 0.5, 1.5),)),
+    ],
+)
+def test_what_was_said_before_is_meant(
+    engine: IntentEngine, text: str, last: list[Action], actions: tuple[Action, ...]
+) -> None:
+    found = engine.parse(text, last=last)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert found.actions == actions
+
+
+@pytest.mark.parametrize(
+    ("text", "last"),
+    [("again", []), ("keep going", []), ("a little more", [BED]), ("a little more", []), ("again", [Stop()])],
+)
+def test_nothing_to_point_at_does_nothing(engine: IntentEngine, text: str, last: list[Action]) -> None:
+    found = engine.parse(text, last=last)
+    assert found.status is Status.REJECTED
+    assert not found.actions
+    assert found.reason
+
+
+def test_the_command_before_in_the_same_breath(engine: IntentEngine) -> None:
+    found = engine.parse("pick up the red cup and put it on the table")
+    assert found.actions == (Pick("red cup"), Place("red cup", "table"))
+
+
+def test_without_an_account_of_before_the_words_stay(engine: IntentEngine) -> None:
+    assert engine.parse("pick it up").actions == (Pick("it"),)
+    assert engine.parse("again").actions == (Custom("again"),)
+
+
+@pytest.mark.parametrize("last", [LEFT, FORWARD, CUP, BED])
+@pytest.mark.parametrize("text", ["don't do that again", "never do it again", "do that again, no", "again, never mind"])
+def test_a_negated_again_does_nothing(engine: IntentEngine, text: str, last: Action) -> None:
+    assert set(engine.parse(text, last=[last]).actions) <= {Stop()}
