@@ -148,6 +148,9 @@ class NodeProcess:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGCONT)
             self.end()
+        elif not self.output:
+            self.wait()
+        print(self.output)  # shown with the test, if it failed
 
 
 class Server:

@@ -27,16 +27,13 @@ def with_nav2(tmp_path_factory):
     import nav2_types
 
     try:
-        folder = nav2_types.build(tmp_path_factory.mktemp("types"))
+        variables = nav2_types.build(tmp_path_factory.mktemp("types"))
     except nav2_types.CannotBuildError as error:
         pytest.skip(str(error))
-    before = os.environ.get("PYTHONPATH")
-    os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(folder), before]))
-    yield
-    if before is None:
-        del os.environ["PYTHONPATH"]
-    else:
-        os.environ["PYTHONPATH"] = before
+    with pytest.MonkeyPatch.context() as patch:
+        for name, folder in variables.items():
+            patch.setenv(name, folder, prepend=os.pathsep)
+        yield
 
 
 @pytest.fixture(scope="module")
