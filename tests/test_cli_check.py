@@ -112,3 +112,19 @@ def test_an_explanation_as_json(intent_engine):
     assert taken["explanation"]["slots"][0][0]["source"] == "said"
     plain = json.loads(intent_engine("parse", "--json", "go forward").stdout)
     assert plain == {key: value for key, value in taken.items() if key != "explanation"}
+
+
+@pytest.mark.parametrize(
+    ("files", "warnings"),
+    [
+        (["en"], 0),
+        (["de", "--locations", "zuhause"], 0),
+        (["examples/custom_command.yaml", "examples/my_grammar/lamp.yaml"], 0),
+        (["examples/coffee/coffee.yaml"], 1),  # "a bit of milk" and "a bit of soy milk" are much alike
+    ],
+    ids=["English", "German", "examples", "coffee"],
+)
+def test_what_is_shipped_is_checked(intent_engine, files, warnings):
+    done = intent_engine("check", *files)
+    assert done.returncode == 0, done.stdout
+    assert f"0 errors, {warnings} warning" in done.stdout
