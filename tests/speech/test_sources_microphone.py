@@ -140,7 +140,7 @@ def test_without_a_choice_another_microphone_takes_over(audio, time):
     assert microphone.device.name == "second"
 
 
-def test_overruns_are_marked_and_told_once(audio, time):
+def test_overruns_are_marked_and_told_but_not_one_by_one(audio, time):
     headset = Plug("headset")
     audio(headset)
     reports = []
@@ -151,6 +151,9 @@ def test_overruns_are_marked_and_told_once(audio, time):
     assert len(marked) == 20
     assert [report.kind for report in reports] == [ReportKind.LOST]
     assert "0.03 s of sound from microphone 'headset' were lost" in reports[0].detail
+    take(frames, 300)
+    assert [report.kind for report in reports] == [ReportKind.LOST] * 2
+    assert "0.61 s of sound" in reports[1].detail
 
 
 def test_what_nobody_takes_does_not_pile_up(audio, time):

@@ -200,8 +200,7 @@ class Inbox:
                 if away:
                     away = False
                     self._tell(ReportKind.BACK, f"{self.name} is back")
-                if block.lost:
-                    self._tell_lost(block.lost)
+                self._tell_lost(block.lost)
                 self._look_for_mute(block)
                 for frame in resampler.push(block.samples):
                     last = max(frame.time, last)
@@ -269,8 +268,9 @@ class Inbox:
             self._on_report(Report(kind, self.time(), detail))
 
     def _tell_lost(self, seconds: float) -> None:
+        """Add to what was lost, and tell it, but not with every block."""
         self._lost += seconds
-        if self.time() - self._reported < REPORT_EVERY:
+        if not self._lost or self.time() - self._reported < REPORT_EVERY:
             return
         self._reported = self.time()
         self._tell(
