@@ -222,7 +222,9 @@ def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Prob
             begin += 1 + shapes.entries(sentence.template)
             if shapes.widest(sentence.template) > MAX_WAYS:
                 message = f"there are more than {MAX_WAYS:,} ways to go on after the same words of this sentence"
-                hint = "name fewer phrases in which every word may be left out, one after another"
+                hint = (
+                    "name fewer phrases that may be empty one after another; long lists of names belong into a map file"
+                )
                 yield _problem(sentence.place, message, hint)
     if begin > 2 * MAX_WAYS:
         message = f"there are more than {2 * MAX_WAYS:,} ways to begin a sentence"

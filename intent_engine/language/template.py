@@ -35,6 +35,8 @@ __all__ = [
 
 MAX_DEPTH = 40
 """Nesting of brackets; nobody speaks deeper, and it bounds every recursion over the tree."""
+MAX_LENGTH = 20_000
+"""Characters of a template. The longest shipped one has 300; a file given by mistake has millions."""
 MAX_ANY_ORDER = 6
 """Parts of an any-order group: the automaton keeps a state for each subset of them."""
 
@@ -114,6 +116,8 @@ def parse_template(text: str) -> Node:
 
     if not text.strip():
         raise TemplateError("an empty sentence", 0, "write the words that a person says, or remove the line")
+    if len(text) > MAX_LENGTH:
+        raise TemplateError(f"a sentence of {len(text):,} characters", 0, f"write at most {MAX_LENGTH:,}")
     _check_characters(text)
     _check_brackets(text)
     try:

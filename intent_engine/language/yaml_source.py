@@ -20,6 +20,11 @@ MAX_BYTES = 64 * 1024 * 1024
 MAX_COPIES = 100_000
 """Values that aliases may repeat; nested aliases can unfold a page to more than any memory holds."""
 
+MAX_BRACKETS = 100
+MAX_INDENT = 400
+"""Brackets in brackets, and characters before the first word of a line. Nobody writes more, and the YAML library in C
+overflows its stack, and ends the process, on some ten thousand."""
+
 YamlPath = tuple[str | int, ...]
 
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -109,6 +114,10 @@ def _not_utf8(name: str, error: UnicodeDecodeError) -> Problem:
 def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     """Fill ``source`` from text."""
     source.lines = text.splitlines()
+    if (deep := _too_deep(text)) is not None:
+        hint = f"at most {MAX_BRACKETS} brackets in brackets; is this the right file?"
+        source.problems.append(Problem("is nested too deeply", source.file, deep + 1, hint=hint))
+        return source
     try:
         node = yaml.compose(text, Loader=_Loader)
         if node is None:
@@ -124,6 +133,20 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     except RecursionError:
         source.problems.append(Problem("is nested too deeply", source.file))
     return source
+
+
+def _too_deep(text: str) -> int | None:
+    """The line, from 0, at which a text may be nested too deeply to be parsed; brackets in quotes count as well."""
+    if (indented := re.search(rf"^[ \t\-?:]{{{MAX_INDENT},}}", text, re.MULTILINE)) is not None:
+        return text.count("\n", 0, indented.start())
+    if text.count("[") + text.count("{") <= MAX_BRACKETS:
+        return None
+    depth = 0
+    for bracket in re.finditer(r"[\[\]{}]", text):
+        depth = depth + 1 if bracket[0] in "[{" else max(depth - 1, 0)
+        if depth > MAX_BRACKETS:
+            return text.count("\n", 0, bracket.start())
+    return None
 
 
 def _character_problem(error: Any, text: str, source: YamlSource) -> Problem:

@@ -112,6 +112,7 @@ WRONG = [
     ("go $place", 3, "'$' is no part of a word"),
     ("go #", 3, "'#' is no part of a word"),
     ("(a;b;c;d;e;f;g)", 1, "more than 6 parts"),
+    ("a " * 10_001, 0, "a sentence of 20,002 characters"),
     ("[" * 41 + "a" + "]" * 41, 40, "nested deeper than 40"),
 ]
 

@@ -119,6 +119,31 @@ def test_aliases_may_repeat_but_not_without_end(monkeypatch):
     assert "unfold to more than" in problem.message
 
 
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("a: 1\nb: " + "[" * 100_000, 2),
+        ("a: " + "{x: " * 50_000, 1),
+        ("a: " + "[" * 101 + "]" * 101, 1),
+        ("\n".join(" " * depth + "a:" for depth in range(2_000)), 401),
+        ("- " * 100_000 + "a", 1),
+        ("? " * 100_000 + "a", None),
+    ],
+    ids=["lists", "mappings", "just too deep", "indents", "dashes", "questions"],
+)
+def test_what_is_nested_too_deeply_is_told_and_never_parsed(text, line):
+    """The YAML library in C overflows the stack of the whole process on such texts."""
+    (problem,) = parsed(text).problems
+    if line is not None:
+        assert (problem.message, problem.line) == ("is nested too deeply", line)
+
+
+def test_what_is_nested_but_a_little_is_read():
+    assert parsed("a: " + "[" * 90 + "]" * 90).problems == []
+    assert parsed("a: [" + ", ".join(["'[b]'", "{c: '{d}'}"] * 500) + "]").problems == []
+    assert parsed("\n".join(" " * depth + "a:" for depth in range(90))).problems == []
+
+
 def test_a_path_that_is_not_there_is_the_nearest_above():
     source = parsed("a:\n  b: 1\n")
     assert source.place(("a", "b", "c")).line == 2
