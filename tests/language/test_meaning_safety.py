@@ -33,6 +33,9 @@ PLAIN = {
     "pick up the red cup": "pick red cup",
     "put the cup on the table": "place cup table",
     "follow me": "follow",
+    "come back": "come",
+    "come back two meters": "back 2",
+    "turn slowly left": "left 21",
 }
 FILLED = {
     "uh go forward please": "forward 1",
@@ -210,6 +213,7 @@ COMPOUND = {
     "go forward two meters then turn left": "forward 2, left 43",
     "go forward two meters and turn left and pick up the cup": "forward 2, left 43, pick cup",
     "turn left, go forward": "left 43, forward 1",
+    "first turn left and then go forward": "left 43, forward 1",
     "turn left and then go to the kitchen": "left 43, to kitchen",
     "turn left after that go forward": "left 43, forward 1",
     "turn left and finally go forward": "left 43, forward 1",
