@@ -208,14 +208,8 @@ class IntentEngine:
             last: the actions of the utterance before, which "again" and "it" point to; empty if there was none;
                 None: not known, then such words are left as they are.
         """
-        if language is not None or len(self._parsers) == 1:
-            parser = self._interpreter(language)
-            found = parser.interpret(text, state, spoken=spoken)
-        else:
-            found, parser = _first_accepted(self._parsers, text, state, spoken)
-        if last is not None or len(found.actions) > 1:
-            return resolve(found, last, parser.matcher.grammar.operators.pronoun)
-        return found
+        parsers = self._parsers if language is None else (self._interpreter(language),)
+        return _understood(parsers, text, state, spoken, last)[0]
 
     def explain(
         self,
@@ -224,12 +218,13 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
+        last: Sequence[Action] | None = None,
     ) -> Explanation:
         """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
         from intent_engine.language.explain import Witness
 
         parsers = self._parsers if language is None else (self._interpreter(language),)
-        found, witness = _first_accepted([Witness(parser) for parser in parsers], text, state, spoken)
+        found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
@@ -246,6 +241,23 @@ class IntentEngine:
 
 
 _Parser = TypeVar("_Parser", bound=Interpreter)
+
+
+def _understood(
+    parsers: Sequence[_Parser], text: str, state: Collection[str], spoken: bool, last: Sequence[Action] | None
+) -> tuple[Interpretation, _Parser]:
+    """What a text means, with what it points back to, and the parser that says so."""
+    parser = parsers[0]
+    try:
+        if len(parsers) == 1:
+            found = parser.interpret(text, state, spoken=spoken)
+        else:
+            found, parser = _first_accepted(parsers, text, state, spoken)
+    except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
+        return Interpretation(text, Status.REJECTED, reason=str(error)), parser
+    if last is not None or len(found.actions) > 1:
+        found = resolve(found, last, parser.matcher.grammar.operators.pronoun)
+    return found, parser
 
 
 def _first_accepted(

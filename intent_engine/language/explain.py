@@ -148,6 +148,7 @@ class Witness(Interpreter):
         self.__dict__.update(interpreter.__dict__)
         self._open: list[_Open] = [_Open()]
         self._clauses: list[Clause] = []
+        self._found: Interpretation | None = None
         for name, tell in _TOLD.items():
             if hasattr(self, name):  # a test says when one is gone; an explanation is then only shorter
                 setattr(self, name, self._watched(getattr(self, name), tell))
@@ -155,8 +156,16 @@ class Witness(Interpreter):
             setattr(self, name, self._keeping(getattr(self, name)))
         setattr(self, "_choose", self._judging(self._choose))  # noqa: B010 - to mypy a method is no attribute
 
+    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation:
+        self._found = super().interpret(text, state, spoken=spoken)
+        return self._found
+
     def explanation(self, found: Interpretation) -> Explanation:
-        """How the last text came to be understood as ``found``, which this interpreter gave."""
+        """How the last text came to be understood as ``found``: as this interpreter did, with "it" and "again" put in."""
+        before = self._found
+        if before is not None and before != found:
+            outcome = found.reason if found.status is not before.status else "what it points back to is put in"
+            self._open[0].steps.append(Step("pointing back", found.text, outcome))
         tokens = tokenize(found.text[:2000])
         words = tuple(Word(token.word, found.text[token.start : token.end], token.breaks) for token in tokens)
         return Explanation(

@@ -101,6 +101,15 @@ def test_every_value_has_its_source(engine):
     assert engine.explain("love").slots[0][0].how == "unknown"
 
 
+def test_what_points_back_is_told(engine):
+    last = engine.parse("pick up the red cup").actions
+    found = engine.explain("put it on the table", last=last)
+    assert found.interpretation == engine.parse("put it on the table", last=last)
+    assert found.interpretation.actions[0].object == "red cup"
+    assert found.steps[-1].name == "pointing back"
+    assert [step.name for step in engine.explain("put it on the table").steps if step.name == "pointing back"] == []
+
+
 def test_words_keep_what_was_written(engine):
     found = engine.explain("Don't GO, please!")
     assert [(word.word, word.text) for word in found.words[:3]] == [("do", "Don't"), ("not", "Don't"), ("go", "GO")]

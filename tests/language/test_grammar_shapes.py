@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from templates import trees
 
+from intent_engine.actions import Stop
+from intent_engine.engine import IntentEngine, PrefixStatus
+from intent_engine.interpretation import Status
 from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.grammar_shapes import Shapes
@@ -64,3 +69,18 @@ def test_labels_are_counted_along_one_way():
     said = Reference("s", "s", 0)
     assert shapes.labels(Choice((said, Sequence((said, said))))) == {"s": 2}
     assert shapes.labels(Sequence((Optional(said), Reference("s", "t", 0)))) == {"s": 1, "t": 1}
+
+
+def test_a_grammar_that_nobody_checked_rejects_what_it_cannot_walk():
+    """A program may make a grammar of its own; still no text raises, and stop stops."""
+    doubled: dict[str, Node] = {"p0": Optional(Word("x"))}
+    for number in range(1, 41):
+        doubled[f"p{number}"] = Sequence((Reference(f"p{number - 1}", "", 0),) * 2)
+    wide = replace(grammar(Sequence((Word("wave"), Reference("p40", "", 0)))), phrases=doubled)
+    engine = IntentEngine([wide])
+    for text in ("wave", "wave x", "wave x x x"):
+        found = engine.parse(text)
+        assert (found.status, found.actions) == (Status.REJECTED, ())
+        assert found.reason.startswith("the grammar is too ambiguous")
+        assert engine.prefix(text).status is PrefixStatus.IMPOSSIBLE
+    assert engine.parse("stop").actions == (Stop(),)
