@@ -161,7 +161,7 @@ class Witness(Interpreter):
         return self._found
 
     def explanation(self, found: Interpretation) -> Explanation:
-        """How the last text came to be understood as ``found``: as this interpreter did, with "it" and "again" put in."""
+        """How the last text came to be ``found``: what this interpreter gave, with "it" and "again" put in."""
         before = self._found
         if before is not None and before != found:
             outcome = found.reason if found.status is not before.status else "what it points back to is put in"
