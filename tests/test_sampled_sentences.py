@@ -10,9 +10,13 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
+from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.testing import assert_means, moves, sentences
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -83,3 +87,32 @@ def test_the_last_word_counts(engine, said):
 @law(state=["moving"])
 def test_a_moving_robot_obeys_as_one_at_rest(engine, said):
     assert_means(engine.parse(said.text, state=["moving"]), said.expected)
+
+
+@pytest.mark.parametrize("name", [name for name in GRAMMARS if name != "coffee"])
+def test_of_two_commands_each_means_what_it_means_alone(name):
+    engine = engine_of(name)
+    grammar = engine.grammar
+    joints = [" ".join(words) for words in grammar.operators.sequence]
+    # What says "cancel", "wait" or "about" of its own is about more than itself, and "again" about what was before.
+    special = PhraseSet((*grammar.fillers, *grammar.operators.cancel))
+    back = {intent.name for intent in grammar.intents.values() if intent.action.name == "again"}
+
+    def plain(said):
+        words = said.text.split()
+        stops = isinstance(said.expected.actions[0], Stop)
+        known = grammar.operators.closed.isdisjoint(words) and special.find(words) is None
+        return known and not stops and said.expected.intent not in back
+
+    @settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.filter_too_much])
+    @given(sentences(engine).filter(plain), st.sampled_from(joints), sentences(engine).filter(plain))
+    def holds(first, joint, second):
+        both = (first.expected, second.expected)
+        steps = [{"intent": one.intent, "slots": one.slots} for one in both]
+        actions = first.expected.actions + second.expected.actions
+        text = f"{first.text} {joint} {second.text}"
+        assert_means(
+            engine.parse(text), Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, 1.0)
+        )
+
+    holds()

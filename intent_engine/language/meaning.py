@@ -112,16 +112,16 @@ class Interpreter:
         core = said.without(self._fillers, self._phrases)
         if clause is not None and clause.accepted and core is said:
             return self._accepted(text, clause)
-        if not core.words:
-            return self._rejected(text, "no command in it")
         if core is not said and not self._number_restarted(core):
             again = self._exact(core.words, state)
-            if again is None and self._idle is not self._fillers:
+            if again is None:  # "uh, again": some fillers are sentences as well, or parts of one
                 again = self._exact(said.without(self._idle, self._phrases).words, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
                 return self._accepted(text, clause)
+        if not core.words:
+            return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
             return self._not_accepted(text, clause)
         if self._number_restarted(core):

@@ -54,6 +54,7 @@ def test_each_word_belongs_to_one_part(engine, text, slots):
         ("put the um cup on like the table", {"thing": "cup", "target": "table"}),
         ("wait for me uh in the kitchen", {"place": "kitchen"}),
         ("okay turn about", {"side": "left", "angle": math.pi}),
+        ("uh again please", {}),
         # A value with its unit takes the place of all that was said before, a number alone that of the number.
         ("back up point seven five meters no three meters", {"direction": "backward", "distance": 3.0}),
         ("go forward for 1 minute and 45 seconds oh no three minutes", {"direction": "forward", "duration": 180.0}),
