@@ -7,8 +7,8 @@ import threading
 import numpy as np
 import pytest
 import soundfile
-from conftest import DATA
 from noises import beat, chords, clicks, pink, sweep, white
+from speech_stage import DATA, framed
 
 from intent_engine import Status
 from intent_engine.runtime import HeardKind
@@ -104,8 +104,6 @@ def test_speech_backwards_is_no_command(listen, demo, begin, end):
 
 def test_a_frame_from_a_source_that_does_not_clean(listen, go_forward):
     """A source of one's own may give anything; frames are checked where they are heard."""
-    from conftest import framed
-
     broken = [Frame(np.full(512, np.nan, np.float32), FRAME_SECONDS * (n + 1)) for n in range(30)]
     found = listen([*broken, *framed(go_forward)])
     assert found.of(HeardKind.ERROR) == []

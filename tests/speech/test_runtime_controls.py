@@ -6,7 +6,7 @@ import threading
 
 import numpy as np
 import pytest
-from conftest import ROOT, Frames, framed
+from speech_stage import ROOT, Frames, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock

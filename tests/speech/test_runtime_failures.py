@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import Frames, framed
+from speech_stage import Frames, framed
 
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock, VirtualClock

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import Frames
 from noises import chords, pink, white
+from speech_stage import Frames
 
 from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from conftest import framed
+from speech_stage import framed
 
 from intent_engine.speech import voice
 from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, clean
