@@ -14,9 +14,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from intent_engine.actions import Stop
-from intent_engine.engine import IntentEngine
+from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.utterance import PhraseSet
+from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.testing import assert_means, moves, sentences
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -116,3 +116,15 @@ def test_of_two_commands_each_means_what_it_means_alone(name):
         )
 
     holds()
+
+
+@law(examples=120)
+def test_every_beginning_of_a_sentence_may_go_on(engine, said):
+    words = Utterance.of(said.text).words
+    for count in range(1, len(words)):
+        begun = " ".join(words[:count])
+        if Utterance.of(begun).words == words[:count]:  # else "2 s swivel" would be a stutter, as "2s swivel" is none
+            found = engine.prefix(begun)
+            assert found.status is not PrefixStatus.IMPOSSIBLE, begun
+            assert found.next_words, begun
+    assert engine.prefix(said.text).status in (PrefixStatus.COMPLETE, PrefixStatus.EXTENDABLE)
