@@ -17,7 +17,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.nearest import Nearest
-from intent_engine.language.sampler import spellings
+from intent_engine.language.spellings import spellings
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

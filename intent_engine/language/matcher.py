@@ -15,7 +15,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sent
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.sampler import spellings
+from intent_engine.language.spellings import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
 from intent_engine.language.utterance import PhraseSet
 

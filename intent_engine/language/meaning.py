@@ -18,7 +18,7 @@ from intent_engine.language.matcher import Matcher, Reading, SlotReading
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate, is_number_word, is_numeral
-from intent_engine.language.sampler import own_words
+from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Trees to sentences: all short spellings of a value, or random sentences with their known meaning.
+"""Trees to sentences: random ones, with their known meaning.
 
 A sample is made from the description of the grammar alone, never by parsing: a template is walked, every value that is
 put into a slot is known before it is spelled, and the action is built from those values. So a parser that is wrong
@@ -15,7 +15,6 @@ import random
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import islice, permutations
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.errors import ConfigError
@@ -23,6 +22,7 @@ from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.quantities import Relative
+from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template import Sequence as Parts
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "own_words", "sample", "spellings"]
+__all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample"]
 
 T = TypeVar("T")
 
@@ -335,14 +335,6 @@ class Sampler:
         return frozenset(found)
 
 
-def own_words(grammar: Grammar) -> frozenset[str]:
-    """The words that the grammar's sentences, phrases and choices are written in."""
-    nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
-    nodes.extend(grammar.phrases.values())
-    nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
-    return frozenset(word for node in nodes for word in _literal(node))
-
-
 def _one(choices: Choices, count: int) -> int:
     """A decision, where there is one."""
     return choices.below(count) if count > 1 else 0
@@ -383,50 +375,3 @@ def _run_together(piece: Piece, after: Piece) -> bool:
         return True
     ends, begins = piece.text.split()[-1], after.text.split()[0]
     return begins in NUMBER_WORDS and (ends[-1].isdigit() or ends in NUMBER_WORDS)  # "1 meter 6" + "quarter speed"
-
-
-def _literal(node: Node) -> Iterator[str]:
-    match node:
-        case Word(text):
-            yield text
-        case Choice(items) | Parts(items) | AnyOrder(items):
-            for item in items:
-                yield from _literal(item)
-        case Optional(item):
-            yield from _literal(item)
-
-
-# -- all spellings --------------------------------------------------------------------------------------------
-
-
-def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
-    """Up to ``most`` ways to say a template that holds words and phrases only."""
-    return list(islice(_all(node, phrases), most))
-
-
-def _all(node: Node, phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
-    match node:
-        case Word(text):
-            yield (text,)
-        case Choice(items):
-            for item in items:
-                yield from _all(item, phrases)
-        case Optional(item):
-            yield from _all(item, phrases)
-            yield ()
-        case Parts(items):
-            yield from _sequences(items, phrases)
-        case AnyOrder(items):
-            for order in permutations(items):
-                yield from _sequences(order, phrases)
-        case Reference(name) if name in phrases:
-            yield from _all(phrases[name], phrases)
-
-
-def _sequences(items: tuple[Node, ...], phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
-    if not items:
-        yield ()
-        return
-    for head in _all(items[0], phrases):
-        for tail in _sequences(items[1:], phrases):
-            yield (*head, *tail)

@@ -11,7 +11,7 @@ from itertools import islice
 
 from intent_engine.language.grammar import Slot
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.sampler import spellings
+from intent_engine.language.spellings import spellings
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Sequence, Word
 
 __all__ = ["vocabulary"]

@@ -15,7 +15,8 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.matcher import NEGATED
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.language.sampler import Choices, Piece, Sample, Sampler, own_words
+from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
+from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.utterance import PhraseSet
 

@@ -16,7 +16,7 @@ from intent_engine.language.checker import Report, alike, check_grammar
 from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence
 from intent_engine.language.grammar_figures import grammar_size
-from intent_engine.language.sampler import spellings
+from intent_engine.language.spellings import spellings
 from intent_engine.language.template import template_text
 
 

@@ -14,7 +14,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.grammar_shapes import Shapes
-from intent_engine.language.sampler import spellings
+from intent_engine.language.spellings import spellings
 from intent_engine.language.template import Choice, Node, Optional, Reference, Sequence, Word, references
 
 PHRASES: dict[str, Node] = {

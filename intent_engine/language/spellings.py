@@ -1,0 +1,63 @@
+"""Trees to words: every way to say a value, and all words that a grammar is written in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import islice, permutations
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+
+__all__ = ["own_words", "spellings"]
+
+
+def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
+    """Up to ``most`` ways to say a template that holds words and phrases only."""
+    return list(islice(_all(node, phrases), most))
+
+
+def _all(node: Node, phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
+    match node:
+        case Word(text):
+            yield (text,)
+        case Choice(items):
+            for item in items:
+                yield from _all(item, phrases)
+        case Optional(item):
+            yield from _all(item, phrases)
+            yield ()
+        case Sequence(items):
+            yield from _sequences(items, phrases)
+        case AnyOrder(items):
+            for order in permutations(items):
+                yield from _sequences(order, phrases)
+        case Reference(name) if name in phrases:
+            yield from _all(phrases[name], phrases)
+
+
+def _sequences(items: tuple[Node, ...], phrases: Mapping[str, Node]) -> Iterator[tuple[str, ...]]:
+    if not items:
+        yield ()
+        return
+    for head in _all(items[0], phrases):
+        for tail in _sequences(items[1:], phrases):
+            yield (*head, *tail)
+
+
+def own_words(grammar: Grammar) -> frozenset[str]:
+    """The words that the grammar's sentences, phrases and choices are written in."""
+    nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+    nodes.extend(grammar.phrases.values())
+    nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
+    return frozenset(word for node in nodes for word in _literal(node))
+
+
+def _literal(node: Node) -> Iterator[str]:
+    match node:
+        case Word(text):
+            yield text
+        case Choice(items) | Sequence(items) | AnyOrder(items):
+            for item in items:
+                yield from _literal(item)
+        case Optional(item):
+            yield from _literal(item)
