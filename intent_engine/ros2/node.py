@@ -224,7 +224,7 @@ def _age(info: Any) -> float:
 def main(arguments: Sequence[str] | None = None) -> int:
     """What the script ``intent-engine-ros2`` runs."""
 
-    def make(node: Any, end: Callable[[], None]) -> VoiceCommands:
+    def make(node: Any, end: Callable[[int], None]) -> VoiceCommands:
         return VoiceCommands(node)
 
     try:

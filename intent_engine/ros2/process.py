@@ -14,7 +14,7 @@ from typing import Any, Protocol
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.execution.robots.ros2_support import import_rclpy
 
-__all__ = ["Room", "run_node"]
+__all__ = ["EXIT_FAULT", "Room", "run_node"]
 
 EXIT_FAULT = 70
 """A fault of ours (EX_SOFTWARE of sysexits.h), as the command line has it."""
@@ -27,7 +27,7 @@ class Room(Protocol):
 
 
 def run_node(
-    name: str, make: Callable[[Any, Callable[[], None]], Room], arguments: Sequence[str], about: str | None = None
+    name: str, make: Callable[[Any, Callable[[int], None]], Room], arguments: Sequence[str], about: str | None = None
 ) -> int:
     """Run a node until SIGINT, SIGTERM or its own end; returns the exit code.
 
@@ -37,7 +37,7 @@ def run_node(
 
     Args:
         name: of the node, if it is not remapped.
-        make: makes what the node does, given the node and a function that ends the process.
+        make: makes what the node does, given the node and a function that ends the process with an exit code.
         arguments: the whole command line, ``--ros-args`` among them.
         about: what ``--help`` prints.
 
@@ -72,8 +72,14 @@ def run_node(
         raise ConfigError(
             Problem(f"arguments: {str(error).strip()}", hint="--ros-args -p parameter:=value -r name:=other")
         ) from None
+
+    def end_with(number: int) -> None:
+        nonlocal code
+        code = number
+        ending.set()
+
     try:
-        room = make(node, ending.set)
+        room = make(node, end_with)
     except IntentEngineError as error:
         node.get_logger().fatal(str(error))
         code = error.exit_code

@@ -21,7 +21,7 @@ from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.resources import find
 from intent_engine.ros2.parameters import Parameters
-from intent_engine.ros2.process import run_node
+from intent_engine.ros2.process import EXIT_FAULT, run_node
 
 if TYPE_CHECKING:
     from intent_engine.runtime import Heard
@@ -117,7 +117,7 @@ class Speech:
         AudioError, DeviceError, WeightsError: no sound or no model.
     """
 
-    def __init__(self, node: Any, end: Callable[[], None]) -> None:
+    def __init__(self, node: Any, end: Callable[[int], None]) -> None:
         from std_msgs.msg import Bool, Empty, String
 
         from intent_engine.runtime import Runtime
@@ -155,7 +155,7 @@ class Speech:
         except Exception as error:
             self._publish("stop")
             self._log.error(f"{error}; the robot is stopped")
-            self._end()
+            self._end(error.exit_code if isinstance(error, IntentEngineError) else EXIT_FAULT)
         else:
             self._log.info(f"the sound has ended: {summary.utterances} sentences, {summary.accepted} understood")
 
