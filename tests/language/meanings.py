@@ -6,6 +6,9 @@ import math
 from functools import cache
 from pathlib import Path
 
+from hypothesis import assume
+from hypothesis import strategies as st
+
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
@@ -47,3 +50,30 @@ def done(found: Interpretation) -> str:
 def does(text: str, *state: str) -> str:
     """What the shipped grammar makes of a text."""
     return done(shipped().parse(text, state=state))
+
+
+@st.composite
+def commands(draw: st.DrawFn) -> str:
+    """A sentence that the shipped grammar accepts, found by walking its automaton."""
+    automaton = shipped().matcher().strict
+    state = automaton.start()
+    words: list[str] = []
+    while len(words) < 14:
+        if automaton.accepting(state) and draw(st.booleans()):
+            break
+        onward = sorted(automaton.next_words(state))
+        if automaton.allows_digits(state):
+            onward.append("2")
+        if automaton.free(state):
+            onward.append("cup")
+        if not onward:
+            break
+        word = draw(st.sampled_from(onward))
+        following = automaton.step(state, word)
+        assert following is not None
+        words.append(word)
+        state = following
+    text = " ".join(words)
+    found = shipped().parse(text)
+    assume(found.status is Status.ACCEPTED)
+    return text

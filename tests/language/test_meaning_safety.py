@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from meanings import ROOT, does, done, shipped
+from meanings import ROOT, commands, does, done, shipped
 
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
@@ -447,33 +447,6 @@ def test_while_the_robot_moves_whatever_begins_with_a_stop_word_stops_it(text: s
 
 
 # -- laws -----------------------------------------------------------------------------------------------------
-
-
-@st.composite
-def commands(draw: st.DrawFn) -> str:
-    """A sentence that the shipped grammar accepts, found by walking its automaton."""
-    automaton = shipped().matcher().strict
-    state = automaton.start()
-    words: list[str] = []
-    while len(words) < 14:
-        if automaton.accepting(state) and draw(st.booleans()):
-            break
-        onward = sorted(automaton.next_words(state))
-        if automaton.allows_digits(state):
-            onward.append("2")
-        if automaton.free(state):
-            onward.append("cup")
-        if not onward:
-            break
-        word = draw(st.sampled_from(onward))
-        following = automaton.step(state, word)
-        assert following is not None
-        words.append(word)
-        state = following
-    text = " ".join(words)
-    found = shipped().parse(text)
-    assume(found.status is Status.ACCEPTED)
-    return text
 
 
 quick = settings(max_examples=120, deadline=None)

@@ -1,0 +1,56 @@
+"""A beginning of a sentence is known as one, and what is complete needs no waiting for more."""
+
+from __future__ import annotations
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from meanings import commands, does, shipped
+
+from intent_engine.engine import Prefix, PrefixStatus
+
+WHOLE = (PrefixStatus.COMPLETE, PrefixStatus.EXTENDABLE)
+few = settings(max_examples=80, deadline=None)
+
+
+def leads_on(found: Prefix, word: str) -> bool:
+    numeral = word[0].isdigit()
+    return word in found.next_words or "<any>" in found.next_words or (numeral and "<number>" in found.next_words)
+
+
+@few
+@given(commands())
+def test_every_beginning_of_a_command_leads_to_its_next_word(command: str) -> None:
+    engine = shipped()
+    words = command.split()
+    for count, word in enumerate(words):
+        found = engine.prefix(" ".join(words[:count]))
+        assert found.status is not PrefixStatus.IMPOSSIBLE
+        assert found.known_words == count
+        assert leads_on(found, word), word
+    assert engine.prefix(command).status in WHOLE
+
+
+@few
+@given(commands(), st.sampled_from(["uh {}", "{} please", "please {} now", "{} and then go forward", "don't {}"]))
+def test_an_utterance_is_more_than_a_sentence(command: str, form: str) -> None:
+    assert shipped().prefix(form.format(command)).status in WHOLE
+
+
+@few
+@given(commands())
+def test_only_fillers_and_further_commands_follow_what_is_complete(command: str) -> None:
+    engine = shipped()
+    found = engine.prefix(command)
+    if found.status is PrefixStatus.COMPLETE:
+        grammar = engine.grammar
+        joints = {words[0] for words in (*grammar.fillers, *grammar.operators.sequence) if words}
+        assert set(found.next_words) <= joints
+
+
+@few
+@given(commands(), st.sampled_from(["degrees", "meters", "at", "slowly", "for", "left", "forward", "the", "two", "up"]))
+def test_one_more_word_never_changes_what_is_complete(command: str, word: str) -> None:
+    """What is complete is acted on in the first silence: nothing that is said next may have been part of it."""
+    if shipped().prefix(command).status is PrefixStatus.COMPLETE:
+        after = does(f"{command} {word}")
+        assert after in (does(command), "rejected", "incomplete", "ambiguous"), after
