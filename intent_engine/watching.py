@@ -20,6 +20,9 @@ __all__ = ["Watcher"]
 DEBOUNCE_MS = 100
 """Changes within this are taken together: an editor writes a file in several steps."""
 
+RETRY_SECONDS = 2.0
+"""After the system refused to watch."""
+
 _log = logging.getLogger(__name__)
 
 
@@ -80,29 +83,40 @@ class Watcher:
         ready.wait(5.0)
 
     def _watch(self, ready: threading.Event) -> None:
+        while not self._stop.is_set():
+            try:
+                self._watch_folders(self._folders(), ready)
+            except (OSError, RuntimeError) as error:
+                # A folder that was removed, or a limit of the system; the grammar in use stays so.
+                _log.warning("files cannot be watched: %s", error)
+                ready.set()
+                self._stop.wait(RETRY_SECONDS)
+
+    def _watch_folders(self, folders: list[Path], ready: threading.Event) -> None:
+        """Until others are to be watched."""
         from watchfiles import watch
 
-        while not self._stop.is_set():
-            folders = self._folders()
-            # With a timeout, so that the first round says that the watch stands, and a new folder is soon looked at.
-            for changes in watch(
-                *folders,
-                watch_filter=None,
-                debounce=DEBOUNCE_MS,
-                step=DEBOUNCE_MS // 2,
-                stop_event=self._stop,
-                rust_timeout=DEBOUNCE_MS,
-                yield_on_timeout=True,
-                recursive=False,
-                raise_interrupt=False,
-            ):
-                ready.set()
-                try:
-                    self.changed(Path(name) for _, name in changes)
-                except Exception:
-                    _log.exception("a change of the grammar could not be told")
-                if self._folders() != folders:
-                    break
+        if not folders:
+            raise FileNotFoundError("none of their folders is there")
+        # With a timeout, so that the first round says that the watch stands, and a new folder is soon looked at.
+        for changes in watch(
+            *folders,
+            watch_filter=None,
+            debounce=DEBOUNCE_MS,
+            step=DEBOUNCE_MS // 2,
+            stop_event=self._stop,
+            rust_timeout=DEBOUNCE_MS,
+            yield_on_timeout=True,
+            recursive=False,
+            raise_interrupt=False,
+        ):
+            ready.set()
+            try:
+                self.changed(Path(name) for _, name in changes)
+            except Exception:
+                _log.exception("a change of the grammar could not be told")
+            if self._folders() != folders:
+                return
 
     def _folders(self) -> list[Path]:
         return sorted({path.parent for path in self.files if path.parent.is_dir()})

@@ -174,6 +174,19 @@ def test_files_are_watched(tmp_path, file):
     watcher.close()
 
 
+def test_a_system_that_refuses_to_watch_is_told(monkeypatch, caplog, file):
+    watchfiles = pytest.importorskip("watchfiles")
+
+    def refuse(*_, **__):
+        raise OSError(28, "inotify watch limit reached")
+
+    monkeypatch.setattr(watchfiles, "watch", refuse)
+    engine = IntentEngine.from_files(file)
+    with Watcher(engine):
+        assert generation(engine) == "g1"
+    assert "files cannot be watched: [Errno 28] inotify watch limit reached" in caplog.text
+
+
 def test_without_watchfiles_it_says_what_to_install(monkeypatch, file):
     monkeypatch.setitem(sys.modules, "watchfiles", None)
     with pytest.raises(ConfigError, match=r"pip install 'intent-engine\[watch\]'"):
