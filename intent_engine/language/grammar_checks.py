@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot
@@ -10,15 +11,7 @@ from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.patterns import pattern_problems
-from intent_engine.language.template import (
-    AnyOrder,
-    Choice,
-    Node,
-    Optional,
-    Sequence,
-    Word,
-    references,
-)
+from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, references
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.yaml_source import did_you_mean
 
@@ -63,6 +56,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
     if not problems and not draft.blind:
         warnings += _unused(grammar, draft, places)
         warnings += _denials(grammar, draft)
+        warnings += _neighbours(grammar, draft)
     return problems, warnings
 
 
@@ -287,3 +281,28 @@ def _words(node: Node) -> Iterator[str]:
         case Choice(items) | Sequence(items) | AnyOrder(items):
             for item in items:
                 yield from _words(item)
+
+
+def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Free text beside free text: each takes as many words as it likes, and nobody knows where one ends."""
+
+    def free(node: Node) -> Reference | None:
+        node = node.item if isinstance(node, Optional) else node
+        if isinstance(node, Reference) and node.name in grammar.slots:
+            return node if grammar.slots[node.name].type in ("text", "object") else None
+        return None
+
+    def pairs(node: Node) -> Iterator[tuple[Reference, Reference]]:
+        items = node.items if isinstance(node, (Choice, Sequence, AnyOrder)) else ()
+        if isinstance(node, Sequence):
+            for left, right in pairwise(items):
+                one, other = free(left), free(right)
+                if one is not None and other is not None:
+                    yield one, other
+        for item in (*items, *((node.item,) if isinstance(node, Optional) else ())):
+            yield from pairs(item)
+
+    for written in draft.written:
+        for one, other in pairs(written.node):
+            message = f"nobody can tell where {one.label!r} ends and {other.label!r} begins: both are free text"
+            yield written.problem(message, "put a word between them, or make a choice of one", other.column)

@@ -97,6 +97,9 @@ DOUBTFUL = {
     "intents:\n  x: {action: custom, sentences: ['never go']}\n": (
         2, "this sentence says 'never', and yet the robot will act on it",
     ),
+    "slots: {a: text, b: text}\nintents:\n  x: {action: custom, sentences: ['mix {a} [{b}]', 'mix {a} and {b}']}\n": (
+        3, "nobody can tell where 'a' ends and 'b' begins: both are free text",
+    ),
 }  # fmt: skip
 
 
