@@ -101,7 +101,10 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
 
     def visit(path: Path, above: tuple[Path, ...]) -> None:
         nonlocal blind
-        resolved = path.resolve()
+        try:
+            resolved = path.resolve()
+        except (OSError, RuntimeError, ValueError):  # links that lead to themselves, bytes that no name can have
+            resolved = path.absolute()
         if resolved in done:
             return
         source = read_yaml(path)
@@ -133,7 +136,7 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
 def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
     """The file that an ``include`` names: beside the file that names it, or a shipped grammar by its bare name."""
     path = Path(source.file).parent / name
-    if path.exists():
+    if path.is_file():
         return path
     if Path(name).suffix == "" and "/" not in name:
         from intent_engine.resources import find

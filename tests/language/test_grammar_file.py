@@ -171,6 +171,20 @@ def test_a_shipped_grammar_is_included_by_its_name():
         load("include: [klingon]\nintents:\n" + STOP)
 
 
+@pytest.mark.parametrize("name", ["..", "folder", "folder/", "", "a\\0b", "loop.yaml", "no/such/folder/a.yaml"])
+def test_includes_that_are_no_files(tmp_path, name):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "loop.yaml").symlink_to("loop.yaml")
+    with pytest.raises(ConfigError, match=r"grammar\.yaml:1:1[0-9]: "):
+        load(f'include: ["{name}"]\nintents:\n' + STOP)
+
+
+def test_a_file_that_is_a_link_to_itself(tmp_path):
+    (tmp_path / "loop.yaml").symlink_to("loop.yaml")
+    with pytest.raises(ConfigError, match=r"loop\.yaml: "):
+        load_grammars("loop.yaml")
+
+
 def test_a_circle_of_includes_is_told():
     with pytest.raises(
         ConfigError, match=r"b.yaml:1:11: .* in a circle: grammar.yaml -> a.yaml -> b.yaml -> grammar.yaml"
