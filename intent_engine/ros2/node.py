@@ -29,7 +29,7 @@ from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
-from intent_engine.ros2.process import run_node
+from intent_engine.ros2.process import leave, run_node
 
 __all__ = ["VoiceCommands", "main"]
 
@@ -228,7 +228,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return VoiceCommands(node)
 
     try:
-        return run_node("intent_engine", make, sys.argv if arguments is None else arguments, __doc__)
+        return leave(run_node("intent_engine", make, sys.argv if arguments is None else arguments, __doc__))
     except IntentEngineError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code

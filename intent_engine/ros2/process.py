@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+import logging
+import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -14,7 +17,7 @@ from typing import Any, Protocol
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.execution.robots.ros2_support import import_rclpy
 
-__all__ = ["EXIT_FAULT", "Room", "run_node"]
+__all__ = ["EXIT_FAULT", "Room", "leave", "run_node"]
 
 EXIT_FAULT = 70
 """A fault of ours (EX_SOFTWARE of sysexits.h), as the command line has it."""
@@ -113,4 +116,18 @@ def run_node(
             context.shutdown()
         for number, handler in zip(signals, before, strict=True):
             signal.signal(number, handler)
+    return code
+
+
+def leave(code: int) -> int:
+    """The exit code of a process in which everything has been closed; or its end, then and there.
+
+    A thread that is still inside a library (a recogniser in the middle of an utterance) and comes back while Python
+    takes itself down is ended by force, and C++ then aborts the process: who started it would be told of a crash.
+    """
+    if any(thread is not threading.current_thread() for thread in threading.enumerate()):
+        logging.shutdown()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
     return code

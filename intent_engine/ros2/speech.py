@@ -21,7 +21,7 @@ from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.resources import find
 from intent_engine.ros2.parameters import Parameters
-from intent_engine.ros2.process import EXIT_FAULT, run_node
+from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
 
 if TYPE_CHECKING:
     from intent_engine.runtime import Heard
@@ -135,6 +135,7 @@ class Speech:
             name: node.create_publisher(kind, f"voice_commands/{name}", 10) for name, kind in self._messages.items()
         }
         self._executor = Executor(_Elsewhere(), on_event=self._executed, handle_sigterm=False)
+        self._reflex = reflex
         self._runtime = Runtime(self._engine, self._executor, recognizer, reflex=reflex, on_event=self._heard)
         self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
         self._thread.start()
@@ -145,6 +146,8 @@ class Speech:
         self._runtime.close()
         self._thread.join(2.0)
         self._executor.close()
+        if self._reflex is not None:
+            self._reflex.close()
         from rclpy.duration import Duration
 
         self._publishers["stop"].wait_for_all_acked(Duration(seconds=0.3))
@@ -204,7 +207,7 @@ class Speech:
 def main(arguments: Sequence[str] | None = None) -> int:
     """What the script ``intent-engine-ros2-speech`` runs."""
     try:
-        return run_node("speech", Speech, sys.argv if arguments is None else arguments, __doc__)
+        return leave(run_node("speech", Speech, sys.argv if arguments is None else arguments, __doc__))
     except IntentEngineError as error:
         print(f"error: {error}", file=sys.stderr)
         return error.exit_code
