@@ -41,7 +41,8 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
     if not circles:  # what follows walks through phrases
         shapes = Shapes(grammar)
         problems += _silent(draft, shapes)
-        problems += _too_wide(grammar, places, shapes)
+        if not unknown:  # else a value may name its own slot
+            problems += _too_wide(grammar, places, shapes)
         sound = not unknown and not draft.blind
         for intent in grammar.intents.values():
             whole = sound and intent.name not in draft.partial

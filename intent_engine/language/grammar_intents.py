@@ -46,6 +46,8 @@ def read_intent(
     read: list[tuple[YamlPath, Any, Node]] = []
     for at, _, entry in source.entries((*path, "sentences"), spec.get("sentences")):
         said = (*at, "say") if isinstance(entry, dict) else at
+        if said in source.broken:
+            continue
         node = parts.template(said, entry["say"] if isinstance(entry, dict) else entry, "sentence", name)
         if node is None:
             parts.draft.partial.add(name)
@@ -146,7 +148,7 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
             source.problem(at, f"{kind} has no parameter {key!r}", hint, key=True)
         elif known.get(key) in QUANTITY_KINDS and not str(value).startswith("{"):
             parameters[key] = parts.quantity(at, known[key], value, None)
-        else:
+        elif parts.finite(at, value):
             parameters[key] = value
     if kind == "custom":
         return ActionSpec(kind, spec.get("name", name), parameters)
@@ -168,7 +170,7 @@ def _values(
             found = parts.quantity(at, kind, value, None)  # a plain number is in SI: units are for what is said
             if found is not None:
                 result[key] = found
-        else:
+        elif parts.finite(at, value):
             result[key] = value
     return result
 

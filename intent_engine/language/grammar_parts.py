@@ -32,6 +32,8 @@ _UNITS: Mapping[str, str] = {
     "angular_speed": "rad/s, deg/s",
     "percent": "percent",
 }
+LARGEST = 1e15
+"""Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
 
 
@@ -140,7 +142,9 @@ class PartReader:
             spec = {"type": "choice", "values": given}
             values_at = path
         else:
-            spec = {"type": given} if isinstance(given, str) else given
+            spec = (
+                {"type": given} if isinstance(given, str) else {key: one for _, key, one in source.entries(path, given)}
+            )
             values_at = (*path, "values")
         if (*path, "type") in source.broken:
             return None
@@ -210,6 +214,8 @@ class PartReader:
 
     def quantity(self, path: YamlPath, kind: str, raw: Any, unit: str | None) -> float | None:
         """A limit, default or fixed value: text with its unit, or a plain number in ``unit`` (None: in SI)."""
+        if not self.finite(path, raw):
+            return None
         if isinstance(raw, (int, float)) and not isinstance(raw, bool) and unit is None:
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
@@ -220,6 +226,13 @@ class PartReader:
             article = "an" if kind[0] in "aeiou" else "a"
             self.source.problem(path, f"{raw!r} is not {article} {kind.replace('_', ' ')}", hint)
         return value
+
+    def finite(self, path: YamlPath, raw: Any) -> bool:
+        """Whether a value is no infinite or endless number; told if it is."""
+        if isinstance(raw, (int, float)) and not -LARGEST <= raw <= LARGEST:
+            self.source.problem(path, f"{raw if isinstance(raw, float) else 'this'} is no number that a robot can use")
+            return False
+        return True
 
     def si(self, text: str, kind: str, unit: str | None) -> float | None:
         """The value of a text in SI units; grammar files write numbers and units in English."""

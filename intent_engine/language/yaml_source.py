@@ -47,7 +47,9 @@ class YamlSource:
     """Values of which a problem has been told already; nobody should look at them again."""
 
     def entries(self, path: YamlPath, value: Any) -> Iterator[tuple[YamlPath, Any, Any]]:
-        """(path, key or index, value) of what a mapping or list holds, without what is broken."""
+        """(path, key or index, value) of what a mapping or list holds, without what is broken; nothing if it is so."""
+        if path in self.broken:
+            return
         pairs = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
         for key, item in pairs:
             if (*path, key) not in self.broken:
