@@ -40,7 +40,7 @@ intents:
     examples: [go forward: {direction: forward}, back up, never go: rejected]
     priority: 2
   turn:
-    {action: {type: turn, direction: '{side}'}, sentences: ['turn {side} [{angle}]'], requires: [], excludes: [off duty]}
+    {action: {type: turn, direction: "{side}"}, sentences: ["turn {side} [{angle}]"], requires: [], excludes: ['off']}
   visit: {action: {type: navigate, location: '{place}'}, sentences: ['visit {place}'], description: places}
   push: {action: {type: custom, name: push, what: '{thing}', times: 3}, sentences: ['push {thing}', 'push']}
   ticket: {action: custom, regex: 'ticket (?P<code>[a-z])', lark: 'start: "stack"'}
