@@ -184,7 +184,9 @@ class _Tables:
         self._by_letters: dict[str, list[Words]] = {}
         self._groups: dict[tuple[str, ...], _Group] = {}
         """Made when first asked for."""
-        for words in sorted(exact):  # sorted, so that the order of the file decides nothing
+        ordered = sorted(exact)  # so that the order of the file decides nothing
+        self._first = ordered[:SUGGESTION_SCAN]
+        for words in ordered:
             if words[0] in ARTICLES:
                 bare = without_article(words)
                 if bare != words:
@@ -246,7 +248,7 @@ class _Tables:
         if letters:
             forms = self._all.nearest(letters)
         else:
-            forms = self._by_identifiers.get(identifiers, [])[:SUGGESTION_SCAN] or list(self._exact)[:SUGGESTION_SCAN]
+            forms = self._by_identifiers.get(identifiers, [])[:SUGGESTION_SCAN] or self._first
         spoken = {" ".join(words): words for words in forms}
         rows = process.extract(text, list(spoken), scorer=fuzz.ratio, limit=SHORTLIST)
         rows.sort(key=lambda row: (-row[1], _natural(spoken[row[0]])))

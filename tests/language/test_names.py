@@ -316,3 +316,11 @@ def _in_words(value: int) -> list[str]:
         return [ones[value]]
     rest = [ones[value % 10]] if value % 10 else []
     return [tens[value // 10 * 10], *rest]
+
+
+def test_names_that_are_all_as_unlike_are_suggested_in_their_own_order():
+    """More than are compared, and a word like none of them: which three are told must not be the file's doing."""
+    spoken = [f"{word} {number}" for word in WORDS[:3] for number in range(9)]
+    expected = _index(spoken).resolve("p").candidates
+    assert expected
+    assert _index(spoken[::-1]).resolve("p").candidates == expected
