@@ -372,26 +372,49 @@ class Runtime:
 
     def _judge(self, utterance: _Utterance, time: float) -> None:
         assert utterance.result is not None
-        outlook = self._outlook(utterance.result)
+        meaning, outlook = self._outlook(utterance.result)
         self._endpoint.judge(outlook)
         self._tell(
             HeardKind.PARTIAL,
             time,
             transcript=utterance.result,
+            interpretation=meaning,
             outlook=outlook,
             speech_ended=utterance.last_voice,
         )
 
-    def _outlook(self, transcript: Transcript) -> Outlook:
-        if not transcript.text or _too_far(transcript):
-            return Outlook.OTHER
-        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True)
-        prefix = self.engine.prefix(transcript.text)
+    def _outlook(self, transcript: Transcript) -> tuple[Interpretation | None, Outlook]:
+        """What the words so far mean, and whether more can be expected."""
+        if not transcript.text:
+            return None, Outlook.OTHER
+        meaning = self._meaning(transcript)
+        if meaning.status is Status.REJECTED and _too_far(transcript):
+            return meaning, Outlook.OTHER
+        prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
         if meaning.status is Status.ACCEPTED:
             if any(isinstance(action, Stop) for action in meaning.actions):
-                return Outlook.COMPLETE
-            return Outlook.EXTENDABLE if prefix.status is PrefixStatus.EXTENDABLE else Outlook.COMPLETE
-        return Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+                return meaning, Outlook.COMPLETE
+            return meaning, Outlook.EXTENDABLE if prefix.status is PrefixStatus.EXTENDABLE else Outlook.COMPLETE
+        return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+
+    def _language(self, transcript: Transcript) -> str | None:
+        """The grammar for a transcript: that of the language spoken, where there is one."""
+        return transcript.language if transcript.language in self.engine.languages else None
+
+    def _meaning(self, transcript: Transcript) -> Interpretation:
+        """What a transcript means; nothing, where it is too unlike what was heard."""
+        state, language = self._state(), self._language(transcript)
+        meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=self._last)
+        if meaning.status is Status.ACCEPTED and _too_far(transcript):
+            free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=self._last)
+            if free.actions != meaning.actions:
+                return Interpretation(
+                    transcript.free_text,
+                    Status.REJECTED,
+                    reason="it sounded too different from the nearest command",
+                    alternatives=(transcript.text,),
+                )
+        return meaning
 
     # -- acting ------------------------------------------------------------------------------------
 
@@ -408,16 +431,7 @@ class Runtime:
             return
         self._summary.utterances += 1
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
-        meaning = self.engine.parse(transcript.text, state=self._state(), spoken=True, last=self._last)
-        if meaning.status is Status.ACCEPTED and _too_far(transcript):
-            free = self.engine.parse(transcript.free_text, state=self._state(), spoken=True, last=self._last)
-            if free.actions != meaning.actions:
-                meaning = Interpretation(
-                    transcript.free_text,
-                    Status.REJECTED,
-                    reason="it sounded too different from the nearest command",
-                    alternatives=(transcript.text,),
-                )
+        meaning = self._meaning(transcript)
         self._tell(
             HeardKind.INTERPRETATION,
             time,

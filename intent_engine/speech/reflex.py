@@ -11,7 +11,7 @@ from __future__ import annotations
 import logging
 import threading
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -27,6 +27,9 @@ __all__ = ["Reflex", "WhisperReflex", "reflex_for"]
 
 THRESHOLD = 0.005
 """Probability of a stop phrase above which the robot is held. Measured: docs/decisions/speech-reflex.md."""
+LATER = 10.0
+"""Times as likely it must be where the window no longer begins with the utterance: cut anywhere, words are guessed
+at more wildly."""
 WINDOW_SECONDS = 1.0
 """Sound that is looked at, so that a stop at the end of a long utterance is heard as well."""
 INPUT_SECONDS = 2.0
@@ -97,6 +100,7 @@ class WhisperReflex:
         self.phrases = phrases
         self._complete, self._onward = self._pieces(phrases, tuple(dict.fromkeys(leads)))
         self._sound: deque[Samples] = deque(maxlen=int(WINDOW_SECONDS / FRAME_SECONDS))
+        self._cut = False
         self._since = 0
         self._worker = _Worker(self._look) if background else None
 
@@ -131,25 +135,27 @@ class WhisperReflex:
     def begin(self, frames: Sequence[Samples]) -> None:
         self._sound.clear()
         self._sound.extend(frames)
+        self._cut = False
         self._since = EVERY_FRAMES
         if self._worker is not None:
             self._worker.reset()
 
     def heard(self, samples: Samples) -> bool:
+        self._cut = self._cut or len(self._sound) == self._sound.maxlen
         self._sound.append(samples)
         self._since += 1
         if self._worker is not None:
-            if self._since >= EVERY_FRAMES and self._worker.offer(tuple(self._sound)):
+            if self._since >= EVERY_FRAMES and self._worker.offer(tuple(self._sound), self._cut):
                 self._since = 0
             return self._worker.found
         if self._since < EVERY_FRAMES:
             return False
         self._since = 0
-        return self._look(tuple(self._sound))
+        return self._look(tuple(self._sound), self._cut)
 
-    def _look(self, frames: tuple[Samples, ...]) -> bool:
+    def _look(self, frames: tuple[Samples, ...], cut: bool) -> bool:
         sound = np.nan_to_num(np.concatenate(frames), posinf=0.0, neginf=0.0)
-        return self.probability(sound) >= self._threshold
+        return self.probability(sound) >= self._threshold * (LATER if cut else 1.0)
 
     def probability(self, samples: Samples) -> float:
         """How likely a stop phrase is being said, or has just been said, at the beginning of this sound."""
@@ -168,7 +174,7 @@ class WhisperReflex:
                         total += likely
                     elif likely >= self._threshold:
                         further.append((whole, likely))
-            if total >= self._threshold:
+            if total >= self._threshold * LATER:
                 break
             open_ways = sorted(further, key=lambda way: -way[1])[:MAX_OPEN]
         return total
@@ -200,10 +206,10 @@ class WhisperReflex:
 class _Worker:
     """Looks in a thread of its own, always at the newest sound; what came while it was busy is passed over."""
 
-    def __init__(self, look: Any) -> None:
+    def __init__(self, look: Callable[[tuple[Samples, ...], bool], bool]) -> None:
         self._look = look
         self._condition = threading.Condition()
-        self._task: tuple[int, tuple[Samples, ...]] | None = None
+        self._task: tuple[int, tuple[Samples, ...], bool] | None = None
         self._utterance = 0
         self._busy = False
         self._closed = False
@@ -219,14 +225,14 @@ class _Worker:
                 self._task, self._busy = None, False
             self.found = False
 
-    def offer(self, frames: tuple[Samples, ...]) -> bool:
+    def offer(self, frames: tuple[Samples, ...], cut: bool) -> bool:
         """Take this sound, unless still busy with older."""
         with self._condition:
             if self._busy or self._closed:
                 return False
-            self._task = (self._utterance, frames)
+            self._task = (self._utterance, frames, cut)
             self._busy = True
-            self._condition.notify()
+            self._condition.notify_all()
             return True
 
     def _work(self) -> None:
@@ -237,9 +243,9 @@ class _Worker:
                     return
                 task, self._task = self._task, None
             assert task is not None
-            utterance, frames = task
+            utterance, frames, cut = task
             try:
-                found = self._look(frames)
+                found = self._look(frames, cut)
             except Exception:  # a reflex that fails must go on: the recogniser still hears the stop
                 logging.getLogger(__name__).exception("the reflex could not look at the sound")
                 found = False
@@ -247,6 +253,7 @@ class _Worker:
                 self._busy = False
                 if found and utterance == self._utterance:
                     self.found = True
+                self._condition.notify_all()
 
     def close(self) -> None:
         with self._condition:

@@ -9,8 +9,7 @@ between the free words and the best utterance says whether a command was said at
 from __future__ import annotations
 
 import math
-import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -101,12 +100,6 @@ class SteeredWhisper(WhisperRecognizer):
         self._hinted: tuple[Any, str] | None = None
         self._searched: tuple[Any, dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]]] = (None, {})
 
-    def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
-        began = time.perf_counter()
-        if samples.size == 0:
-            return Transcript("")
-        return replace(self._heard(samples), decode_seconds=time.perf_counter() - began)
-
     def _hint(self, language: str | None) -> str:
         """The grammar's vocabulary, for a second draft."""
         matcher = self._engine.matcher(language if language in self._engine.languages else None)
@@ -117,7 +110,7 @@ class SteeredWhisper(WhisperRecognizer):
     def _parse(self, text: str, language: str | None = None) -> Interpretation:
         return self._engine.parse(text, language=language if language in self._engine.languages else None)
 
-    def _heard(self, samples: Samples) -> Transcript:
+    def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         encoded = self.encode(samples)
         language = self.language or self.detect(encoded)
         found: Transcript | None = None

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import time
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -76,6 +76,7 @@ class WhisperRecognizer:
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         self.weights: Weights = find_weights(model)
         self.language = language
+        self._threads = threads
         self._model, self.device = _load(self.weights, device, compute_type, threads)
         self.multilingual: bool = bool(self._model.model.is_multilingual)
         self._tokenizers: dict[str, Any] = {}
@@ -127,9 +128,19 @@ class WhisperRecognizer:
     # -- the whole ---------------------------------------------------------------------------------
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
-        began = time.perf_counter()
         if samples.size == 0:
             return Transcript("")
+        began = time.perf_counter()
+        try:
+            heard = self._heard(samples, final=final)
+        except RuntimeError as error:
+            if self.device != "cuda":
+                raise
+            self._leave_cuda(error)
+            heard = self._heard(samples, final=final)
+        return replace(heard, decode_seconds=time.perf_counter() - began)
+
+    def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         encoded = self.encode(samples)
         language = self.language or self.detect(encoded)
         text, score, looped = self.greedy(encoded, language)
@@ -137,7 +148,13 @@ class WhisperRecognizer:
             again, better, loops = self.greedy(self.encode(samples, RETRY_SECONDS), language)
             if not loops and (looped or better > score):
                 text, score = again, better
-        return Transcript(text, score, free_text=text, language=language, decode_seconds=time.perf_counter() - began)
+        return Transcript(text, score, free_text=text, language=language)
+
+    def _leave_cuda(self, error: RuntimeError) -> None:
+        """CUDA ran out of memory, or its device was lost: go on with the processor, for good."""
+        warnings.warn(f"CUDA failed ({error}); recognising on the CPU from now on", RuntimeWarning, stacklevel=4)
+        self._model, self.device = _load(self.weights, "cpu", None, self._threads)
+        self._tokenizers.clear()
 
     def greedy(self, encoded: Encoded, language: str | None = None, *, hint: str = "") -> tuple[str, float, bool]:
         """The likeliest words: (text, mean log probability, whether it went round in a loop).
