@@ -33,8 +33,8 @@ def test_what_is_said_is_driven(peer, recording):
         peer.node.create_subscription(String, "voice_commands/text", lambda message: heard.append(message.data), 10)
         with NodeProcess(peer, module="intent_engine.ros2.speech", file=path) as speech:
             until(peer.moving, "the robot moves")
-            assert heard, first
-            assert peer.status
+            until(lambda: heard, f"{first['text']!r} comes as text")
+            until(lambda: peer.goals("executing"))
             assert node.process.poll() is None
             assert speech.end() == 0
         assert "ready" in speech.output
