@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import queue
 import subprocess
 import sys
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -15,6 +17,18 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Status
 from intent_engine.watching import Watcher
+
+
+@contextlib.contextmanager
+def killed_after(run: subprocess.Popen, seconds: float = 120.0) -> Iterator[None]:
+    """A program that says nothing more ends the test, not the patience of whoever runs it."""
+    timer = threading.Timer(seconds, run.kill)
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
 
 BROKEN = "language: en\nintents:\n  wave: {action: custom, sentences: ['wave (at']}\n"
 
@@ -203,9 +217,8 @@ def test_an_engine_that_was_not_made_from_files_cannot_be_reloaded(file):
 def test_parse_takes_up_changes(file):
     pytest.importorskip("watchfiles")
     command = [sys.executable, "-m", "intent_engine.cli", "parse", "--watch", "--grammar", str(file), "-"]
-    with subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as run:
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen(command, text=True, **pipes) as run, killed_after(run):
         assert run.stdin is not None
         assert run.stdout is not None
         assert run.stderr is not None
@@ -249,7 +262,8 @@ def test_a_robot_that_listens_takes_up_changes(tmp_path, root):
     command = [sys.executable, "-m", "intent_engine.cli", "listen", "--watch", "--json", "--no-reflex", "--pcm", "-"]
     command += ["--grammar", str(path)]
     silence = bytes(2 * 16_000)
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as run:
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes) as run, killed_after(run):
         assert run.stdin is not None
         assert run.stderr is not None
         run.stdin.write(silence)

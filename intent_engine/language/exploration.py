@@ -77,7 +77,7 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
     for kind in QUANTITY_KINDS:
         if kind in trees:
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
-    free = next(word for word in FREE_WORDS if word not in vocabulary(grammar))
+    free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
     automaton = matcher.strict
     start = automaton.start()
     reached: dict[WordState, tuple[str, ...]] = {start: ()}
