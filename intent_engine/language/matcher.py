@@ -15,6 +15,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sent
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import numbers_otherwise
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
 from intent_engine.language.utterance import PhraseSet
@@ -209,7 +210,8 @@ class Matcher:
                 scope.update(self._scope(node))
             self.networks.add_choice(key, slot.values, scope)
         elif slot.type == "location":
-            self.networks.add_names(key, _NamesOf(self.locations, slot.tags))
+            respell = numbers_otherwise if self.grammar.language == "en" else None
+            self.networks.add_names(key, _NamesOf(self.locations, slot.tags), respell)
 
     def _scope(self, node: Node) -> dict[str, Call]:
         scope = {}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 from intent_engine.language.template import (
     AnyOrder,
@@ -23,6 +23,11 @@ from intent_engine.language.template import (
 )
 
 __all__ = ["Call", "Edge", "Network", "Networks", "State"]
+
+
+Name: TypeAlias = tuple[tuple[str, ...], str]
+"""Words and what they name."""
+Respell: TypeAlias = Callable[[tuple[str, ...]], Iterable[tuple[str, ...]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,10 +130,15 @@ class Networks:
         options = list(values)
         self._builders[key] = lambda: _choice(options, scope)
 
-    def add_names(self, key: str, entries: Iterable[tuple[tuple[str, ...], str]]) -> None:
-        """Names (normalised words, value), unfolded word by word as the walk goes in."""
-        rows = entries
-        self._builders[key] = lambda: _names(rows)
+    def add_names(self, key: str, entries: Iterable[Name], respell: Respell | None = None) -> None:
+        """Names (normalised words, value), unfolded word by word as the walk goes in.
+
+        Args:
+            key: of the network.
+            entries: the names; gone through when the walk first comes to them.
+            respell: other ways to say the rest of a name, asked at each of its words ("3" -> "three").
+        """
+        self._builders[key] = lambda: _names(entries, respell)
 
     def add_wild(self, key: str, max_words: int, allowed: frozenset[str] = frozenset()) -> None:
         """One to ``max_words`` words of any kind."""
@@ -193,27 +203,31 @@ def _choice(options: list[tuple[Any, Node]], scope: Mapping[str, Call]) -> Netwo
     return Network(start, end)
 
 
-def _names(entries: Iterable[tuple[tuple[str, ...], str]]) -> Network:
+def _names(entries: Iterable[Name], respell: Respell | None) -> Network:
     start, end = State(), State()
     end.final = True
 
-    def grow(rows: Iterable[tuple[tuple[str, ...], str]], depth: int) -> Callable[[State], None]:
+    def grow(rows: Iterable[Name], depth: int, respelled: bool) -> Callable[[State], None]:
         def expand(state: State) -> None:
-            onward: dict[str, list[tuple[tuple[str, ...], str]]] = {}
-            for row in rows:
-                words = row[0]
+            onward: dict[str, list[Name]] = {}
+            others: dict[str, list[Name]] = {}
+            for words, value in rows:
                 if len(words) == depth:
-                    state.edges.append(Edge(end, mark=("value", row[1])))
-                elif words:
-                    onward.setdefault(words[depth], []).append(row)
-            for word, longer in onward.items():
-                child = State()
-                child.expand = grow(longer, depth + 1)
-                state.arcs[word] = (child,)
+                    state.edges.append(Edge(end, mark=("value", value)))
+                    continue
+                onward.setdefault(words[depth], []).append((words, value))
+                if respell is not None and not respelled:
+                    for rest in respell(words[depth:]):
+                        others.setdefault(rest[0], []).append((words[:depth] + rest, value))
+            for found, final in ((onward, respelled), (others, True)):
+                for word, longer in found.items():
+                    child = State()
+                    child.expand = grow(longer, depth + 1, final)
+                    state.add(word, child)
 
         return expand
 
-    start.expand = grow(entries, 0)
+    start.expand = grow(entries, 0, False)
     return Network(start, end)
 
 

@@ -14,7 +14,7 @@ from intent_engine.actions import Stop
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.matcher import NEGATED
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import spoken_forms
@@ -203,8 +203,11 @@ def spelled(pieces: Sequence[Piece], choices: Choices, *, whole: bool = True) ->
 
 
 def _written(piece: Piece, choices: Choices) -> Piece:
-    """A value with digits for its number words, or with a hyphen."""
+    """A value with digits for its number words, or words for its digits, or with a hyphen."""
     kind = piece.slot.type if piece.slot is not None else None
+    if kind == "location":  # "bay 3" or "bay three"
+        words = piece.text.split()
+        return replace(piece, text=" ".join((words, in_words(words), in_digits(words))[choices.below(3)]))
     if kind not in QUANTITY_KINDS or kind == "ordinal":
         return piece
     words = piece.text.split()

@@ -111,3 +111,15 @@ def test_a_place_is_corrected_by_a_place(tmp_path):
     engine = IntentEngine.from_files(tmp_path / "meet.yaml", locations={"home": (0, 0), "front room": (1, 1)})
     assert engine.parse("meet anna at front room actually home").slots == {"who": "anna", "where": "home"}
     assert engine.parse("count one point two five no seventeen").slots == {"n": 17.0}
+
+
+@pytest.mark.parametrize(
+    "text", ["get bay three", "get bay 3", "wait for me in bay three", "go to the dock no bay three"]
+)
+def test_numbers_in_names_are_exact_in_words_and_digits(root, text):
+    """Where nothing is guessed: beside a sentence with free words, and in a correction."""
+    engine = IntentEngine.from_files(root / "grammars" / "en.yaml", locations={"bay 3": (1.0, 2.0), "dock": (0.0, 0.0)})
+    found = engine.parse(text)
+    assert (found.intent, found.slots) == ("navigate", {"place": "bay 3"})
+    assert found.confidence == 1.0
+    assert engine.parse("go to bay").status is not Status.ACCEPTED

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.numerals import is_numeral
 
-__all__ = ["in_digits", "in_words"]
+__all__ = ["in_digits", "in_words", "numbers_otherwise"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -61,3 +61,11 @@ def in_digits(words: Sequence[str]) -> tuple[str, ...]:
             result.append(words[at])
             at += 1
     return tuple(result)
+
+
+def numbers_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Words that begin with a number, with its digits in words or its English words in digits."""
+    if words[0][0].isdigit():
+        yield tuple(in_words(words))
+    elif words[0] in english.SMALL:
+        yield in_digits(words)
