@@ -151,7 +151,7 @@ def test_misheard_names(matcher: Matcher, text: str, label: str, value: str | No
 
 
 def test_a_name_may_hold_a_sound_alike(matcher: Matcher) -> None:
-    reading = matcher.read("visit the bay tree".split(), loose=True)[0]
+    reading = matcher.read(["visit", "the", "bay", "tree"], loose=True)[0]
     assert [(slot.value, slot.status) for slot in reading.slots] == [("bay 3", "exact")]
     assert (reading.words[-1], reading.alikes, reading.score) == ("three", 1, pytest.approx(0.97))
 
