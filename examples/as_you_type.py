@@ -4,7 +4,7 @@ It prints::
 
     go to the: incomplete, "kitchen" may follow
     go to the kit: impossible
-    go to the kitchen: extendable
+    go to the kitchen: complete
     turn left: extendable, "ninety" may follow
 """
 
