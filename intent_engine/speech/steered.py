@@ -9,6 +9,7 @@ between the free words and the best utterance says whether a command was said at
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -43,8 +44,17 @@ FAR_LETTERS = 1.7
 LETTER = 0.35
 """nats that a letter of difference from the free words weighs beside the model's own score: the free words were heard
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
+GLANCE = 3
+"""Utterances that are scored first, to see whether it is worth to look further."""
+HOPELESS_GAP = 3.0
+"""Gap of the best of them beyond which it is not. Of commands that were found it was at most 2.6, of other speech that
+had come so far it was above 3 in five of six cases."""
 RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
+SCORED_MARGIN = 0.5
+"""s of silence after the speech that texts are scored against."""
+ENCODED_PER_SECOND = 50
+"""Vectors of Whisper's encoder."""
 RETRY_GAP = 0.5
 """Gap beyond which a longer encoder input is tried."""
 RUNAWAY = 1.5
@@ -67,7 +77,7 @@ class _Candidate:
     @property
     def known(self) -> int:
         """Words that are the grammar's, and not a free slot's."""
-        return sum(not isinstance(word, FreeWord) for word in self.words)
+        return known_words(self.words)
 
     @property
     def rank(self) -> float:
@@ -128,7 +138,7 @@ class SteeredWhisper(WhisperRecognizer):
                 return Transcript(free, mean, free, 0.0, language=language)
             drafts.append(free)
             near = self._near([free], language)
-            if not near:
+            if not near or self._hopeless(encoded, free, near, language):
                 found = found or Transcript(free, mean, free, None, language=language)
                 if mean > POOR_SCORE:
                     break
@@ -180,6 +190,16 @@ class SteeredWhisper(WhisperRecognizer):
             found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES)
         return found
 
+    def _hopeless(self, encoded: Encoded, free: str, near: dict[tuple[str, ...], float], language: str | None) -> bool:
+        """Whether the sentences nearest by their letters are so unlike the sound that no hint will help."""
+        nearest = sorted(near, key=lambda words: (near[words], words))[:GLANCE]
+        spelled = [" ".join(words).capitalize() for words in nearest]
+        heard, *scores = self.score(encoded, [free, *spelled], language)
+        return all(
+            heard - score > HOPELESS_GAP * (1 + known_words(words))
+            for words, score in zip(nearest, scores, strict=True)
+        )
+
     def _ranked(self, encoded: Encoded, drafts: list[str], hints: list[str], language: str | None) -> list[_Candidate]:
         """Utterances of the grammar that the sound may be, likeliest first."""
         found = self._near(drafts, language)
@@ -226,10 +246,18 @@ class SteeredWhisper(WhisperRecognizer):
                 pieces.append([*plain, tokenizer.eot])
             else:
                 pieces.append([*plain, *stop, tokenizer.eot])
-        features: Any = np.repeat(np.asarray(encoded.features), len(pieces), axis=0)
+        # Every text gets a copy of the sound, so the silence that the encoder wanted is left out: the first stays the
+        # first (40 of 40 compared) and a quarter of the recogniser's time is saved.
+        spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)
+        features: Any = np.repeat(np.asarray(encoded.features)[:, :spoken], len(pieces), axis=0)
         storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
         results = self.engine.align(storage, list(tokenizer.sot_sequence), pieces, features.shape[1] * 2)
         return [float(np.log(np.maximum(result.text_token_probs, 1e-12)).sum()) for result in results]
+
+
+def known_words(words: Sequence[str]) -> int:
+    """How many words are the grammar's, and not a free slot's."""
+    return sum(not isinstance(word, FreeWord) for word in words)
 
 
 def _is_refusal(meaning: Interpretation) -> bool:
