@@ -36,6 +36,8 @@ FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",
 _COUNTED = frozenset(QUANTITY_KINDS)
 _FREE = frozenset(("text", "object"))
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
+UNFINISHED = frozenset(("the", "an", "my", "our", "your", "of"))
+"""No thing ends so: who says "pick up the" has not said yet what. "box a" has a name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +57,7 @@ class SlotReading:
     rivals: tuple[tuple[str, float], ...] = ()
     """Fuzzy names: the nearest, best first."""
     status: str = "exact"
-    """``exact``, ``fuzzy``, ``ambiguous``, ``unknown`` or ``limit``."""
+    """``exact``, ``fuzzy``, ``ambiguous``, ``unknown``, ``unfinished`` or ``limit``."""
     problem: str = ""
     """Why there is no value."""
 
@@ -77,6 +79,17 @@ class Reading:
     @property
     def problem(self) -> str:
         return next((slot.problem for slot in self.slots if slot.problem), "")
+
+    @property
+    def unfinished(self) -> bool:
+        """Whether a slot holds the beginning of something only."""
+        return any(slot.status == "unfinished" for slot in self.slots)
+
+    @property
+    def heard_exactly(self) -> int:
+        """Words that are not only like a name. Sound-alikes count: nobody can tell them apart by ear."""
+        compared = sum(slot.end - slot.start for slot in self.slots if slot.status == "fuzzy")
+        return len(self.words) - compared
 
     @property
     def score(self) -> float:
@@ -316,6 +329,9 @@ class Matcher:
         if wrong:
             problem = f"{min(wrong)!r} is nothing for slot {slot.name!r}"
             return SlotReading(label, slot, start, end, None, 0.0, (), "unknown", problem)
+        if said[-1] in UNFINISHED or (said == ["a"] and start > 0):  # "ticket a" of a pattern is a letter
+            problem = f"the sentence is not finished: {' '.join(said)!r}"
+            return SlotReading(label, slot, start, end, None, 0.0, (), "unfinished", problem)
         while len(said) > 1 and said[0] in ARTICLES:
             said = said[1:]
         return SlotReading(label, slot, start, end, " ".join(said))

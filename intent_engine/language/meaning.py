@@ -346,7 +346,8 @@ class Interpreter:
         readings = self.matcher.read(words, loose=True)
         if not readings:
             return None
-        good = [reading for reading in readings if not reading.problem]
+        # Something must have been heard as it is: "lft" alone is nothing.
+        good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -357,7 +358,8 @@ class Interpreter:
                 and reading.score > best.score - 0.08
             ]
             return self._choose([best, *(reading for reading in level if reading is not best)], state)
-        return self._choose([min(readings, key=_problem_rank)], state)
+        wrong = [reading for reading in readings if reading.problem]
+        return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
 
     def _choose(self, readings: list[Reading], state: Collection[str]) -> Clause:
         """The one meaning of readings that are best first, or why there is none."""
@@ -699,7 +701,8 @@ class Interpreter:
         if not self._holds_operator(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             _, reached = self.matcher.prefix(words)
-            if reached is not None and not self.matcher.spoken.accepting(reached):
+            unfinished = clause is not None and clause.reading is not None and clause.reading.unfinished
+            if reached is not None and (unfinished or not self.matcher.spoken.accepting(reached)):
                 following = sorted(self.matcher.spoken.next_words(reached))[:8]
                 return Interpretation(
                     text,

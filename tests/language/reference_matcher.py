@@ -12,7 +12,7 @@ from itertools import islice, permutations, product
 from typing import Any
 
 from intent_engine.language.grammar import Grammar, Slot
-from intent_engine.language.matcher import ARTICLES
+from intent_engine.language.matcher import ARTICLES, UNFINISHED
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 MOST = 3_000
@@ -137,6 +137,8 @@ class ReferenceMatcher:
         if hole.value is not None:
             return hole.value
         said = words[hole.start : hole.end]
+        if said[-1] in UNFINISHED or (said == ["a"] and hole.start > 0):
+            return None
         while len(said) > 1 and said[0] in ARTICLES:
             said = said[1:]
         return " ".join(said)

@@ -236,6 +236,32 @@ COMPOUND = {
     "turn left or right": NOTHING,
     "go to the kitchen or the bedroom": NOTHING,
 }
+UNFINISHED = {
+    "pick up the": NOTHING,
+    "pick up a": NOTHING,
+    "pick up a cup of": NOTHING,
+    "bring me my": NOTHING,
+    "put the cup on the": NOTHING,
+    "grab the bottle from the": NOTHING,
+    "go to the": NOTHING,
+    "turn": NOTHING,
+    "go forward two": NOTHING,
+    "pick up box a": "pick box a",
+    "pick up that": "pick that",
+}
+MISHEARD = {
+    "go to the kichen": "to kitchen",
+    "turn lft": "left 43",
+    "turn write": "right 43",
+    "go forward two feed": "forward 0.6096",
+    # One word, and not heard as it is.
+    "lft": NOTHING,
+    "bak": NOTHING,
+    "please lft": NOTHING,
+    # Nothing is guessed beside a word that changes what is meant.
+    "don't go to the kichen": NOTHING,
+    "turn lft if you can see me": NOTHING,
+}
 REPORTED = {
     "he said go forward": NOTHING,
     "he said, go forward": NOTHING,
@@ -417,6 +443,8 @@ TABLE = {
     **CORRECTED,
     **CANCELLED,
     **COMPOUND,
+    **UNFINISHED,
+    **MISHEARD,
     **REPORTED,
     **CONDITIONAL,
     **QUESTIONS,
