@@ -19,7 +19,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate, is_number_word, is_numeral
 from intent_engine.language.spellings import own_words
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.utterance import Openers, PhraseSet, Utterance
 
 if TYPE_CHECKING:
     from intent_engine.language.nearest import Nearest
@@ -75,6 +75,8 @@ class Interpreter:
         self._cancel = PhraseSet(operators.cancel)
         self._sequence = PhraseSet(operators.sequence)
         self._contrast = PhraseSet(operators.contrast)
+        opening = (words for words in grammar.fillers if any((word,) in operators.sequence for word in words))
+        self._openers = Openers(PhraseSet(opening), self._sequence)
         self._closed = operators.closed
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
@@ -109,13 +111,13 @@ class Interpreter:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not self._fillers.may_stand_in(said.words):
                 return self._accepted(text, clause)  # else fillers may stand in the free words: "the cup please"
-        core = said.without(self._fillers, self._phrases)
+        core = said.without(self._fillers, self._phrases, self._openers)
         if clause is not None and clause.accepted and core is said:
             return self._accepted(text, clause)
         if core is not said and not self._number_restarted(core):
             again = self._exact(core.words, state)
             if again is None:  # "uh, again": some fillers are sentences as well, or parts of one
-                again = self._exact(said.without(self._idle, self._phrases).words, state)
+                again = self._exact(said.without(self._idle, self._phrases, self._openers).words, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
@@ -233,7 +235,9 @@ class Interpreter:
     def _clause_begins(self, words: list[str], start: int, position: int) -> bool:
         """Whether what stands before could be a command by itself, so that a new clause can begin here."""
         before = (
-            Utterance(words[start:position], [False] * (position - start)).without(self._fillers, self._phrases).words
+            Utterance(words[start:position], [False] * (position - start))
+            .without(self._fillers, self._phrases, self._openers)
+            .words
         )
         if not before:
             return True
@@ -291,7 +295,7 @@ class Interpreter:
         part = part.part(self._sequence.at(part.words, 0), len(part))
         for joint in (self._correction, self._sequence):
             part = part.part(0, len(part) - joint.ends(part.words))
-        core = part.without(self._fillers, self._phrases)
+        core = part.without(self._fillers, self._phrases, self._openers)
         known = not core.words or self._accepts(part, state) or self._accepts(core, state)
         return known or self._compound(core, state) is not None
 

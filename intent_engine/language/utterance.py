@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from intent_engine.language.normalize import Token, plain_words, tokenize
 
-__all__ = ["PhraseSet", "Utterance"]
+__all__ = ["Openers", "PhraseSet", "Utterance"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -69,6 +69,22 @@ class PhraseSet:
 
 
 @dataclass(frozen=True, slots=True)
+class Openers:
+    """Fillers that are none elsewhere: "right then, turn left", but "turn right then go forward"."""
+
+    phrases: PhraseSet
+    joints: PhraseSet
+    """Phrases after which another command begins."""
+
+    def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+        """Whether such a phrase stands here, and no command begins here, or a pause divides it."""
+        if self.phrases.at(said.words, position) != length:
+            return False
+        begins = not before or said.breaks[position] or self.joints.ends(before) > 0
+        return not begins or any(said.breaks[position + 1 : position + length])
+
+
+@dataclass(frozen=True, slots=True)
 class Utterance:
     """Normalised words; ``breaks[i]`` is True where a pause or punctuation stands before word ``i``."""
 
@@ -98,8 +114,9 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
-    def without(self, phrases: PhraseSet, but: PhraseSet | None = None) -> Utterance:
-        """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no").
+    def without(self, phrases: PhraseSet, but: PhraseSet | None = None, openers: Openers | None = None) -> Utterance:
+        """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no"), or
+        one of the ``openers`` and opens nothing.
 
         A pause before or after a removed phrase is kept.
         """
@@ -113,6 +130,8 @@ class Utterance:
         while position < len(self.words):
             pause = pause or self.breaks[position]
             length = phrases.at(self.words, position)
+            if length and openers is not None and openers.misplaced(self, position, length, words):
+                length = 0
             whole = but.at(self.words, position) if but is not None else 0
             if whole > max(length, 1):
                 words.extend(self.words[position : position + whole])

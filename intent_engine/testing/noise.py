@@ -59,7 +59,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
     for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
         filler = usable[choices.below(len(usable))]
-        place = choices.below(len(said) + 1)
+        opens = any((word,) in operators.sequence for word in filler)  # "right then": elsewhere it joins two commands
+        place = 0 if opens else choices.below(len(said) + 1)
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
         longer = [*said[:place], Piece(" ".join(filler)), *said[place:]]

@@ -123,3 +123,25 @@ def test_numbers_in_names_are_exact_in_words_and_digits(root, text):
     assert (found.intent, found.slots) == ("navigate", {"place": "bay 3"})
     assert found.confidence == 1.0
     assert engine.parse("go to bay").status is not Status.ACCEPTED
+
+
+@pytest.mark.parametrize(
+    ("text", "steps"),
+    [
+        ("turn right then go forward", [("turn", "right"), ("move", "forward")]),
+        ("turn right, then go forward", [("turn", "right"), ("move", "forward")]),
+        ("go right then left", [("turn", "right"), ("turn", "left")]),
+        ("right, then turn left", [("turn", "right"), ("turn", "left")]),
+        ("turn left and go ahead and turn right", [("turn", "left"), ("turn", "right")]),
+    ],
+)
+def test_a_filler_that_joins_commands_is_none_between_them(engine, text, steps):
+    found = engine.parse(text)
+    assert [(step["intent"], *step["slots"].values()) for step in found.slots["steps"]] == steps
+
+
+@pytest.mark.parametrize(
+    "text", ["right then turn left", "okay, right then, turn left", "please go ahead and turn left"]
+)
+def test_but_it_opens_one(engine, text):
+    assert engine.parse(text).slots == {"side": "left"}
