@@ -14,7 +14,7 @@ It prints::
     move
     navigate to the bedroom
     stop
-    the robot stopped on its way, at (6.2, 5.2)
+    the robot stopped on its way, at (6.1, 5.3)
 """
 
 from intent_engine import Executor, IntentEngine, Navigate, Runtime, SimulatedRobot
