@@ -12,7 +12,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Collection
 from concurrent.futures import Future
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
@@ -33,9 +33,12 @@ from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
-MAX_GAP = 1.15
+MAX_GAP = 1.5
 """Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
 
+REFLEX_FRAMES = 11
+"""Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
+word."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
 
@@ -246,7 +249,7 @@ class Runtime:
         if signal is Signal.STARTED:
             utterance = _Utterance(list(recent), frame.time)
             if self._reflex is not None:
-                self._reflex.begin(utterance.frames[:-1])
+                self._reflex.begin(utterance.frames[-REFLEX_FRAMES:-1])
                 self._listen(frame.samples, frame.time)
             self._tell(HeardKind.SPEECH, frame.time)
             return utterance
@@ -430,8 +433,10 @@ class Runtime:
                 self._release(time, "nothing was said")
             return
         self._summary.utterances += 1
-        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
         meaning = self._meaning(transcript)
+        if meaning.status is not Status.ACCEPTED and _too_far(transcript):
+            transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
+        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
         self._tell(
             HeardKind.INTERPRETATION,
             time,

@@ -57,11 +57,11 @@ class Settings:
     """Frames of speech that begin an utterance."""
     min_speech: float = 0.12
     wait_complete: float = 0.064
-    wait_extendable: float = 0.25
+    wait_extendable: float = 0.35
     wait_incomplete: float = 0.7
     wait_other: float = 0.35
     wait_unknown: float = 0.5
-    pre_roll: float = 0.3
+    pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
     """An utterance longer than any command is ended."""

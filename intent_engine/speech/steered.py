@@ -46,9 +46,9 @@ LETTER = 0.35
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
 GLANCE = 3
 """Utterances that are scored first, to see whether it is worth to look further."""
-HOPELESS_GAP = 3.0
-"""Gap of the best of them beyond which it is not. Of commands that were found it was at most 2.6, of other speech that
-had come so far it was above 3 in five of six cases."""
+HOPELESS_GAP = 4.0
+"""Gap of the best of them beyond which it is not. Of commands that were found it was at most 2.6 in noise, of other
+speech that had come so far it was above 4 in three of four cases."""
 RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
 SCORED_MARGIN = 0.5
@@ -60,6 +60,8 @@ RETRY_GAP = 0.5
 RUNAWAY = 1.5
 """Words of a hinted draft for each word heard without the hint, beyond which it has gone round in a loop: scoring what
 is like it would take seconds."""
+DOUBTFUL_SCORE = -0.6
+"""Mean log probability of the free words below which others are looked at, though they are a sentence already."""
 POOR_SCORE = -0.7
 """Mean log probability of the free words below which they are tried again though no command is near them."""
 
@@ -134,7 +136,7 @@ class SteeredWhisper(WhisperRecognizer):
             meaning = self._parse(free, language)
             if not free or _is_refusal(meaning):
                 return Transcript(free, mean, free, None, language=language)
-            if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0:
+            if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE:
                 return Transcript(free, mean, free, 0.0, language=language)
             drafts.append(free)
             near = self._near([free], language)
@@ -234,7 +236,10 @@ class SteeredWhisper(WhisperRecognizer):
         return meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or _is_refusal(meaning)
 
     def score(self, encoded: Encoded, texts: list[str], language: str | None = None) -> list[float]:
-        """Log probability of each text, its end included, given the sound: the better of two ways to end it."""
+        """Log probability of each text given the sound, with the full stop that ends it.
+
+        The model's own end of text is no part of it: ``align`` gives it no probability.
+        """
         import ctranslate2
 
         tokenizer = self.tokenizer(language)
@@ -242,10 +247,7 @@ class SteeredWhisper(WhisperRecognizer):
         pieces = []
         for text in texts:
             plain = tokenizer.encode(" " + text.strip())
-            if text.strip()[-1:] in ".!?":
-                pieces.append([*plain, tokenizer.eot])
-            else:
-                pieces.append([*plain, *stop, tokenizer.eot])
+            pieces.append(plain if text.strip()[-1:] in ".!?" else [*plain, *stop])
         # Every text gets a copy of the sound, so the silence that the encoder wanted is left out: the first stays the
         # first (40 of 40 compared) and a quarter of the recogniser's time is saved.
         spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)

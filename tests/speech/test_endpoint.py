@@ -14,7 +14,7 @@ from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
 SPEECH, SILENCE = 0.9, 0.05
 WAITS = {
     Outlook.COMPLETE: 0.064,
-    Outlook.EXTENDABLE: 0.25,
+    Outlook.EXTENDABLE: 0.35,
     Outlook.INCOMPLETE: 0.7,
     Outlook.OTHER: 0.35,
     Outlook.UNKNOWN: 0.5,
