@@ -35,12 +35,12 @@ def run(quick: bool) -> list[dict[str, Any]]:
     """The rows of this benchmark.
 
     Raises:
-        RuntimeError: there is no rclpy anywhere.
+        FileNotFoundError: there is no rclpy anywhere.
     """
     if importlib.util.find_spec("rclpy") is not None:
         return measure(quick)
     if not ENVIRONMENT.exists():
-        raise RuntimeError("needs rclpy: run make test-ros2 first, which installs it where it can be installed")
+        raise FileNotFoundError("needs rclpy: run make test-ros2 first, which installs it where it can be installed")
     done = subprocess.run(
         [ENVIRONMENT, "-m", "benchmarks.ros2", *(["--quick"] if quick else [])],
         cwd=ROOT,
