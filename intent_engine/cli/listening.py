@@ -40,6 +40,7 @@ Denoise = Annotated[
 ]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
 Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
+Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in the terminal while it goes.")]
 JournalFile = Annotated[
     Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
 ]
@@ -71,6 +72,7 @@ def run(
     as_json: Json = False,
     plot: Plot = None,
     draw: Draw = False,
+    live: Live = False,
     journal: JournalFile = None,
     watch: Watch = False,
 ) -> int:
@@ -82,6 +84,8 @@ def run(
 
     if watch and not realtime:
         raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
+    if live and not realtime:
+        raise typer.BadParameter("--live needs --realtime: without it all is over at once; --map draws the whole way")
     source: AudioSource
     if str(file) == "-":
         source, name = _pcm("-", rate, format, channels, live=realtime), "standard input"
@@ -99,6 +103,7 @@ def run(
         as_json=as_json,
         plot=plot,
         draw=draw,
+        live=live,
         journal=journal,
     )
 
@@ -141,6 +146,7 @@ def listen(
     as_json: Json = False,
     plot: Plot = None,
     draw: Draw = False,
+    live: Live = False,
     journal: JournalFile = None,
     watch: Watch = False,
 ) -> int:
@@ -169,6 +175,7 @@ def listen(
         as_json=as_json,
         plot=plot,
         draw=draw,
+        live=live,
         journal=journal,
     )
     source: AudioSource

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from intent_engine.cli.terminal import note, say
+from intent_engine.cli.terminal import note, redrawn, say
 
 if TYPE_CHECKING:
     from intent_engine.cli.reporter import Reporter
@@ -49,6 +49,8 @@ class Session:
     as_json: bool = False
     plot: Path | None = None
     draw: bool = False
+    live: bool = False
+    """Draw the way of the robot while it goes, on a terminal."""
     journal: Path | None = None
     controls: Callable[[Runtime, Executor], contextlib.AbstractContextManager[object]] | None = None
     """Keys and whatever else a person has in hand while it listens."""
@@ -87,6 +89,10 @@ class Session:
             executor = stack.enter_context(Executor(robot, clock=self.clock, on_event=reporter.executed, **options))
             runtime = Runtime(self.engine, executor, recognizer, reflex=reflex, on_event=reporter.heard)
             reporter.start = self.clock.now()
+            if self.live and not self.as_json:
+                from intent_engine.execution.robots.path_view import LiveView
+
+                stack.enter_context(redrawn(LiveView(robot)))
             if self.controls is not None:
                 stack.enter_context(self.controls(runtime, executor))
                 reporter.start = self.clock.now()

@@ -22,6 +22,7 @@ __all__ = [
     "level_meter",
     "note",
     "progress",
+    "redrawn",
     "say",
     "table",
     "track",
@@ -58,6 +59,16 @@ def json_line(data: Any) -> None:
 def note(text: str) -> None:
     """A line for the person at the terminal that is no result; on standard error."""
     _err().print(Text(text, style="dim"))
+
+
+def redrawn(view: Any) -> contextlib.AbstractContextManager[object]:
+    """Something that is drawn again and again below what is printed; nothing where standard output is no terminal."""
+    console = _out()
+    if not console.is_terminal:
+        return contextlib.nullcontext()
+    from rich.live import Live
+
+    return Live(view, console=console, refresh_per_second=8, transient=True)
 
 
 def error_block(message: str) -> None:

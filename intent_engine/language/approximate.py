@@ -17,8 +17,9 @@ __all__ = ["FreeWord", "Graph", "nearest_utterances"]
 
 MAX_SPAN = 4
 """Words heard that one word of the grammar may stand for."""
+MISSED_WORD = 1.0
 MISSED = 0.7
-"""Cost of a letter of a word that was said but not heard."""
+"""Cost of a word that was said but not heard, and of each letter of it."""
 EXTRA = 0.9
 """Cost of a letter of a word that was heard but not said."""
 FREE = 0.3
@@ -197,7 +198,7 @@ def _missed_words(states: _States, words_after: Callable[[Any], list[str]]) -> I
         cost, said = ways[0]
         for word in words:
             if len(word) <= 6:
-                yield cost + 0.6 + MISSED * len(word), said, state, word
+                yield cost + MISSED_WORD + MISSED * len(word), said, state, word
 
 
 def _push(states: _States, state: Any, way: tuple[float, tuple[str, ...]]) -> None:

@@ -220,8 +220,8 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
 def fold_loop(text: str) -> str:
     """A sentence said over and over, as Whisper does with short input, once.
 
-    Three times or more is a loop (the last may be cut off). Twice is something people say of a few words ("turn left,
-    turn left"), and a loop of four and more.
+    Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
+    sentences ("Right. Right."); of a few words with no full stop between them it is something people say.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
@@ -231,7 +231,8 @@ def fold_loop(text: str) -> str:
         while plain[repeats * length : (repeats + 1) * length] == unit:
             repeats += 1
         rest = plain[repeats * length :]
-        if repeats >= (2 if length >= LONG_SENTENCE else 3) and _begins(unit, rest):
+        whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
+        if repeats >= (2 if whole else 3) and _begins(unit, rest):
             return " ".join(words[:length])
     return text
 

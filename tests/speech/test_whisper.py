@@ -20,6 +20,8 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
         ("Go to the kitchen. Go to the kitchen. Go to the kitchen.", "Go to the kitchen."),
         ("grasp the bottle now, grasp the bottle now, gr", "grasp the bottle now,"),
         ("stop stop stop st", "stop"),
+        ("Right. Right.", "Right."),
+        ("Turn left. Turn left.", "Turn left."),
         ("turn left, turn left", "turn left, turn left"),
         ("go to the lab and go to the dock", "go to the lab and go to the dock"),
         ("", ""),
