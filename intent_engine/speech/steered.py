@@ -77,11 +77,6 @@ class _Candidate:
     """As the model was asked."""
 
     @property
-    def known(self) -> int:
-        """Words that are the grammar's, and not a free slot's."""
-        return known_words(self.words)
-
-    @property
     def rank(self) -> float:
         return self.score - LETTER * self.letters
 
@@ -155,7 +150,7 @@ class SteeredWhisper(WhisperRecognizer):
                 continue
             best = ranked[0]
             free_score = max(self.score(encoded, list(dict.fromkeys(drafts)), language))
-            gap = max(free_score - best.score, 0.0) / (1 + best.known)
+            gap = max(free_score - best.score, 0.0) / (1 + self._telling(best.words, language))
             if best.rank > best_rank:
                 others = tuple(" ".join(one.words) for one in ranked[1:4])
                 found = Transcript(" ".join(best.words), mean, free, gap, others, language)
@@ -192,13 +187,23 @@ class SteeredWhisper(WhisperRecognizer):
             found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES)
         return found
 
+    def _telling(self, words: Sequence[str], language: str | None) -> int:
+        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
+        matcher = self._engine.matcher(language if language in self._engine.languages else None)
+        return sum(not isinstance(word, FreeWord) and (word,) not in matcher.grammar.fillers for word in words)
+
+    def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
+        heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
+        return 2 * self._telling(words, language) < heard_anywhere
+
     def _hopeless(self, encoded: Encoded, free: str, near: dict[tuple[str, ...], float], language: str | None) -> bool:
         """Whether the sentences nearest by their letters are so unlike the sound that no hint will help."""
         nearest = sorted(near, key=lambda words: (near[words], words))[:GLANCE]
         spelled = [" ".join(words).capitalize() for words in nearest]
         heard, *scores = self.score(encoded, [free, *spelled], language)
         return all(
-            heard - score > HOPELESS_GAP * (1 + known_words(words))
+            heard - score > HOPELESS_GAP * (1 + self._telling(words, language))
             for words, score in zip(nearest, scores, strict=True)
         )
 
@@ -214,7 +219,7 @@ class SteeredWhisper(WhisperRecognizer):
         near = [
             row
             for row in sorted(found.items(), key=lambda row: (row[1], row[0]))
-            if self._possible(" ".join(row[0]), language)
+            if self._possible(" ".join(row[0]), language) and not self._mostly_noise(row[0], language)
         ]
         if not near:
             return []
@@ -255,11 +260,6 @@ class SteeredWhisper(WhisperRecognizer):
         storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
         results = self.engine.align(storage, list(tokenizer.sot_sequence), pieces, features.shape[1] * 2)
         return [float(np.log(np.maximum(result.text_token_probs, 1e-12)).sum()) for result in results]
-
-
-def known_words(words: Sequence[str]) -> int:
-    """How many words are the grammar's, and not a free slot's."""
-    return sum(not isinstance(word, FreeWord) for word in words)
 
 
 def _is_refusal(meaning: Interpretation) -> bool:
