@@ -36,6 +36,10 @@ __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 MAX_GAP = 1.5
 """Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
 
+MUMBLED_SCORE = -1.2
+"""Score of a transcript below which the sound is hardly speech: then every sentence explains it as badly as the free
+words do, and the gap must be next to nothing. A stop is taken from any sound that is like one."""
+MUMBLED_GAP = 0.3
 REFLEX_FRAMES = 11
 """Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
 word."""
@@ -395,7 +399,7 @@ class Runtime:
             return meaning, Outlook.OTHER
         prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
         if meaning.status is Status.ACCEPTED:
-            if any(isinstance(action, Stop) for action in meaning.actions):
+            if _stops(meaning):
                 return meaning, Outlook.COMPLETE
             return meaning, Outlook.EXTENDABLE if prefix.status is PrefixStatus.EXTENDABLE else Outlook.COMPLETE
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
@@ -408,7 +412,7 @@ class Runtime:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         state, language = self._state(), self._language(transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=self._last)
-        if meaning.status is Status.ACCEPTED and _too_far(transcript):
+        if meaning.status is Status.ACCEPTED and _too_far(transcript, stopping=_stops(meaning)):
             free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=self._last)
             if free.actions != meaning.actions:
                 return Interpretation(
@@ -444,7 +448,7 @@ class Runtime:
             interpretation=meaning,
             speech_ended=utterance.last_voice,
         )
-        stopping = any(isinstance(action, Stop) for action in meaning.actions)
+        stopping = _stops(meaning)
         if stopping:
             self._held = False
             self._last = ()
@@ -491,5 +495,11 @@ class Runtime:
             self._on_event(Heard(kind, time, **details))
 
 
-def _too_far(transcript: Transcript) -> bool:
-    return transcript.gap is not None and transcript.gap > MAX_GAP
+def _too_far(transcript: Transcript, *, stopping: bool = False) -> bool:
+    """Whether the nearest sentence of the grammar is too unlike the sound to have been said."""
+    most = MUMBLED_GAP if transcript.score < MUMBLED_SCORE and not stopping else MAX_GAP
+    return transcript.gap is not None and transcript.gap > most
+
+
+def _stops(meaning: Interpretation) -> bool:
+    return any(isinstance(action, Stop) for action in meaning.actions)
