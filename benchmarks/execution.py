@@ -276,8 +276,9 @@ def interleavings(quick: bool) -> dict[str, Any]:
     """Non-zero writes after a stop, with threads that hold, release, pause and move time: the test that counts them."""
     tests = Path(__file__).resolve().parent.parent / "tests" / "execution" / "test_interleavings.py"
     which = "whoever_else_is_at_it" if quick else "100_000"
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", str(tests), "-k", which]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env={**os.environ, "INTENT_ENGINE_SLOW": "1"})
+    python = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
+    command = [*python, "-m", "slow or not slow", str(tests), "-k", which]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return {
         "figure": "velocities other than zero after stop(), in random interleavings of threads",
         "value": 0,
@@ -287,7 +288,7 @@ def interleavings(quick: bool) -> dict[str, Any]:
         "ratio": None,
         "spread": None,
         "runs": 2_000 if quick else 100_000,
-        "command": "INTENT_ENGINE_SLOW=1 python -m pytest tests/execution/test_interleavings.py",
+        "command": "python -m pytest -m slow tests/execution/test_interleavings.py",
     }
 
 

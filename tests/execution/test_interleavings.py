@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import random
 import sys
 import threading
@@ -96,6 +95,5 @@ def test_nothing_follows_a_stop_whoever_else_is_at_it():
 
 
 @pytest.mark.slow
-@pytest.mark.skipif("INTENT_ENGINE_SLOW" not in os.environ, reason="set INTENT_ENGINE_SLOW=1: takes minutes")
 def test_nothing_follows_a_stop_in_100_000_interleavings():
     assert race(100_000, seed=2) >= 100_000
