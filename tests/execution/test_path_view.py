@@ -9,7 +9,8 @@ import pytest
 from intent_engine.actions import Move, Navigate, Turn
 from intent_engine.errors import ConfigError
 from intent_engine.execution.robots.path_view import LiveView, path_text, plot_path
-from intent_engine.execution.robots.simulated import SimulatedRobot, path_points
+from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.execution.robots.trace import path_points
 
 
 @pytest.fixture

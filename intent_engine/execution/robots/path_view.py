@@ -10,7 +10,8 @@ from typing import Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.execution.robots.robot import Pose
-from intent_engine.execution.robots.simulated import SimulatedRobot, path_points
+from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.execution.robots.trace import path_points
 
 __all__ = ["LiveView", "path_text", "plot_path"]
 

@@ -12,90 +12,20 @@ import random
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from itertools import pairwise
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
+from intent_engine.execution.robots.kinematics import drive
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
+from intent_engine.execution.robots.simulated_hand import SimulatedHand
+from intent_engine.execution.robots.simulated_task import SimulatedTask, route
+from intent_engine.execution.robots.trace import TracePoint
 
-__all__ = ["SimulatedRobot", "TracePoint", "path_points"]
+__all__ = ["SimulatedRobot"]
 
 log = logging.getLogger(__name__)
 
 EVERYTHING = frozenset(Capability)
-
-
-@dataclass(frozen=True, slots=True)
-class TracePoint:
-    """One point of the path that the robot drove."""
-
-    time: float
-    """s on the robot's clock"""
-    pose: Pose
-    linear: float
-    """m/s from here on"""
-    angular: float
-    """rad/s from here on"""
-
-
-class _SimulatedTask:
-    def __init__(self, kind: str, start: float, end: float) -> None:
-        self.kind = kind
-        self.start = start
-        self.end = end
-        self.finish: Callable[[], str] = lambda: ""
-        """Does what the task does at its end; returns why it failed, or nothing."""
-        self.legs: tuple[_Leg, ...] = ()
-        self._robot: SimulatedRobot | None = None
-        self._state = TaskState.RUNNING
-        self._reason = ""
-        self._callbacks: list[Callable[[Task], None]] = []
-
-    @property
-    def state(self) -> TaskState:
-        if self._robot is not None:
-            self._robot.update()
-        return self._state
-
-    @property
-    def reason(self) -> str:
-        return self._reason
-
-    @property
-    def progress(self) -> float | None:
-        if self._robot is None or self._state is not TaskState.RUNNING:
-            return 1.0 if self._state is TaskState.SUCCEEDED else None
-        if self.end <= self.start:
-            return 1.0
-        return min(max((self._robot.clock.now() - self.start) / (self.end - self.start), 0.0), 1.0)
-
-    def add_done_callback(self, callback: Callable[[Task], None]) -> None:
-        if self._state is TaskState.RUNNING:
-            self._callbacks.append(callback)
-        else:
-            callback(self)
-
-    def end_as(self, state: TaskState, reason: str = "") -> list[Callable[[Task], None]]:
-        """Leave RUNNING; returns who wants to know."""
-        self._state, self._reason = state, reason
-        callbacks, self._callbacks = self._callbacks, []
-        return callbacks
-
-
-@dataclass(frozen=True, slots=True)
-class _Leg:
-    """One part of a navigation: a turn on the spot or a straight line."""
-
-    start: float
-    end: float
-    begin: Pose
-    linear: float
-    angular: float
-
-    def pose(self, time: float) -> Pose:
-        t = min(max(time, self.start), self.end) - self.start
-        return _arc(self.begin, self.linear, self.angular, t)
 
 
 class SimulatedRobot:
@@ -136,16 +66,13 @@ class SimulatedRobot:
         reach: float = 1.0,
     ) -> None:
         self.locations = dict(locations or {})
-        self.objects: dict[str, Pose | None] | None = None
-        if objects is not None:
-            self.objects = {name: self._object_pose(name, where) for name, where in objects.items()}
-        self.holding: str | None = None
+        self._hand = SimulatedHand(self.locations, objects, reach)
         self.start = start
         self._capabilities = frozenset(capabilities)
         self._acceleration = (acceleration, angular_acceleration)
         self._slip, self._delay, self._random = slip, delay, random.Random(seed)
         self._navigation_speed, self._navigation_turn = navigation_speed, navigation_turn
-        self._hand_time, self._reach = hand_time, reach
+        self._hand_time = hand_time
         self._clock: Clock | None = None
         self._lock = threading.RLock()
         self._pose = start
@@ -156,7 +83,7 @@ class SimulatedRobot:
         self._time = 0.0
         self._pending: deque[tuple[float, float, float, float]] = deque()
         """Commands on their way: when they take effect, linear, angular, valid until"""
-        self._task: _SimulatedTask | None = None
+        self._task: SimulatedTask | None = None
         self._closed = False
         self.trace: deque[TracePoint] = deque(maxlen=200_000)
         self.writes = 0
@@ -237,9 +164,9 @@ class SimulatedRobot:
             callbacks += self._end_task(TaskState.CANCELED, "another goal came")
             self._speed = self._target = (0.0, 0.0)
             self._pending.clear()
-            legs = tuple(self._route(goal))
+            legs = tuple(route(self._pose, goal, self._time, self._navigation_speed, self._navigation_turn))
             end = legs[-1].end if legs else self._time
-            task = self._begin(_SimulatedTask("navigate", self._time, end))
+            task = self._begin(SimulatedTask("navigate", self._time, end))
             task.legs = legs
 
             def arrive() -> str:
@@ -252,10 +179,10 @@ class SimulatedRobot:
         return task
 
     def pick(self, object_name: str) -> Task:
-        return self._hand("pick", lambda: self._take(object_name))
+        return self._use_hand("pick", lambda: self._hand.take(object_name, self._pose))
 
     def place(self, object_name: str | None, location: str | None) -> Task:
-        return self._hand("place", lambda: self._put(object_name, location))
+        return self._use_hand("place", lambda: self._hand.put(object_name, location, self._pose))
 
     def cancel(self, task: Task) -> None:
         with self._lock:
@@ -275,6 +202,16 @@ class SimulatedRobot:
         self._closed = True
         if isinstance(self._clock, SteppedClock):
             self._clock.detach(self)
+
+    @property
+    def holding(self) -> str | None:
+        """What is in its hand."""
+        return self._hand.holding
+
+    @property
+    def objects(self) -> Mapping[str, Pose | None] | None:
+        """Where things lie (None: at hand); None: everything is everywhere."""
+        return self._hand.objects
 
     def speed(self) -> tuple[float, float]:
         """What the wheels do now: m/s, rad/s."""
@@ -298,13 +235,6 @@ class SimulatedRobot:
     def _open(self) -> None:
         if self._closed:
             raise RobotError("the simulated robot is closed")
-
-    def _object_pose(self, name: str, where: str | Pose | None) -> Pose | None:
-        if where is None or isinstance(where, Pose):
-            return where
-        if where not in self.locations:
-            raise RobotError(f"{name!r} is said to be at {where!r}, which is not on the simulated robot's map")
-        return self.locations[where]
 
     def _advance(self) -> list[Callable[[], None]]:
         """Integrate up to now; returns the calls to make when the lock is released."""
@@ -367,7 +297,7 @@ class SimulatedRobot:
                     else:
                         speed[axis], rates[axis] = target[axis], 0.0
             t = end - self._time
-            self._pose = _drive(self._pose, speed[0], rates[0], speed[1], rates[1], t)
+            self._pose = drive(self._pose, speed[0], rates[0], speed[1], rates[1], t)
             after = [speed[axis] + rates[axis] * t for axis in (0, 1)]
             for axis in (0, 1):
                 if abs(target[axis] - after[axis]) < 1e-12:
@@ -382,36 +312,17 @@ class SimulatedRobot:
             self.trace.pop()
         self.trace.append(TracePoint(self._time, self._pose, *self._speed))
 
-    def _route(self, goal: Pose) -> Iterable[_Leg]:
-        """Turn to the goal, drive straight, turn to its heading."""
-        time, pose = self._time, self._pose
-        dx, dy = goal.x - pose.x, goal.y - pose.y
-        distance = math.hypot(dx, dy)
-        headings = [(math.atan2(dy, dx), distance)] if distance > 1e-9 else []
-        for heading, length in [*headings, (goal.yaw, 0.0)]:
-            angle = math.remainder(heading - pose.yaw, math.tau)
-            if abs(angle) > 1e-12:
-                rate = math.copysign(self._navigation_turn, angle)
-                yield _Leg(time, time + abs(angle) / self._navigation_turn, pose, 0.0, rate)
-                time += abs(angle) / self._navigation_turn
-                pose = Pose(pose.x, pose.y, heading, pose.frame)
-            if length:
-                duration = length / self._navigation_speed
-                yield _Leg(time, time + duration, pose, self._navigation_speed, 0.0)
-                time += duration
-                pose = Pose(goal.x, goal.y, heading, pose.frame)
-
-    def _hand(self, kind: str, finish: Callable[[], str]) -> Task:
+    def _use_hand(self, kind: str, finish: Callable[[], str]) -> Task:
         with self._lock:
             self._open()
             callbacks = self._advance()
             callbacks += self._end_task(TaskState.CANCELED, "another task came")
-            task = self._begin(_SimulatedTask(kind, self._time, self._time + self._hand_time))
+            task = self._begin(SimulatedTask(kind, self._time, self._time + self._hand_time))
             task.finish = finish
         _call(callbacks)
         return task
 
-    def _begin(self, task: _SimulatedTask) -> _SimulatedTask:
+    def _begin(self, task: SimulatedTask) -> SimulatedTask:
         task._robot = self
         self._task = task
         return task
@@ -423,55 +334,6 @@ class SimulatedRobot:
         callbacks = task.end_as(state, reason)
         return [lambda callback=callback: callback(task) for callback in callbacks]  # type: ignore[misc]
 
-    def _take(self, name: str) -> str:
-        if self.holding is not None:
-            return "" if self.holding == name else f"it holds the {self.holding} already"
-        if self.objects is not None:
-            if name not in self.objects:
-                known = ", ".join(sorted(self.objects)) or "nothing"
-                return f"there is no {name} here; there is: {known}"
-            where = self.objects[name]
-            if where is not None and (far := self._distance(where)) > self._reach:
-                return f"the {name} is {far:.1f} m away, and it reaches {self._reach:g} m"
-        self.holding = name
-        return ""
-
-    def _put(self, name: str | None, location: str | None) -> str:
-        if self.holding is None:
-            return "it holds nothing"
-        if name is not None and name != self.holding:
-            return f"it holds the {self.holding}, not the {name}"
-        place = self._pose
-        if location in self.locations:
-            place = self.locations[location]
-            if (far := self._distance(place)) > self._reach:
-                return f"{location} is {far:.1f} m away, and it reaches {self._reach:g} m"
-        if self.objects is not None:
-            self.objects[self.holding] = place
-        self.holding = None
-        return ""
-
-    def _distance(self, place: Pose) -> float:
-        return math.hypot(place.x - self._pose.x, place.y - self._pose.y)
-
-
-def path_points(trace: Iterable[TracePoint], end: Pose) -> list[Pose]:
-    """The path as poses that straight lines may join: curves are cut into pieces of at most 0.1 rad."""
-    marks = list(trace)
-    if not marks:
-        return [end]
-    points = [marks[0].pose]
-    for mark, following in pairwise([*marks, None]):
-        assert mark is not None
-        goal = following.pose if following is not None else end
-        turned = goal.yaw - mark.pose.yaw
-        if mark.linear and mark.angular and abs(turned) > 0.1:
-            length = turned / mark.angular
-            steps = math.ceil(abs(turned) / 0.1)
-            points += [_arc(mark.pose, mark.linear, mark.angular, length * i / steps) for i in range(1, steps)]
-        points.append(goal)
-    return points
-
 
 def _call(callbacks: list[Callable[[], None]]) -> None:
     for callback in callbacks:
@@ -479,40 +341,3 @@ def _call(callbacks: list[Callable[[], None]]) -> None:
             callback()
         except Exception:
             log.exception("a callback of the simulated robot raised")
-
-
-def _arc(pose: Pose, linear: float, angular: float, t: float) -> Pose:
-    """Constant speeds for ``t`` s: a point, a line or an arc."""
-    if angular == 0.0:
-        return Pose(
-            pose.x + linear * t * math.cos(pose.yaw), pose.y + linear * t * math.sin(pose.yaw), pose.yaw, pose.frame
-        )
-    yaw = pose.yaw + angular * t
-    # sin(b) - sin(a) = 2 cos(mean) sin(half): exact where the arc is nearly a line, too.
-    half = angular * t / 2.0
-    chord = linear * t * (math.sin(half) / half if half else 1.0)
-    return Pose(pose.x + chord * math.cos(pose.yaw + half), pose.y + chord * math.sin(pose.yaw + half), yaw, pose.frame)
-
-
-def _drive(pose: Pose, linear: float, linear_rate: float, angular: float, angular_rate: float, t: float) -> Pose:
-    """Constant accelerations for ``t`` s: in closed form, but for a ramp on a curve (a Fresnel integral)."""
-    if angular == 0.0 and angular_rate == 0.0:
-        way = linear * t + 0.5 * linear_rate * t * t
-        return Pose(pose.x + way * math.cos(pose.yaw), pose.y + way * math.sin(pose.yaw), pose.yaw, pose.frame)
-    if linear_rate == 0.0 and angular_rate == 0.0:
-        return _arc(pose, linear, angular, t)
-    yaw = pose.yaw + angular * t + 0.5 * angular_rate * t * t
-    if linear == 0.0 and linear_rate == 0.0:
-        return Pose(pose.x, pose.y, yaw, pose.frame)
-    # Simpson's rule; its error falls with the fourth power of the step, here below 1e-9 m.
-    steps = 2 * max(4, math.ceil(t / 0.02))
-    h = t / steps
-    x = y = 0.0
-    for index in range(steps + 1):
-        at = index * h
-        weight = 1 if index in (0, steps) else 4 if index % 2 else 2
-        heading = pose.yaw + angular * at + 0.5 * angular_rate * at * at
-        speed = linear + linear_rate * at
-        x += weight * speed * math.cos(heading)
-        y += weight * speed * math.sin(heading)
-    return Pose(pose.x + x * h / 3.0, pose.y + y * h / 3.0, yaw, pose.frame)
