@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
@@ -24,7 +24,7 @@ from intent_engine.language.utterance import Utterance
 if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.language.automaton import WordState
-    from intent_engine.language.explain import Explanation
+    from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
@@ -240,7 +240,15 @@ class IntentEngine:
         return Prefix(_status(matcher, reached), next_words(matcher, reached), count)
 
 
-_Parser = TypeVar("_Parser", bound=Interpreter)
+class _Parses(Protocol):
+    """What understands the text of one language: an interpreter, or a witness of one."""
+
+    matcher: Matcher
+
+    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation: ...
+
+
+_Parser = TypeVar("_Parser", bound=_Parses)
 
 
 def _understood(

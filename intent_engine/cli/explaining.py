@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from intent_engine.cli.describe import interpretation_lines, slots_text
 
 if TYPE_CHECKING:
-    from intent_engine.language.explain import Candidate, Explanation, SlotSource, Step
+    from intent_engine.language.explanation import Candidate, Explanation, SlotSource, Step
 
 __all__ = ["explanation_lines"]
 

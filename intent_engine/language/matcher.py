@@ -295,12 +295,13 @@ class Matcher:
         for place, (slot, after) in enumerate(pairwise(slots)):
             if slot.end != after.start or slot.problem or not {slot.slot.type, after.slot.type} <= _COUNTED:
                 continue
-            if self._is_number(words[slot.end - 1]) and self._is_number(words[after.start]):
+            if self.is_number(words[slot.end - 1]) and self.is_number(words[after.start]):
                 problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
                 slots[place] = replace(slot, value=None, status="unknown", problem=problem)
         return slots
 
-    def _is_number(self, word: str) -> bool:
+    def is_number(self, word: str) -> bool:
+        """Whether a word is a numeral or a word of a number."""
         language = self.grammar.language
         return quantities.is_numeral(word) or (
             word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)

@@ -14,7 +14,7 @@ from typing import Any
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent, Place
 from intent_engine.language.matcher import Reading
-from intent_engine.language.meaning import Interpreter
+from intent_engine.language.meaning import Interpreter, Understood
 from intent_engine.language.template import Node, references
 from intent_engine.language.utterance import Utterance
 
@@ -53,38 +53,18 @@ class Coverage:
     def start(self) -> None:
         """Watch all interpreters of this process."""
         watch = self
+        original = Interpreter.understand
 
-        def accepted(original: Any) -> Any:
-            @functools.wraps(original)
-            def _accepted(interpreter: Interpreter, text: str, clause: Any) -> Interpretation:
-                watch._reached(interpreter, (clause.reading,))
-                found: Interpretation = original(interpreter, text, clause)
-                return found
+        @functools.wraps(original)
+        def understand(interpreter: Interpreter, text: str, *args: Any, **kwargs: Any) -> Understood:
+            found, clauses = original(interpreter, text, *args, **kwargs)
+            watch._asked(interpreter, text, found)
+            if found.status is Status.ACCEPTED:
+                watch._reached(interpreter, [clause.reading for clause in clauses])
+            return found, clauses
 
-            return _accepted
-
-        def joined(original: Any) -> Any:
-            @functools.wraps(original)
-            def _joined(interpreter: Interpreter, text: str, parts: Any) -> Interpretation:
-                watch._reached(interpreter, [part.reading for part in parts])
-                found: Interpretation = original(interpreter, text, parts)
-                return found
-
-            return _joined
-
-        def interpret(original: Any) -> Any:
-            @functools.wraps(original)
-            def _interpret(interpreter: Interpreter, text: str, *args: Any, **kwargs: Any) -> Interpretation:
-                found: Interpretation = original(interpreter, text, *args, **kwargs)
-                watch._asked(interpreter, text, found)
-                return found
-
-            return _interpret
-
-        for name, wrapper in (("_accepted", accepted), ("_joined", joined), ("interpret", interpret)):
-            original = getattr(Interpreter, name)
-            setattr(Interpreter, name, wrapper(original))
-            self._undo.append(functools.partial(setattr, Interpreter, name, original))
+        setattr(Interpreter, "understand", understand)  # noqa: B010 - to mypy a method is no attribute
+        self._undo.append(functools.partial(setattr, Interpreter, "understand", original))
 
     def stop(self) -> None:
         """Watch no longer. Idempotent."""

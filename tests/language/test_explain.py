@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from meanings import shipped
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
-from intent_engine.language import explain
-from intent_engine.language.explain import Explanation, Step
-from intent_engine.language.meaning import Interpreter
+from intent_engine.language import meaning
+from intent_engine.language.explain import OUTCOMES
+from intent_engine.language.explanation import Explanation, Step
+from intent_engine.language.meaning.steps import Kind
 
 
 @pytest.fixture(scope="module")
@@ -54,16 +57,30 @@ def _all(found: Explanation) -> list[Step]:
     return steps
 
 
-def test_the_methods_that_are_watched_exist():
-    for name in (*explain._TOLD, *explain._CLAUSES, "_choose", "_forbidden"):
-        assert callable(getattr(Interpreter, name)), name
+def _marked() -> list[Kind]:
+    """The kind of each step that a rule takes."""
+    seen: list[Kind] = []
+
+    def watch(kind: Kind, method: Any) -> Any:
+        seen.append(kind)
+        return method
+
+    shipped()._interpreter(None).watched(watch)
+    return seen
+
+
+def test_every_kind_of_step_is_taken_by_some_rule_and_told():
+    assert set(_marked()) == set(Kind)
+    assert {*OUTCOMES, Kind.CHOICE} == set(Kind)
 
 
 def test_a_parse_is_not_watched(engine):
+    parser = engine._interpreter(None)
+    rules = [parser, *(rule for rule in vars(parser).values() if type(rule).__module__.startswith(meaning.__name__))]
+    before = [dict(vars(rule)) for rule in rules]
     engine.explain("go to the kitchen")
-    parser = engine._parsers[0]
-    assert type(parser) is Interpreter
-    assert not {*explain._TOLD, *explain._CLAUSES, "_choose"} & set(vars(parser))
+    assert len(rules) > 5
+    assert [dict(vars(rule)) for rule in rules] == before
 
 
 STEPS = [

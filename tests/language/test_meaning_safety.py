@@ -13,10 +13,15 @@ from meanings import ROOT, commands, does, done, shipped
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
-from intent_engine.language import meaning
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import Grammar, Operators
 from intent_engine.language.locations import load
+from intent_engine.language.meaning import MAX_WORDS, Interpreter
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.negation import Negations
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.utterance import Utterance
 
 NOTHING = "nothing"
@@ -566,7 +571,7 @@ def test_words_at_random_do_what_their_parts_say_or_nothing(said: list[str]) -> 
     if found.intent == "compound":
         assert len(found.slots["steps"]) == len(found.actions) > 1
     elif not plain & {(word,) for word in said} and found.confidence == 1.0:
-        core = Utterance.of(text).without(shipped()._interpreter(None)._fillers).words
+        core = Utterance.of(text).without(shipped()._interpreter(None).phrases.fillers).words
         readings = shipped().matcher().read(core)
         ends = operators.sequence and any(" ".join(words) in text for words in operators.sequence)
         assert readings or ends or isinstance(found.actions[0], Stop)
@@ -614,9 +619,9 @@ HARD = [
 
 @pytest.mark.parametrize("unit", HARD)
 def test_the_work_for_the_longest_utterance_is_bounded(unit: str, steps: list[int]) -> None:
-    for length in (10, 20, 40, meaning.MAX_WORDS):
+    for length in (10, 20, 40, MAX_WORDS):
         steps[0] = 0
-        shipped().parse(" ".join((unit.split() * meaning.MAX_WORDS)[:length]))
+        shipped().parse(" ".join((unit.split() * MAX_WORDS)[:length]))
         assert steps[0] <= 6 * length * length + 40 * length
 
 
@@ -627,7 +632,7 @@ def test_what_is_longer_than_any_command_is_not_even_read(
     def never(text: str) -> None:
         raise AssertionError("a text of a megabyte was taken apart")
 
-    monkeypatch.setattr(meaning.Utterance, "of", never)
+    monkeypatch.setattr(Utterance, "of", never)
     found = shipped().parse((unit * (1_000_000 // len(unit) + 1))[:1_000_000])
     assert found.status is Status.REJECTED
     assert "longer than any command" in found.reason
@@ -635,7 +640,7 @@ def test_what_is_longer_than_any_command_is_not_even_read(
 
 
 def test_many_words_in_few_characters_are_not_parsed(steps: list[int]) -> None:
-    found = shipped().parse("a " * (meaning.MAX_WORDS + 1))
+    found = shipped().parse("a " * (MAX_WORDS + 1))
     assert found.status is Status.REJECTED
     assert steps[0] == 0
 
@@ -676,33 +681,34 @@ def test_an_english_grammar_has_its_operators_whatever_its_author_writes() -> No
 
 RULES = {
     # Rule -> what it says when it is broken.
-    "_after_negation": lambda self, core, state: (core, ""),
-    "_negated_before": lambda self, words, position: False,
-    "_halts": lambda self, core: False,
-    "_corrected_after": lambda self, words, position: False,
-    "_stops_between": lambda self, said, state: False,
-    "_only_commands": lambda self, part, state: True,
-    "_sequenced": lambda self, words, position: False,
-    "_clause_begins": lambda self, words, start, position: True,
-    "_skip": lambda self, words, position: position,
-    "_only_stops": lambda self, words, position: bool(words[position:]),
-    "_number_restarted": lambda self, core: False,
-    "_pause_after": lambda self, part, position: True,
-    "_corrected": lambda self, part, state: None,
-    "_corrected_before": lambda self, part, state: None,
-    "_grafted": lambda self, slot, at, meant, whole: False,
-    "_compound": lambda self, core, state: None,
-    "_stops": lambda self, said, state: False,
+    (Negations, "wanted"): lambda self, core, state: (core, ""),
+    (Phrases, "negated_before"): lambda self, words, position: False,
+    (Stops, "in_a_sentence"): lambda self, core: False,
+    (Stops, "_corrected_after"): lambda self, words, position: False,
+    (Stops, "between"): lambda self, said, state: False,
+    (Stops, "_only_commands"): lambda self, part, state: True,
+    (Phrases, "joined_before"): lambda self, words, position: False,
+    (Stops, "_clause_begins"): lambda self, words, start, position: True,
+    (Phrases, "after_opening"): lambda self, words: 0,
+    (Phrases, "only_stops"): lambda self, words, position: bool(words[position:]),
+    (Interpreter, "_number_restarted"): lambda self, core: False,
+    (Corrections, "_pause_after"): lambda self, part, position: True,
+    (Corrections, "corrected"): lambda self, part, state: None,
+    (Corrections, "_corrected_before"): lambda self, part, state: None,
+    (Corrections, "_grafted"): lambda self, slot, at, meant, whole: False,
+    (Corrections, "taken_back"): lambda self, words: 0,
+    (Compounds, "split"): lambda self, core, state: None,
+    (Stops, "heard"): lambda self, said, state: False,
 }
 
 
-@pytest.mark.parametrize("rule", RULES)
-def test_the_table_fails_without_a_rule(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert hasattr(meaning.Interpreter, rule)
+@pytest.mark.parametrize(("rule", "name"), RULES, ids=[f"{rule.__name__}.{name}" for rule, name in RULES])
+def test_the_table_fails_without_a_rule(rule: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert hasattr(rule, name)
     assert not failures(shipped(), TABLE)
-    monkeypatch.setattr(meaning.Interpreter, rule, RULES[rule])
+    monkeypatch.setattr(rule, name, RULES[rule, name])
     moving = [text for text in WHILE_MOVING if does(text, "moving") != "stop"]
-    assert moving or failures(shipped(), TABLE), f"no sentence of the table needs {rule}"
+    assert moving or failures(shipped(), TABLE), f"no sentence of the table needs {rule.__name__}.{name}"
 
 
 FILLER_WORDS = {words[0] for words in shipped().grammar.fillers if len(words) == 1}

@@ -165,7 +165,7 @@ def test_no_text_raises(engine: IntentEngine, text: str) -> None:
 def test_a_long_utterance_is_not_given_to_an_ambiguous_grammar(
     engine: IntentEngine, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    reader = engine._interpreter(None)._patterns
+    reader = engine._interpreter(None)._commands._patterns
     seen: list[int] = []
     [(intent, sentence, parser)] = reader._larks
 

@@ -1,0 +1,22 @@
+"""What an utterance means: stop first, then exact sentences, then the operators of speech, then misheard names.
+
+The order is the safety of it. Nothing fuzzy is tried on words that hold a negation, a correction or a word that
+changes a sentence's sense; a compound is taken whole or not at all; two meanings are nobody's order.
+
+Each rule has its module, and knows only those above it:
+
+- ``phrases``: fillers, wake words and operators, found in words;
+- ``command``: one command, exactly said or with misheard names;
+- ``correction``: "turn left no right";
+- ``compound``: "go forward and turn left";
+- ``negation``: "don't turn left, turn right";
+- ``stops``: "stop", wherever it is a command;
+- ``interpreter``: the order in which they are asked, and what comes of it.
+
+``steps`` marks what they decide, for explanations.
+"""
+
+from intent_engine.language.meaning.command import Clause
+from intent_engine.language.meaning.interpreter import MAX_CHARACTERS, MAX_WORDS, Interpreter, Understood
+
+__all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Clause", "Interpreter", "Understood"]

@@ -1,0 +1,171 @@
+"""One command: the sentence that words are, exactly; else the one that they sound like."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from intent_engine.actions import Action
+from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.patterns import Patterns
+from intent_engine.language.quantities import Relative
+
+__all__ = ["Clause", "Commands", "forbidden", "slot_values"]
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """One command, understood, or why not."""
+
+    reading: Reading | None = None
+    action: Action | None = None
+    reason: str = ""
+    """Why it is not accepted; or what was changed to accept it."""
+    alternatives: tuple[str, ...] = ()
+    ambiguous: bool = False
+
+    @property
+    def accepted(self) -> bool:
+        return self.action is not None
+
+
+class Commands:
+    """Words to one command of a grammar, for a robot in given states."""
+
+    def __init__(self, matcher: Matcher) -> None:
+        self.matcher = matcher
+        self._patterns = Patterns(matcher.grammar)
+
+    @step(Kind.SENTENCE)
+    def exact(self, words: list[str], state: Collection[str]) -> Clause | None:
+        """The command that these words are, exactly; None if no sentence has them."""
+        readings = self.matcher.read(words)
+        if self._patterns:
+            readings = [*readings, *self._patterns.read(words, self.matcher)]
+        return self._choose(readings, state) if readings else None
+
+    def accepts(self, words: list[str], state: Collection[str]) -> bool:
+        """Whether the words are a command by themselves, exactly."""
+        clause = self.exact(words, state)
+        return clause is not None and clause.accepted
+
+    @step(Kind.MISHEARD)
+    def misheard(self, words: list[str], state: Collection[str]) -> Clause | None:
+        """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near."""
+        readings = self.matcher.read(words, loose=True)
+        if not readings:
+            return None
+        # Something must have been heard as it is: "lft" alone is nothing.
+        good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
+        if good:
+            best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
+            level = [
+                reading
+                for reading in good
+                if reading.intent.priority == best.intent.priority
+                and reading.free_words == best.free_words
+                and reading.score > best.score - 0.08
+            ]
+            return self._choose([best, *(reading for reading in level if reading is not best)], state)
+        wrong = [reading for reading in readings if reading.problem]
+        return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
+
+    @step(Kind.CHOICE)
+    def _choose(self, readings: list[Reading], state: Collection[str]) -> Clause:
+        """The one meaning of readings that are best first, or why there is none."""
+        best = readings[0]
+        if best.problem:
+            return _problem_clause(best)
+        allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
+        if not allowed:
+            return Clause(best, reason=forbidden(best, state))
+        best = allowed[0]
+        try:
+            action = build_action(best.intent, best.values(), self.matcher.locations)
+        except CannotActError as error:
+            return Clause(best, reason=str(error))
+        if len(allowed) > 1:
+            rivals = self._rivals(best, action, allowed[1:])
+            if rivals:
+                return Clause(
+                    best,
+                    reason="it could mean two things",
+                    alternatives=(_described(best), *rivals),
+                    ambiguous=True,
+                )
+        return Clause(best, action, _changes(best))
+
+    def _rivals(self, best: Reading, action: Action, others: list[Reading]) -> tuple[str, ...]:
+        """Other meanings as good as the best: same words understood, same priority, another action."""
+        found: list[str] = []
+        for other in others:
+            if (other.intent.priority, other.free_words, other.alikes) != (
+                best.intent.priority,
+                best.free_words,
+                best.alikes,
+            ):
+                continue
+            try:
+                meant = build_action(other.intent, other.values(), self.matcher.locations)
+            except CannotActError:
+                continue
+            if meant != action:
+                found.append(_described(other))
+        return tuple(dict.fromkeys(found))
+
+
+def forbidden(reading: Reading, state: Collection[str]) -> str:
+    """Why a command cannot be done in these states of the robot; empty: it can."""
+    intent = reading.intent
+    missing = intent.requires - set(state) if intent.requires else None
+    if missing:
+        return f"{intent.name} needs the robot to be {' and '.join(sorted(missing))}"
+    present = intent.excludes & set(state) if intent.excludes else None
+    if present:
+        return f"{intent.name} cannot be done while the robot is {' and '.join(sorted(present))}"
+    return ""
+
+
+def slot_values(reading: Reading) -> dict[str, Any]:
+    """Slots for a person or a program: SI numbers, names, text; a relative speed as its factor of the usual one."""
+    values: Mapping[str, Any] = reading.values()
+    return {
+        label: value.factor if isinstance(value, Relative) else value
+        for label, value in values.items()
+        if value is not None
+    }
+
+
+def _described(reading: Reading) -> str:
+    """A short name of a meaning, for "did you mean"."""
+    values = ", ".join(f"{label}: {value}" for label, value in slot_values(reading).items())
+    return f"{reading.intent.name} ({values})" if values else reading.intent.name
+
+
+def _problem_clause(reading: Reading) -> Clause:
+    slot = next(slot for slot in reading.slots if slot.problem)
+    names = tuple(name for name, _ in slot.rivals[:3])
+    return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=slot.status == "ambiguous")
+
+
+def _problem_rank(reading: Reading) -> tuple[int, int, float]:
+    """Which failure tells most: an ambiguous name, then a limit, then the fewest words not understood."""
+    order = {"ambiguous": 0, "limit": 1}
+    slot = next(slot for slot in reading.slots if slot.problem)
+    nearest = slot.rivals[0][1] if slot.rivals else 0.0
+    return order.get(slot.status, 2), slot.end - slot.start, -nearest
+
+
+def _changes(reading: Reading) -> str:
+    """What was changed to accept a reading that is not exact."""
+    changes = [
+        f"heard {' '.join(reading.words[slot.start : slot.end])!r} as {slot.value!r}"
+        for slot in reading.slots
+        if slot.status == "fuzzy"
+    ]
+    if reading.alikes:
+        changes.append(f"read as {' '.join(reading.words)!r}")
+    return "; ".join(changes)

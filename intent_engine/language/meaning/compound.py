@@ -1,0 +1,91 @@
+"""Compounds: "go forward two meters then turn left". Taken whole, every part a whole command, or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from intent_engine.actions import Stop
+from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["MAX_PARTS", "Compounds"]
+
+MAX_PARTS = 8
+"""Commands in one utterance."""
+
+
+class Compounds:
+    """The commands that an utterance joins."""
+
+    def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
+        self._phrases = phrases
+        self._sequence = phrases.sequence
+        self._commands = commands
+        self._corrections = corrections
+
+    @step(Kind.COMMAND)
+    def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
+        """The command that a part of an utterance is: exact, corrected, or with misheard names."""
+        words = part.words
+        clause = self._commands.exact(words, state)
+        if clause is not None and (clause.accepted or clause.ambiguous):
+            return clause
+        if self._corrections.may_stand_in(words):
+            corrected = self._corrections.corrected(part, state)
+            if corrected is not None:
+                return corrected
+        if loosely and not self._phrases.change_meaning(words):
+            loose = self._commands.misheard(words, state)
+            if loose is not None:
+                return loose
+        return clause
+
+    @step(Kind.COMPOUND)
+    def split(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+        """The commands that an utterance joins, if every part of some split is a whole command; else None."""
+        words = core.words
+        if not self._sequence.may_stand_in(words) and not any(core.breaks[1:]):
+            return None
+        tried: dict[int, list[Clause] | None] = {}
+
+        def rest(start: int, depth: int) -> list[Clause] | None:
+            if start in tried:
+                return tried[start]
+            tried[start] = None
+            found: list[Clause] | None = None
+            for end, after in self._boundaries(core, start):
+                clause = self.part(core.part(start, end), state)
+                if clause is None or not clause.accepted:
+                    continue
+                if end == len(words):
+                    found = [clause]
+                elif self._phrases.only_stops(words, after):
+                    found = [clause]  # "... and stop": every command ends with the robot at rest
+                elif depth < MAX_PARTS:
+                    onward = rest(after, depth + 1)
+                    found = [clause, *onward] if onward is not None else None
+                    if after > end and onward and len(onward) == 1 and isinstance(onward[0].action, Stop):
+                        found = [clause]  # "... and wait there"
+                if found is not None:
+                    break
+            tried[start] = found
+            return found
+
+        return rest(self._sequence.at(words, 0), 1) or None
+
+    def _boundaries(self, core: Utterance, start: int) -> Iterator[tuple[int, int]]:
+        """(end of this part, start of the next), the longest part first."""
+        words = core.words
+        is_number = self._commands.matcher.is_number
+        yield len(words), len(words)
+        for end in range(len(words) - 1, start, -1):
+            for length in self._sequence.lengths_at(words, end):
+                after = end + length
+                # "turn 15 and 20 degrees": one number or two, nobody can know.
+                if after < len(words) and not (is_number(words[end - 1]) and is_number(words[after])):
+                    yield end, after
+            if core.breaks[end]:
+                yield end, end

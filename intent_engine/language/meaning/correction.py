@@ -1,0 +1,169 @@
+"""Correction: "turn left no right", "go to the kitchen I mean the lab". The last word counts, where it is clear what it
+replaces."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from typing import Any
+
+from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.matcher import Reading, SlotReading
+from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.quantities import evaluate
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["Corrections"]
+
+_WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "ordinal"))
+_FREE = ("text", "object")
+
+
+class Corrections:
+    """What is meant by one command that was corrected while it was said."""
+
+    def __init__(self, phrases: Phrases, commands: Commands) -> None:
+        self._phrases = phrases
+        self._correction = phrases.correction
+        self._commands = commands
+        self._matcher = commands.matcher
+
+    def taken_back(self, words: list[str]) -> int:
+        """Length of the correction with which the words end, with nothing in its place: "go forward, no"."""
+        length = self._correction.ends(words) if self._correction.may_stand_in(words) else 0
+        if 0 < length < len(words) and not self._phrases.joined_before(words, len(words) - length):
+            return length
+        return 0
+
+    def may_stand_in(self, words: list[str]) -> bool:
+        return self._correction.may_stand_in(words)
+
+    @step(Kind.CORRECTION)
+    def corrected(self, part: Utterance, state: Collection[str]) -> Clause | None:
+        """The command that is meant at last; None if nothing is corrected or it is not clear what."""
+        pieces = list(self._split(part))
+        if len(pieces) < 2:
+            return self._corrected_before(part, state)
+        current = pieces[0].words
+        for piece in pieces[1:]:
+            if not piece.words:
+                continue
+            replaced = self._replace(current, piece.words, state)
+            if replaced is None:
+                return None
+            current = replaced
+        clause = self._commands.exact(current, state)
+        if clause is None or not clause.accepted:
+            return clause
+        return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
+
+    def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
+        """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
+
+        Not "sorry, right": one word is as likely talk. Nor "no turn left" in one breath, which may forbid.
+        """
+        start = 0
+        while length := self._correction.at(part.words, start):
+            start += length
+        forbids = set(part.words[:start]) == {"no"} and not self._pause_after(part, start)
+        if not start or len(part) < start + 2 or forbids:
+            return None
+        clause = self._commands.exact(part.words[start:], state)
+        if clause is None or not clause.accepted:
+            return clause
+        return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
+
+    def _split(self, part: Utterance) -> Iterator[Utterance]:
+        """What stands between the words of correction."""
+        start = position = 0
+        while position < len(part):
+            length = self._correction.at(part.words, position)
+            if length:
+                bare = position == 0 and not self._pause_after(part, position + length)
+                if bare and part.words[0] == "no" and length == 1:
+                    return  # "no go to the kitchen": who knows
+                if position > start or start > 0:
+                    yield part.part(start, position)
+                start = position = position + length
+            else:
+                position += 1
+        yield part.part(start, len(part))
+
+    def _pause_after(self, part: Utterance, position: int) -> bool:
+        return position < len(part) and part.breaks[position]
+
+    @step(Kind.REPLACEMENT)
+    def _replace(self, said: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
+        """``said`` with the part that ``meant`` corrects replaced, or None if that is not clear.
+
+        ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
+        words as possible are kept; two ways that keep as many and differ are not clear. Else it is a whole command.
+        """
+        whole = self._commands.accepts(meant, state)
+        if not said:
+            return meant if whole else None
+        kept: dict[tuple[bool, int], dict[tuple[Any, ...], list[str]]] = {}
+        first = next((reading for reading in self._matcher.read(said) if not reading.problem), None)
+        for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
+            assert first is not None
+            old = first.values()
+            for reading in self._matcher.read(words)[:1]:
+                if reading.problem or reading.intent is not first.intent:
+                    continue
+                touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
+                if label is not None and label not in (slot.label for slot in touched):
+                    continue
+                if any(self._grafted(slot, at, meant, whole) for slot in touched):
+                    continue
+                new = reading.values()
+                if set(new) != set(old) or sum(old[label] != value for label, value in new.items()) > 1:
+                    continue
+                meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
+                # A place takes the place of a place, though free words would take it as well.
+                known = not any(slot.slot.type in _FREE for slot in touched)
+                kept.setdefault((known, count), {}).setdefault(meaning, words)
+        if kept:
+            best = kept[max(kept)]
+            return next(iter(best.values())) if len(best) == 1 else None
+        if whole:
+            # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
+            _, reached = self._matcher.strict.walk(said)
+            return meant if reached is not None else None
+        return None
+
+    def _replacements(
+        self, said: list[str], meant: list[str], reading: Reading, whole: bool
+    ) -> Iterator[tuple[list[str], int, int, str | None]]:
+        """Each way to put ``meant`` into ``said``: the words, how many of the old are kept, where the new ones begin,
+        and the slot that they are for."""
+        within: set[int] = set()
+        for slot in reading.slots:
+            if slot.slot.type in _FREE:
+                # Any words would do there, so all of them are replaced, and never by what is a command itself.
+                within.update(range(slot.start + (not whole), slot.end))
+                ends = [] if whole else [slot.end]
+            else:
+                ends = list(range(slot.end, slot.start, -1))
+            for end in ends:
+                yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start), slot.start, slot.label
+        for start in range(len(said) - 1, 0, -1):
+            if start not in within:
+                yield said[:start] + meant, start, start, None
+
+    def _grafted(self, slot: SlotReading, at: int, meant: list[str], whole: bool) -> bool:
+        """Whether a slot would hold what was said and what was meant as one: "point" + "20 degrees per second".
+
+        A number alone may take the unit that was said before ("two meters, no, three"), a value with its unit takes
+        the place of all. Free words take nothing over, and never hold what is a command by itself.
+        """
+        mixed = slot.start < at or slot.end > at + len(meant)
+        if slot.slot.type in _FREE:
+            return mixed or whole
+        if not mixed:
+            return False
+        if slot.slot.type in QUANTITY_KINDS:
+            kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
+            return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
+        return self._matcher.slot_from_words(slot.slot, slot.label, meant).status == "exact"

@@ -1,0 +1,209 @@
+"""The order of the rules: what an utterance means, or why it means nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import TYPE_CHECKING, TypeVar
+
+from intent_engine.actions import Stop
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.command import Clause, Commands, slot_values
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.negation import Negations
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, Watch, step, watched
+from intent_engine.language.meaning.stops import Stops
+from intent_engine.language.utterance import Utterance
+
+if TYPE_CHECKING:
+    from intent_engine.language.nearest import Nearest
+
+__all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
+
+MAX_WORDS = 80
+"""Words beyond which nothing is a command. A long compound order has about 30."""
+MAX_CHARACTERS = 2_000
+
+_Rule = TypeVar("_Rule")
+Understood = tuple[Interpretation, tuple[Clause, ...]]
+"""What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
+
+
+class Interpreter:
+    """Text to :class:`Interpretation` for one grammar and map. Never raises on text. Thread-safe."""
+
+    def __init__(self, matcher: Matcher, nearest: Nearest) -> None:
+        grammar = matcher.grammar
+        self.matcher = matcher
+        self.phrases = Phrases(grammar)
+        self._nearest = nearest
+        self._stop_intent = next(
+            (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
+        )
+        self._arrange(Commands(matcher), None)
+
+    def _arrange(self, commands: Commands, watch: Watch | None) -> None:
+        """Make the rules, each from those before it."""
+
+        def made(rule: _Rule) -> _Rule:
+            return rule if watch is None else watched(rule, watch)
+
+        phrases = self.phrases
+        self._commands = made(commands)
+        self._corrections = made(Corrections(phrases, self._commands))
+        self._compounds = made(Compounds(phrases, self._commands, self._corrections))
+        self._negations = made(Negations(phrases, self._commands, self._compounds))
+        self._stops = made(Stops(phrases, self._commands, self._compounds))
+
+    def watched(self, watch: Watch) -> Interpreter:
+        """Another that understands the same, and whose every step a watcher sees."""
+        other = watched(self, watch)
+        other._arrange(self._commands, watch)
+        return other
+
+    # -- the order of things ----------------------------------------------------------------------------------
+
+    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation:
+        """The meaning of a text.
+
+        Args:
+            text: what was said or typed.
+            state: names of the states that the robot is in, for ``requires`` and ``excludes``.
+            spoken: whether a wake word is needed, if the grammar has one. Stop never needs it.
+        """
+        return self.understand(text, state, spoken=spoken)[0]
+
+    def understand(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Understood:
+        """The same, with the commands of which the meaning is made."""
+        if len(text) > MAX_CHARACTERS:
+            return self._rejected(text, f"longer than any command ({len(text)} characters)")
+        said = Utterance.of(text)
+        words = said.words
+        if not words:
+            return self._rejected(text, "nothing was said")
+        if len(words) > MAX_WORDS:
+            return self._rejected(text, f"longer than any command ({len(words)} words)")
+        phrases = self.phrases
+        if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
+            return self._stopped(text)
+        if phrases.wake:
+            woken = self._awake(said)
+            if woken is None and spoken:
+                return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
+            said = woken or said
+        clause = self._commands.exact(said.words, state)
+        if clause is not None and clause.accepted:
+            free = clause.reading is not None and clause.reading.free_words > 0
+            if not free or not phrases.fillers.may_stand_in(said.words):
+                return _told(text, clause)  # else fillers may stand in the free words: "the cup please"
+        core = phrases.without_fillers(said)
+        if clause is not None and clause.accepted and core is said:
+            return _told(text, clause)
+        if core is not said and not self._number_restarted(core):
+            again = self._commands.exact(core.words, state)
+            if again is None:  # "uh, again": some fillers are sentences as well, or parts of one
+                again = self._commands.exact(phrases.without_idle_fillers(said).words, state)
+            if again is not None and (again.accepted or clause is None):
+                clause = again
+            if clause is not None and clause.accepted:
+                return _told(text, clause)
+        if not core.words:
+            return self._rejected(text, "no command in it")
+        if clause is not None and clause.ambiguous:
+            return _told(text, clause)
+        if self._number_restarted(core):
+            return self._rejected(text, "the number was said in two pieces; say it again")
+        return self._operated(text, said, core, state, clause)
+
+    def _operated(
+        self, text: str, said: Utterance, core: Utterance, state: Collection[str], clause: Clause | None
+    ) -> Understood:
+        """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
+        words = core.words
+        if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
+            return self._rejected(text, "cancelled in the same breath")
+        if self._stops.in_a_sentence(core):
+            return self._stopped(text)
+        if taken_back := self._corrections.taken_back(words):
+            return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
+        negated = self._negations.stands_in(words)
+        if negated:
+            wanted, reason = self._negations.wanted(core, state)
+            if wanted is None:
+                return self._rejected(text, reason)
+            core = wanted
+        parts = self._compounds.split(core, state)
+        if parts is not None:
+            return self._joined(text, parts)
+        single = self._compounds.part(core, state, loosely=not negated)
+        if single is not None and (single.accepted or single.ambiguous):
+            return _told(text, single)
+        if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
+            return self._stopped(text)
+        return self._not_understood(text, core, clause or single)
+
+    @step(Kind.WAKE)
+    def _awake(self, said: Utterance) -> Utterance | None:
+        return self.phrases.awake(said)
+
+    @step(Kind.NUMBERS)
+    def _number_restarted(self, core: Utterance) -> bool:
+        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
+        is_number = self.matcher.is_number
+        return any(is_number(core.words[place - 1]) and is_number(core.words[place]) for place in core.joined)
+
+    # -- results ------------------------------------------------------------------------------------------------
+
+    def _stopped(self, text: str) -> Understood:
+        return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0), ()
+
+    def _joined(self, text: str, parts: list[Clause]) -> Understood:
+        if len(parts) == 1:
+            return _told(text, parts[0])
+        actions = tuple(part.action for part in parts if part.action is not None)
+        if any(isinstance(action, Stop) for action in actions):
+            return self._stopped(text)[0], tuple(parts)
+        steps = []
+        score = 1.0
+        for part in parts:
+            assert part.reading is not None
+            steps.append({"intent": part.reading.intent.name, "slots": slot_values(part.reading)})
+            score *= part.reading.score
+        reasons = "; ".join(part.reason for part in parts if part.reason)
+        found = Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons)
+        return found, tuple(parts)
+
+    @step(Kind.REFUSAL)
+    def _rejected(self, text: str, reason: str) -> Understood:
+        return Interpretation(text, Status.REJECTED, reason=reason), ()
+
+    @step(Kind.OTHERWISE)
+    def _not_understood(self, text: str, core: Utterance, clause: Clause | None) -> Understood:
+        words = core.words
+        if not self.phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
+            # Before what a name is not: "go to the" is unfinished, not a place called "the".
+            _, reached = self.matcher.prefix(words)
+            unfinished = clause is not None and clause.reading is not None and clause.reading.unfinished
+            if reached is not None and (unfinished or not self.matcher.spoken.accepting(reached)):
+                following = tuple(sorted(self.matcher.spoken.next_words(reached))[:8])
+                reason = "the sentence is not finished"
+                return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
+        if clause is not None:
+            return _told(text, clause)
+        near = self._nearest.sentences(words)
+        return Interpretation(text, Status.REJECTED, reason="not a command of this grammar", alternatives=near), ()
+
+
+def _told(text: str, clause: Clause) -> Understood:
+    """One command as it is told: accepted, ambiguous, or rejected."""
+    reading = clause.reading
+    intent = reading.intent.name if reading is not None else None
+    slots = slot_values(reading) if reading is not None else {}
+    if clause.action is not None and reading is not None:
+        found = Interpretation(text, Status.ACCEPTED, intent, slots, (clause.action,), reading.score, (), clause.reason)
+    else:
+        status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
+        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
+    return found, (clause,)

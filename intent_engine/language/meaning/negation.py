@@ -1,0 +1,77 @@
+"""Negation: whatever else is said, a negated command is not done. Only what is wanted instead may be."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["Negations"]
+
+_BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
+"""What may stand before "don't turn left, turn right"."""
+
+
+class Negations:
+    """What an utterance with a negation leaves to be done."""
+
+    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds) -> None:
+        self._phrases = phrases
+        self._negation = phrases.negation
+        self._commands = commands
+        self._compounds = compounds
+
+    def stands_in(self, words: list[str]) -> bool:
+        return self._negation.may_stand_in(words) and self._first(words) is not None
+
+    def _first(self, words: list[str]) -> tuple[int, int] | None:
+        """(position, length) of the first negation that is no part of a correction: "no espera" corrects, where "no"
+        negates; "no no" may be either, and so negates."""
+        position = 0
+        while position < len(words):
+            length = self._negation.at(words, position)
+            corrects = self._phrases.correction.at(words, position)
+            if corrects > length and not all(
+                self._negation.at([word], 0) for word in words[position : position + corrects]
+            ):
+                position += corrects
+            elif length:
+                return position, length
+            else:
+                position += 1
+        return None
+
+    @step(Kind.NEGATION)
+    def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
+        """What is still wanted of an utterance with a negation: only what follows "instead" or "but".
+
+        "don't turn left, turn right": the first part must be a whole command and a pause or a contrast must follow,
+        and what follows must be whole commands. Anything else with a negation does nothing.
+        """
+        words = core.words
+        found = self._first(words)
+        if found is None:
+            return core, ""
+        position, length = found
+        refused = f"negated: {' '.join(words[position : position + length])!r}"
+        if words[:position] not in _BEFORE:
+            return None, refused
+        for end in range(position + length + 1, len(words)):
+            contrast = self._phrases.contrast.at(words, end)
+            if not contrast and not core.breaks[end]:
+                continue
+            forbidden = self._commands.exact(words[position + length : end], state)
+            if forbidden is None:
+                continue
+            wanted = core.part(end + contrast, len(core))
+            if not wanted.words or self._negation.may_stand_in(wanted.words):
+                continue
+            if self._phrases.sequence.at(wanted.words, 0):
+                continue
+            if self._compounds.split(wanted, state) or self._commands.accepts(wanted.words, state):
+                return wanted, ""
+        return None, refused

@@ -1,0 +1,102 @@
+"""The phrases of speech in one grammar, and what can be seen from them alone: before any sentence is looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.spellings import own_words
+from intent_engine.language.utterance import Openers, PhraseSet, Utterance
+
+__all__ = ["Phrases"]
+
+
+class Phrases:
+    """Fillers, wake words and operators (stop, negation, correction ...) of a grammar, ready to be found."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        operators = grammar.operators
+        self.fillers = PhraseSet(grammar.fillers)
+        own = own_words(grammar)
+        self.idle = PhraseSet(words for words in grammar.fillers if not own.issuperset(words))
+        """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
+        self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
+        """Operators, of which no filler takes a part."""
+        self.wake = PhraseSet(grammar.wake)
+        self.stop = PhraseSet(operators.stop)
+        self.negation = PhraseSet(operators.negation)
+        self.correction = PhraseSet(operators.correction)
+        self.cancel = PhraseSet(operators.cancel)
+        self.sequence = PhraseSet(operators.sequence)
+        self.contrast = PhraseSet(operators.contrast)
+        opening = (words for words in grammar.fillers if any((word,) in operators.sequence for word in words))
+        self._openers = Openers(PhraseSet(opening), self.sequence)
+        self._closed = operators.closed
+
+    def without_fillers(self, said: Utterance) -> Utterance:
+        return said.without(self.fillers, self.kept, self._openers)
+
+    def without_idle_fillers(self, said: Utterance) -> Utterance:
+        return said.without(self.idle, self.kept, self._openers)
+
+    def change_meaning(self, words: Sequence[str]) -> bool:
+        """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
+        return not self._closed.isdisjoint(words)
+
+    def awake(self, said: Utterance) -> Utterance | None:
+        """What follows the wake word with which the utterance begins; None if it does not."""
+        position = 0
+        while position < len(said):
+            length = self.wake.at(said.words, position)
+            if length:
+                return said.part(position + length, len(said))
+            length = self.fillers.at(said.words, position)
+            if not length:
+                return None
+            position += length
+        return None
+
+    def after_opening(self, words: list[str]) -> int:
+        """Where an utterance begins, past fillers, wake words and words of correction ("no stop", "hey robot stop")."""
+        position = 0
+        while position < len(words):
+            length = max(
+                self.fillers.at(words, position),
+                self.wake.at(words, position),
+                self.correction.at(words, position),
+            )
+            if not length or self.stop.at(words, position) >= length:
+                break
+            position += length
+        return position
+
+    def only_stops(self, words: list[str], position: int) -> bool:
+        """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""
+        found = False
+        while position < len(words):
+            length = self.stop.at(words, position)
+            if length:
+                found = True
+            elif found:
+                length = self.fillers.at(words, position) or self.wake.at(words, position)
+            if not length and found:
+                length = _echo(words, position)
+            if not length:
+                return False
+            position += length
+        return found
+
+    def negated_before(self, words: list[str], position: int) -> bool:
+        return any(self.negation.at(words, back) == position - back for back in range(max(0, position - 3), position))
+
+    def joined_before(self, words: list[str], position: int) -> bool:
+        """Whether "and then" stands before: a stop at the end of a list of commands is where it ends anyway."""
+        return any(self.sequence.at(words, back) == position - back for back in range(max(0, position - 4), position))
+
+
+def _echo(words: list[str], position: int) -> int:
+    """Length of the words here that only say again what stands before: "stop right there right there"."""
+    for length in range(min(position, len(words) - position), 0, -1):
+        if words[position : position + length] == words[position - length : position]:
+            return length
+    return 0

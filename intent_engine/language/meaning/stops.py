@@ -1,0 +1,133 @@
+"""Stop: heard wherever it is a command, before anything else is considered and never with anything fuzzy."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["MOVING", "Stops"]
+
+MOVING = "moving"
+"""The robot state in which any utterance that begins with a stop word stops it."""
+
+
+class Stops:
+    """Whether an utterance stops the robot."""
+
+    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds) -> None:
+        self._phrases = phrases
+        self._stop = phrases.stop
+        self._commands = commands
+        self._compounds = compounds
+
+    def may_stand_in(self, words: list[str]) -> bool:
+        return self._stop.may_stand_in(words)
+
+    @step(Kind.STOP)
+    def heard(self, said: Utterance, state: Collection[str]) -> bool:
+        """Whether any clause of the utterance is a command to stop.
+
+        A clause is one that begins the utterance (after fillers, a wake word or "no"), follows a pause, or ends a
+        sentence that was begun ("go forward stop"). "the bus stop", "don't stop" and "stop the music" are none; but
+        while the robot moves, an utterance that *begins* with a stop word stops it whatever comes after.
+        """
+        words = said.words
+        phrases = self._phrases
+        start = phrases.after_opening(words)
+        if phrases.only_stops(words, start):
+            return True
+        if MOVING in state and self._stop.at(words, start) and not self._is_sentence(words, state):
+            return True
+        if self._corrected_after(words, start):
+            return True
+        for position in range(start + 1, len(words)):
+            if not self._stop.at(words, position):
+                continue
+            if said.breaks[position] or self._clause_begins(words, start, position):
+                if phrases.negated_before(words, position):
+                    continue
+                if self._corrected_after(words, position):
+                    return True
+                ends = phrases.only_stops(words, position)
+                if ends and not phrases.joined_before(words, position) and not self._is_sentence(words, state):
+                    return True
+        return False
+
+    @step(Kind.STOP)
+    def between(self, said: Utterance, state: Collection[str]) -> bool:
+        """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
+        words = said.words
+        begins = [self._phrases.after_opening(words), 0]
+        position = begins[0]
+        while position <= len(words):
+            length = self._stop.at(words, position)
+            if not length and position < len(words):
+                position += 1
+                continue
+            if not any(self._only_commands(said.part(begin, position), state) for begin in begins):
+                return False
+            begins = [position + shorter for shorter in self._stop.lengths_at(words, position)] + [position]
+            position += max(length, 1)
+        return True
+
+    def in_a_sentence(self, core: Utterance) -> bool:
+        """ "go forward for two seconds, wait a minute": a command, and then a sentence of the stop intent.
+
+        The words of those sentences are more than stop words, and begin like corrections: nothing is corrected.
+        """
+        words = core.words
+        phrases = self._phrases
+        for position in range(1, len(words)):
+            readings = self._commands.matcher.read(words[position:])
+            if not any(reading.intent.action.type == "stop" and not reading.problem for reading in readings):
+                continue
+            apart = core.breaks[position] or self._clause_begins(words, 0, position)
+            if apart and not phrases.negated_before(words, position) and not phrases.joined_before(words, position):
+                return True
+        return False
+
+    def _is_sentence(self, words: list[str], state: Collection[str]) -> bool:
+        """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place."""
+        clause = self._commands.exact(words, state)
+        return clause is not None and (clause.accepted or clause.ambiguous)
+
+    def _clause_begins(self, words: list[str], start: int, position: int) -> bool:
+        """Whether what stands before could be a command by itself, so that a new clause can begin here."""
+        phrases = self._phrases
+        before = phrases.without_fillers(Utterance(words[start:position], [False] * (position - start))).words
+        if not before:
+            return True
+        correction = phrases.correction.ends(before)
+        if correction:
+            before = before[: len(before) - correction]
+        if self._stop.may_stand_in(before) and phrases.only_stops(before, 0):
+            return True
+        count, reached = self._commands.matcher.prefix(before)
+        return reached is not None and count > 0
+
+    def _corrected_after(self, words: list[str], position: int) -> bool:
+        """Whether a stop phrase stands here and a correction or cancellation ("do not") after it.
+
+        "stop, no, go forward", "stop don't move": nothing said in the same breath takes a stop back. A negation alone
+        does: "halt nicht an".
+        """
+        length = self._stop.at(words, position)
+        after = position + length
+        return length > 0 and any(
+            phrases.at(words, after) for phrases in (self._phrases.correction, self._phrases.cancel)
+        )
+
+    def _only_commands(self, part: Utterance, state: Collection[str]) -> bool:
+        """Whether a part between stop words is commands, or only fillers, and so no talk about something else."""
+        phrases = self._phrases
+        part = part.part(phrases.sequence.at(part.words, 0), len(part))
+        for joint in (phrases.correction, phrases.sequence):
+            part = part.part(0, len(part) - joint.ends(part.words))
+        core = phrases.without_fillers(part)
+        known = not core.words or any(self._commands.accepts(each.words, state) for each in (part, core))
+        return known or self._compounds.split(core, state) is not None
