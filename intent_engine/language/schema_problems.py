@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
+from intent_engine.language.schema_check import surely_valid
 from intent_engine.language.yaml_source import YamlSource, did_you_mean
 
 if TYPE_CHECKING:
@@ -43,6 +44,8 @@ def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]
         The problems, with file, line and column, in the order of the file. What they are about is noted in
         ``source.broken``, so that the rest of the file can still be read.
     """
+    if surely_valid(source.data, schema):
+        return []
     import json
 
     found: list[Problem] = []

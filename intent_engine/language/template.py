@@ -1,4 +1,4 @@
-"""Sentence templates: text to tree.
+"""Sentence templates: text to tree, or what is wrong with the text.
 
 ``(a|b)`` alternatives, ``[a]`` optional, ``(a;b;c)`` any order, ``{name}`` a phrase or slot, ``{name:as}`` a slot
 under another name, ``{#}`` one numeral. The grammar is in ``template.lark``.
@@ -7,13 +7,24 @@ under another name, ``{#}`` one numeral. The grammar is in ``template.lark``.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib import resources
-from typing import TYPE_CHECKING, Any, TypeAlias
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.template_reader import MAX_ANY_ORDER, read_template
+from intent_engine.language.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+    references,
+    template_text,
+)
 
 if TYPE_CHECKING:
     from lark import Lark
@@ -37,53 +48,6 @@ MAX_DEPTH = 40
 """Nesting of brackets; nobody speaks deeper, and it bounds every recursion over the tree."""
 MAX_LENGTH = 20_000
 """Characters of a template. The longest shipped one has 300; a file given by mistake has millions."""
-MAX_ANY_ORDER = 6
-"""Parts of an any-order group: the automaton keeps a state for each subset of them."""
-
-
-@dataclass(frozen=True, slots=True)
-class Word:
-    text: str
-    """One normalised word."""
-
-
-@dataclass(frozen=True, slots=True)
-class WordClass:
-    name: str
-    """``#``: a numeral; ``#word``: a number word of the grammar's language."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    name: str
-    """Phrase or slot."""
-    label: str
-    """Name under which a slot's value is given; the same as ``name`` unless ``{name:label}``."""
-    column: int
-    """Place in the template, from 0, for error messages."""
-
-
-@dataclass(frozen=True, slots=True)
-class Sequence:
-    items: tuple[Node, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Choice:
-    items: tuple[Node, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Optional:
-    item: Node
-
-
-@dataclass(frozen=True, slots=True)
-class AnyOrder:
-    items: tuple[Node, ...]
-
-
-Node: TypeAlias = Word | WordClass | Reference | Sequence | Choice | Optional | AnyOrder
 
 
 class TemplateError(ValueError):
@@ -101,7 +65,7 @@ class TemplateError(ValueError):
 def _parser() -> Lark:
     from lark import Lark
 
-    grammar = resources.files("intent_engine.language").joinpath("template.lark").read_text("utf-8")
+    grammar = (Path(__file__).parent / "template.lark").read_text("utf-8")
     return Lark(grammar, parser="lalr", propagate_positions=False, maybe_placeholders=False)
 
 
@@ -112,14 +76,23 @@ def parse_template(text: str) -> Node:
     Raises:
         TemplateError: the text is not a template; says where and what to do.
     """
-    from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
-
     if not text.strip():
         raise TemplateError("an empty sentence", 0, "write the words that a person says, or remove the line")
     if len(text) > MAX_LENGTH:
         raise TemplateError(f"a sentence of {len(text):,} characters", 0, f"write at most {MAX_LENGTH:,}")
     _check_characters(text)
     _check_brackets(text)
+    return read_template(text) or parsed_by_lark(text)
+
+
+def parsed_by_lark(text: str) -> Node:
+    """The tree of a template by its grammar, ``template.lark``; the last word on every template.
+
+    Raises:
+        TemplateError: the text is not a template.
+    """
+    from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
+
     try:
         tree = _parser().parse(text)
     except UnexpectedCharacters as error:
@@ -222,38 +195,3 @@ def _build(tree: Any) -> Node:
         column = next(tree.scan_values(lambda token: True)).start_pos
         raise TemplateError(f"more than {MAX_ANY_ORDER} parts in any order", column, "write several sentences")
     return Optional(AnyOrder(parts)) if kind == "optional_any_order" else AnyOrder(parts)
-
-
-def references(node: Node) -> Iterator[Reference]:
-    """Every phrase and slot that a template names, in order."""
-    if isinstance(node, Reference):
-        yield node
-    elif isinstance(node, (Sequence, Choice, AnyOrder)):
-        for item in node.items:
-            yield from references(item)
-    elif isinstance(node, Optional):
-        yield from references(node.item)
-
-
-def template_text(node: Node) -> str:
-    """A tree as a template that parses back to it, in its shortest form."""
-    match node:
-        case Word(text):
-            return text
-        case WordClass(name):
-            return "{" + name + "}"
-        case Reference(name, label, _):
-            return "{" + (name if name == label else f"{name}:{label}") + "}"
-        case Choice(items):
-            return "(" + "|".join(template_text(item) for item in items) + ")"
-        case AnyOrder(items):
-            return "(" + "; ".join(template_text(item) for item in items) + ")"
-        case Sequence(items):
-            parts = [template_text(item) for item in items]
-            nested = [
-                f"({part})" if isinstance(item, Sequence) else part for item, part in zip(items, parts, strict=True)
-            ]
-            return " ".join(nested)
-        case Optional(item):
-            inside = template_text(item)
-            return "[" + (inside[1:-1] if isinstance(item, (Choice, AnyOrder)) else inside) + "]"

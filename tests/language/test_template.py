@@ -20,9 +20,11 @@ from intent_engine.language.template import (
     Word,
     WordClass,
     parse_template,
+    parsed_by_lark,
     references,
     template_text,
 )
+from intent_engine.language.template_reader import read_template
 
 A, B, C = Word("a"), Word("b"), Word("c")
 
@@ -95,6 +97,48 @@ def test_any_text_is_a_tree_or_is_told_what_is_wrong(text):
         assert 0 <= node.column <= len(text)
     else:
         assert template_text(node)
+
+
+SIGNS = "ab1 ()[]{}|;:#'-_.°\n\té½!"
+PIECES = [
+    "a",
+    "don't",
+    "90°",
+    "!",
+    " ",
+    "(",
+    ")",
+    "[",
+    "]",
+    "|",
+    ";",
+    "{a}",
+    "{ a : b }",
+    "{#}",
+    "{#word}",
+    "{a:}",
+    "{",
+]
+
+
+@given(
+    st.text(alphabet=st.sampled_from(SIGNS), max_size=30)
+    | st.lists(st.sampled_from(PIECES), max_size=12).map("".join)
+    | trees(names=("place", "how_far"), leaves=12).map(template_text)
+)
+@example("(a;b|c)")
+@example("(a|b;c)")
+@example("[a;b;c;d;e;f]")
+@example("[a;b;c;d;e;f;g]")
+@example("{ #word }{a}b")
+@example("((a b)|[c])")
+def test_the_quick_reader_knows_the_language_that_lark_knows(text):
+    """The same tree, and neither more nor fewer texts."""
+    try:
+        tree: Node | None = parsed_by_lark(text)
+    except TemplateError:
+        tree = None
+    assert read_template(text) == tree
 
 
 WRONG = [

@@ -1,0 +1,100 @@
+"""Sentence templates as trees: what the parser makes, and text again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+__all__ = [
+    "AnyOrder",
+    "Choice",
+    "Node",
+    "Optional",
+    "Reference",
+    "Sequence",
+    "Word",
+    "WordClass",
+    "references",
+    "template_text",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    text: str
+    """One normalised word."""
+
+
+@dataclass(frozen=True, slots=True)
+class WordClass:
+    name: str
+    """``#``: a numeral; ``#word``: a number word of the grammar's language."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    name: str
+    """Phrase or slot."""
+    label: str
+    """Name under which a slot's value is given; the same as ``name`` unless ``{name:label}``."""
+    column: int
+    """Place in the template, from 0, for error messages."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Optional:
+    item: Node
+
+
+@dataclass(frozen=True, slots=True)
+class AnyOrder:
+    items: tuple[Node, ...]
+
+
+Node: TypeAlias = Word | WordClass | Reference | Sequence | Choice | Optional | AnyOrder
+
+
+def references(node: Node) -> Iterator[Reference]:
+    """Every phrase and slot that a template names, in order."""
+    if isinstance(node, Reference):
+        yield node
+    elif isinstance(node, (Sequence, Choice, AnyOrder)):
+        for item in node.items:
+            yield from references(item)
+    elif isinstance(node, Optional):
+        yield from references(node.item)
+
+
+def template_text(node: Node) -> str:
+    """A tree as a template that parses back to it, in its shortest form."""
+    match node:
+        case Word(text):
+            return text
+        case WordClass(name):
+            return "{" + name + "}"
+        case Reference(name, label, _):
+            return "{" + (name if name == label else f"{name}:{label}") + "}"
+        case Choice(items):
+            return "(" + "|".join(template_text(item) for item in items) + ")"
+        case AnyOrder(items):
+            return "(" + "; ".join(template_text(item) for item in items) + ")"
+        case Sequence(items):
+            parts = [template_text(item) for item in items]
+            nested = [
+                f"({part})" if isinstance(item, Sequence) else part for item, part in zip(items, parts, strict=True)
+            ]
+            return " ".join(nested)
+        case Optional(item):
+            inside = template_text(item)
+            return "[" + (inside[1:-1] if isinstance(item, (Choice, AnyOrder)) else inside) + "]"
