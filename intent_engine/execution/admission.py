@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from typing import Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.execution.goal import Goal, GoalState, Reason
 from intent_engine.execution.limits import Limits
+from intent_engine.execution.motion import Keep
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending, Handler
 
-__all__ = ["Admission", "Policy"]
+__all__ = ["Admission", "Policy", "checked"]
 
 _NEEDS: dict[type[Any], Capability] = {
     Move: Capability.MOVE,
@@ -32,6 +34,24 @@ class Policy(StrEnum):
     """It waits its turn."""
     REFUSE = "refuse"
     """It is rejected."""
+
+
+def checked(actions: list[Action], keep: Keep | str | Sequence[Keep | str], spoken_at: float | None) -> list[Keep]:
+    """What each action of an utterance keeps, when what a program gave to ``submit`` makes sense.
+
+    Raises:
+        TypeError: something that is not an action.
+        ValueError: an unknown keep, not one for each action, or a time that is none.
+    """
+    for action in actions:
+        if not isinstance(getattr(action, "type", None), str):
+            raise TypeError(f"submit takes actions (Move, Turn, Stop, ...), not {type(action).__name__}")
+    keeps = [Keep(each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
+    if len(keeps) != len(actions):
+        raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")
+    if spoken_at is not None and not math.isfinite(spoken_at):
+        raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
+    return keeps
 
 
 class Admission:

@@ -10,13 +10,13 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 from intent_engine.actions import Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.execution.admission import Admission, Policy
-from intent_engine.execution.events import EventKind
+from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
-from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason, move_goal
+from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
 from intent_engine.execution.motion import Keep, Motion
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, StopRun, TaskRun, VelocityLoop
@@ -26,27 +26,12 @@ __all__ = ["Conductor", "Host"]
 log = logging.getLogger(__name__)
 
 
-class Tell(Protocol):
-    """Lets the listeners know, later and outside the lock."""
-
-    def __call__(
-        self,
-        kind: EventKind,
-        goal: Goal | None = None,
-        *,
-        reason: Reason = Reason.NONE,
-        detail: str = "",
-        feedback: Feedback | None = None,
-    ) -> None: ...
-
-
 @dataclass(frozen=True, slots=True)
 class Host:
     """What a conductor needs of who runs it."""
 
-    tell: Tell
-    launch: Callable[[Callable[[], None]], None]
-    """Does the work of a handler, outside the lock."""
+    events: Dispatcher
+    """Lets listeners know and does the work of handlers, outside the lock."""
     poke: Callable[[], None]
     """Makes it look again soon; from any thread."""
     ended: Callable[[], None]
@@ -74,7 +59,7 @@ class Conductor:
         self._admission = admission
         self._loop = loop
         self._gate = gate
-        self._host = host
+        self._host, self._events = host, host.events
         self._hold_limit, self._queue_limit = hold_limit, queue_limit
         self._valid_for = valid_for
         self._queue: deque[Goal] = deque()
@@ -151,7 +136,7 @@ class Conductor:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
         for goal, keep in zip(goals, keeps, strict=True):
             self._keep[goal.id] = keep
-            self._host.tell(EventKind.GOAL, goal)
+            self._events.tell(EventKind.GOAL, goal)
         waiting = goals
         if isinstance(goals[0].action, Stop):
             # Whatever may be wrong with the rest of the sentence, the stop has happened.
@@ -219,7 +204,7 @@ class Conductor:
             self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
         while self._queue:
             self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
-        self._host.tell(kind, reason=reason)
+        self._events.tell(kind, reason=reason)
 
     def stop_robot(self) -> None:
         """The robot's own stop, whatever it raises. Needs no lock."""
@@ -232,7 +217,7 @@ class Conductor:
                 self._robot.velocity(0.0, 0.0, self._valid_for)
             except Exception:
                 log.exception("the robot raised in velocity(0, 0)")
-            self._host.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
+            self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
 
     def pose(self) -> Pose | None:
         try:
@@ -264,7 +249,7 @@ class Conductor:
         timeout = self._admission.limits.task_duration
         handler = self._admission.handler(action)
         if handler is not None:
-            return HandlerRun(goal, handler, self._host.launch, self._host.poke, timeout)
+            return HandlerRun(goal, handler, self._events.launch, self._host.poke, timeout)
         if isinstance(action, Stop):
             return StopRun(goal, self._stop_wheels)
         if isinstance(action, (Move, Turn)):
@@ -337,7 +322,7 @@ class Conductor:
 
     def _move(self, goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
         move_goal(goal, state, now, reason, detail)
-        self._host.tell(EventKind.GOAL, goal)
+        self._events.tell(EventKind.GOAL, goal)
 
     def _give_feedback(self, run: Run, now: float) -> None:
         self._feedback_at = now + self.FEEDBACK_PERIOD
@@ -347,7 +332,7 @@ class Conductor:
             log.exception("no feedback of goal %d", run.goal.id)
             return
         run.goal.feedback = feedback
-        self._host.tell(EventKind.FEEDBACK, run.goal, feedback=feedback)
+        self._events.tell(EventKind.FEEDBACK, run.goal, feedback=feedback)
 
     # -- rest and failure --------------------------------------------------------------------------------------------
 
@@ -386,7 +371,7 @@ class Conductor:
             self.fault = str(error)
         self._halt_loop(run, now)
         if run is None or self._run is not run:
-            self._host.tell(EventKind.ERROR, detail=str(error), reason=reason)
+            self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
             return
         self._run = None
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
@@ -399,4 +384,4 @@ class Conductor:
                 run.leave(travel)
         except Exception as error:
             self.fault = str(error)
-            self._host.tell(EventKind.ERROR, detail=self.fault, reason=Reason.VELOCITY_LOOP)
+            self._events.tell(EventKind.ERROR, detail=self.fault, reason=Reason.VELOCITY_LOOP)

@@ -77,9 +77,14 @@ class Dispatcher:
     With ``threaded`` they run in a thread of its own, so that a slow listener delays other listeners and nothing
     else; without (a virtual clock) in the thread that moves the clock, when it calls :meth:`flush`.
     A listener that raises is logged and called again for the next event.
+
+    Args:
+        now: the executor's clock.
+        threaded: see above.
     """
 
-    def __init__(self, threaded: bool) -> None:
+    def __init__(self, now: Callable[[], float], threaded: bool) -> None:
+        self._now = now
         self._threaded = threaded
         # Re-entrant, unlike queue.Queue: a signal handler may stop the executor in the middle of a put.
         self._outbox: queue.SimpleQueue[Event | Callable[[], None] | None] = queue.SimpleQueue()
@@ -99,8 +104,27 @@ class Dispatcher:
 
         return unsubscribe
 
-    def put(self, item: Event | Callable[[], None]) -> None:
-        self._outbox.put(item)
+    def tell(
+        self,
+        kind: EventKind,
+        goal: Goal | None = None,
+        *,
+        reason: Reason = Reason.NONE,
+        detail: str = "",
+        feedback: Feedback | None = None,
+    ) -> None:
+        """Let the listeners know, later and outside the executor's lock."""
+        if goal is not None:
+            reason, detail = goal.reason, goal.detail
+        state = goal.state if goal is not None else None
+        self._outbox.put(Event(kind, self._now(), goal, state, reason, detail, feedback))
+
+    def launch(self, work: Callable[[], None]) -> None:
+        """Do the work of a handler: in a thread of its own, so that a slow one holds up no listener."""
+        if self._threaded:
+            threading.Thread(target=work, name="handler", daemon=True).start()
+        else:
+            self._outbox.put(work)
 
     def flush(self) -> None:
         """Without a thread: do what is waiting. If another thread is at it, that one does it all."""

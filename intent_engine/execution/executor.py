@@ -18,39 +18,23 @@ import math
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from types import TracebackType
 
 from intent_engine.actions import Action, Stop
 from intent_engine.execution import shutdown
-from intent_engine.execution.admission import Admission, Policy
+from intent_engine.execution.admission import Admission, Policy, checked
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor, Host
-from intent_engine.execution.events import Dispatcher, Event, EventKind, Listener
+from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.gate import Gate
-from intent_engine.execution.goal import Feedback, Goal, Reason
+from intent_engine.execution.goal import Goal, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
-from intent_engine.execution.robots.robot import Pose, Robot
+from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import Handler, VelocityLoop
+from intent_engine.execution.snapshot import Snapshot
 
 __all__ = ["Executor", "Policy", "Snapshot"]
-
-
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """How the executor stands."""
-
-    goal: Goal | None
-    """What is being carried out."""
-    queued: int
-    held: bool
-    paused: bool
-    estopped: bool
-    closed: bool
-    velocity: tuple[float, float]
-    """m/s and rad/s, as last written"""
-    pose: Pose | None
 
 
 class Executor:
@@ -109,7 +93,11 @@ class Executor:
         self._gate = Gate(robot)
         self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, self.limits, self.rates)
         self._admission = Admission(robot, self.limits, handlers or {}, policies or {}, expire_after)
-        host = Host(self._tell, self._launch, self._poke, self._ended.notify_all)
+        self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
+        if self._stepped is not None and loop is not None:
+            raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
+        self._events = Dispatcher(self.clock.now, threaded=self._stepped is None)
+        host = Host(self._events, self._poke, self._ended.notify_all)
         self._conductor = Conductor(
             robot, self._admission, self.loop, self._gate, host, hold_limit, queue_limit, self.rates.valid_for
         )
@@ -117,10 +105,6 @@ class Executor:
         """A stop that could not take the lock: its bookkeeping is still to do."""
         self._poked = False
         self._utterance = 0
-        self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
-        if self._stepped is not None and loop is not None:
-            raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
-        self._events = Dispatcher(threaded=self._stepped is None)
         for listener in (journal, on_event):
             if listener is not None:
                 self._events.subscribe(listener)
@@ -161,29 +145,21 @@ class Executor:
 
         Raises:
             TypeError: something that is not an action was submitted.
+            ValueError: an unknown policy, an unknown keep or not one for each action, or a time that is none.
         """
         listed: list[Action] = list(actions) if isinstance(actions, Iterable) else [actions]
-        for action in listed:
-            if not isinstance(getattr(action, "type", None), str):
-                raise TypeError(f"submit takes actions (Move, Turn, Stop, ...), not {type(action).__name__}")
-        keeps = [keep] * len(listed) if isinstance(keep, str) else list(keep)
-        if len(keeps) != len(listed):
-            raise ValueError(f"{len(listed)} actions, but {len(keeps)} values of keep")
-        if spoken_at is not None and not math.isfinite(spoken_at):
-            raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
+        if listed and isinstance(listed[0], Stop):
+            self.stop()  # whatever may be wrong with the rest
+        keeps = checked(listed, keep, spoken_at)
         if not listed:
             return []
         try:
-            if isinstance(listed[0], Stop):
-                self.stop()
             with self._locked() as now:
                 self._utterance += 1
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait = self._wait_for
-                self._conductor.take(
-                    goals, [Keep(each) for each in keeps], Policy(policy) if policy is not None else None, now
-                )
+                self._conductor.take(goals, keeps, Policy(policy) if policy is not None else None, now)
                 self._advance(now)
         finally:
             self._events.flush()
@@ -205,7 +181,7 @@ class Executor:
             if self._conductor.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
             self._conductor.fault = ""
-            self._tell(EventKind.RESET)
+            self._events.tell(EventKind.RESET)
         self._events.flush()
 
     def hold(self) -> None:
@@ -221,7 +197,7 @@ class Executor:
             if not (self._conductor.closed or self._conductor.held):
                 self._conductor.stop_robot()
                 self._conductor.hold(self.clock.now())
-                self._tell(EventKind.HOLD)
+                self._events.tell(EventKind.HOLD)
                 self._wake.notify_all()
         finally:
             self._lock.release()
@@ -231,7 +207,7 @@ class Executor:
         """End a hold: motions cover what was left of them, navigation is given again."""
         with self._locked() as now:
             if self._conductor.held:
-                self._tell(EventKind.RELEASE)
+                self._events.tell(EventKind.RELEASE)
                 self._conductor.release(now)
                 self._wake.notify_all()
         self._events.flush()
@@ -240,7 +216,7 @@ class Executor:
         """Come to rest with the robot's deceleration, and wait for :meth:`resume`."""
         with self._locked() as now:
             if not (self._conductor.closed or self._conductor.paused):
-                self._tell(EventKind.PAUSE)
+                self._events.tell(EventKind.PAUSE)
                 self._conductor.pause(now)
                 self._advance(now)
         self._events.flush()
@@ -249,7 +225,7 @@ class Executor:
         """Go on after :meth:`pause`."""
         with self._locked() as now:
             if self._conductor.paused:
-                self._tell(EventKind.RESUME)
+                self._events.tell(EventKind.RESUME)
                 self._conductor.resume(now)
                 self._wake.notify_all()
         self._events.flush()
@@ -419,28 +395,6 @@ class Executor:
             yield now
 
     # -- what the conductor needs --------------------------------------------------------------------------------------
-
-    def _tell(
-        self,
-        kind: EventKind,
-        goal: Goal | None = None,
-        *,
-        reason: Reason = Reason.NONE,
-        detail: str = "",
-        feedback: Feedback | None = None,
-    ) -> None:
-        """Let the listeners know."""
-        if goal is not None:
-            reason, detail = goal.reason, goal.detail
-        state = goal.state if goal is not None else None
-        self._events.put(Event(kind, self.clock.now(), goal, state, reason, detail, feedback))
-
-    def _launch(self, work: Callable[[], None]) -> None:
-        """Do the work of a handler."""
-        if self._stepped is not None:
-            self._events.put(work)
-        else:
-            threading.Thread(target=work, name="handler", daemon=True).start()
 
     def _poke(self) -> None:
         """Look again soon. Takes no lock that a robot's thread could be waiting for."""

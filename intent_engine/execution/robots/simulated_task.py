@@ -39,6 +39,8 @@ class _Doer(Protocol):
 
 
 class SimulatedTask:
+    """A task that ends at a known time, if nothing ends it before."""
+
     def __init__(self, kind: str, start: float, end: float) -> None:
         self.kind = kind
         self.start = start
