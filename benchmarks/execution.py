@@ -24,7 +24,8 @@ from typing import Any
 
 from intent_engine.actions import Move
 from intent_engine.execution.clock import VirtualClock
-from intent_engine.execution.drill import JSONL_SINK, Trial, busy, loop_killed, program_lost
+from intent_engine.execution.drill import Trial, busy, loop_killed, program_lost
+from intent_engine.execution.drill.lost import JSONL_SINK
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.limits import Limits

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 
-from intent_engine.execution import drill as drill_module
 from intent_engine.execution.drill import DrillReport, Trial
+from intent_engine.execution.drill.report import result
+from intent_engine.execution.drill.stops import flood, late_writes, robot_hangs, robot_raises, stop_under_load
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot_file import RobotFile
 
@@ -14,10 +16,10 @@ FILE = RobotFile("test", "")
 
 def test_trials_in_one_process_pass_here():
     for trial in (
-        drill_module._flood(FILE, 100),
-        drill_module._robot_raises(FILE, 2),
-        drill_module._robot_hangs(FILE, 1),
-        drill_module._late_writes(FILE, 20),
+        flood(FILE, 100),
+        robot_raises(FILE, 2),
+        robot_hangs(FILE, 1),
+        late_writes(FILE, 20),
     ):
         # Times are the machine's business; what must hold anywhere is that nothing else was found.
         assert trial.passed or "took" in trial.detail, trial
@@ -25,7 +27,7 @@ def test_trials_in_one_process_pass_here():
 
 def test_an_executor_that_does_not_stop_is_found(monkeypatch):
     monkeypatch.setattr(Executor, "_stop", lambda self, reason, kind: None)
-    trial = drill_module._stop_under_load(FILE, 1)
+    trial = stop_under_load(FILE, 1)
     assert not trial.passed
     assert "the goal ended as executing" in trial.detail
 
@@ -37,3 +39,11 @@ def test_a_report_is_json_and_fails_with_one_of_its_trials():
     assert not report.passed
     assert json.loads(json.dumps(report.to_json()))["trials"][1]["detail"] == "too slow"
     assert DrillReport("r", (good,), real_time=True).passed
+
+
+def test_a_zero_that_never_came_is_told_and_is_json():
+    trial = result("a", "b", 0.1, [0.01, math.inf], [])
+    assert not trial.passed
+    assert "never" in trial.detail
+    assert trial.runs == 2
+    json.dumps(DrillReport("r", (trial,), real_time=True).to_json(), allow_nan=False)
