@@ -76,11 +76,27 @@ class Profile:
 
 
 class _Builder:
-    def __init__(self, speed: float) -> None:
+    """Puts a profile together, in the direction of the motion: speeds that are not negative.
+
+    Args:
+        initial: present speed, signed. What goes against ``direction`` is braked first.
+        direction: any number with the sign of the motion.
+        down: rate of the ramps down.
+    """
+
+    def __init__(self, initial: float, direction: float, down: float) -> None:
         self.pieces: list[_Piece] = []
         self.time = 0.0
         self.position = 0.0
-        self.speed = speed
+        self.sign = math.copysign(1.0, direction)
+        self.speed = initial * self.sign
+        self._down = down
+        if self.speed < 0.0:
+            self.rest()
+
+    def rest(self) -> None:
+        """Brake."""
+        self.ramp(0.0, self._down)
 
     def ramp(self, to: float, rate: float) -> None:
         """Change the speed to ``to`` at ``rate`` (positive; infinite: at once)."""
@@ -90,24 +106,28 @@ class _Builder:
             self._add(length, math.copysign(rate, change))
         self.speed = to
 
-    def cruise(self, length: float) -> None:
+    def cruise(self, speed: float, length: float, up: float) -> None:
+        """Come to ``speed``, hold it for ``length`` s, and brake."""
+        self.ramp(speed, up if self.speed < speed else self._down)
         if length > 0.0:
             self._add(length, 0.0)
+        self.rest()
 
     def _add(self, length: float, acceleration: float) -> None:
         self.pieces.append(_Piece(self.time, length, self.position, self.speed, acceleration))
         self.position += self.speed * length + 0.5 * acceleration * length * length
         self.time += length
 
-    def profile(self, sign: float, distance: float | None = None, duration: float | None = None) -> Profile:
+    def profile(self, distance: float | None = None, duration: float | None = None) -> Profile:
         pieces = tuple(
-            _Piece(p.start, p.length, sign * p.position, sign * p.speed, sign * p.acceleration) for p in self.pieces
+            _Piece(p.start, p.length, self.sign * p.position, self.sign * p.speed, self.sign * p.acceleration)
+            for p in self.pieces
         ) or (_Piece(0.0, 0.0, 0.0, 0.0, 0.0),)
         # The end is what was asked for, not what the additions above came to in their last bit.
         return Profile(
             pieces,
             self.time if duration is None else duration,
-            sign * (self.position if distance is None else distance),
+            self.sign * (self.position if distance is None else distance),
         )
 
 
@@ -130,15 +150,12 @@ def for_distance(
             robot does not drive back because it was too fast.
     """
     down = acceleration if deceleration is None else deceleration
-    sign = math.copysign(1.0, speed)
-    build = _Builder(initial * sign)
-    if build.speed < 0.0:
-        build.ramp(0.0, down)
+    build = _Builder(initial, speed, down)
     left = distance - build.position
     braking = _way(build.speed, down)
     if left <= braking:
-        build.ramp(0.0, down)
-        return build.profile(sign, distance=None if braking > left else distance)
+        build.rest()
+        return build.profile(distance=None if braking > left else distance)
     cruise = abs(speed)
     if build.speed < cruise:
         top = _top_for_distance(left, build.speed, acceleration, down)
@@ -146,10 +163,8 @@ def for_distance(
         ramps = _way(cruise, acceleration) - _way(build.speed, acceleration) + _way(cruise, down)
     else:
         ramps = _way(build.speed, down)
-    build.ramp(cruise, acceleration if build.speed < cruise else down)
-    build.cruise((left - ramps) / cruise)
-    build.ramp(0.0, down)
-    return build.profile(sign, distance=distance)
+    build.cruise(cruise, (left - ramps) / cruise, acceleration)
+    return build.profile(distance=distance)
 
 
 def for_duration(
@@ -165,15 +180,12 @@ def for_duration(
     does the motion end later.
     """
     down = acceleration if deceleration is None else deceleration
-    sign = math.copysign(1.0, speed)
-    build = _Builder(initial * sign)
-    if build.speed < 0.0:
-        build.ramp(0.0, down)
+    build = _Builder(initial, speed, down)
     left = duration - build.time
     braking = build.speed / down
     if left <= braking:
-        build.ramp(0.0, down)
-        return build.profile(sign, duration=duration if build.time <= duration else None)
+        build.rest()
+        return build.profile(duration=duration if build.time <= duration else None)
     cruise = abs(speed)
     if build.speed < cruise:
         # (top - present) / up + top / down = left
@@ -183,17 +195,15 @@ def for_duration(
         ramps = (cruise - build.speed) / acceleration + cruise / down
     else:
         ramps = braking
-    build.ramp(cruise, acceleration if build.speed < cruise else down)
-    build.cruise(left - ramps)
-    build.ramp(0.0, down)
-    return build.profile(sign, duration=duration)
+    build.cruise(cruise, left - ramps, acceleration)
+    return build.profile(duration=duration)
 
 
 def brake(initial: float, deceleration: float = math.inf) -> Profile:
     """From ``initial`` to rest."""
-    build = _Builder(abs(initial))
-    build.ramp(0.0, deceleration)
-    return build.profile(math.copysign(1.0, initial))
+    build = _Builder(initial, initial, deceleration)
+    build.rest()
+    return build.profile()
 
 
 def _way(speed: float, rate: float) -> float:

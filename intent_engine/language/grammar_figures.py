@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -50,13 +51,28 @@ def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
     )
 
 
-class _Counter:
+class _Figure(ABC):
+    """A number for a template; what has a name is worked out once."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        self._grammar = grammar
+        self._known: dict[str, int] = {}
+
+    def _reference(self, name: str) -> int:
+        if name not in self._known:
+            self._known[name] = self._named(name)
+        return self._known[name]
+
+    @abstractmethod
+    def _named(self, name: str) -> int: ...
+
+
+class _Counter(_Figure):
     """Ways to say a template; ``names`` is None to count a slot once, else the number of names of the map."""
 
     def __init__(self, grammar: Grammar, names: int | None) -> None:
-        self._grammar = grammar
+        super().__init__(grammar)
         self._names = names
-        self._known: dict[str, int] = {}
 
     def ways(self, node: Node) -> int:
         match node:
@@ -71,9 +87,7 @@ class _Counter:
             case AnyOrder(items):
                 return math.factorial(len(items)) * math.prod(self.ways(item) for item in items)
             case Reference(name):
-                if name not in self._known:
-                    self._known[name] = self._named(name)
-                return self._known[name]
+                return self._reference(name)
 
     def _named(self, name: str) -> int:
         if name in self._grammar.phrases:
@@ -86,13 +100,12 @@ class _Counter:
         return max(self._names, 1) if slot.type == "location" else 1
 
 
-class _Lengths:
+class _Lengths(_Figure):
     """Words of the longest way to say a template."""
 
     def __init__(self, grammar: Grammar, longest_name: int) -> None:
-        self._grammar = grammar
+        super().__init__(grammar)
         self._longest_name = longest_name
-        self._known: dict[str, int] = {}
 
     def of(self, node: Node) -> int:
         match node:
@@ -105,9 +118,7 @@ class _Lengths:
             case Sequence(items) | AnyOrder(items):
                 return sum(self.of(item) for item in items)
             case Reference(name):
-                if name not in self._known:
-                    self._known[name] = self._named(name)
-                return self._known[name]
+                return self._reference(name)
 
     def _named(self, name: str) -> int:
         if name in self._grammar.phrases:
