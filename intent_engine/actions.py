@@ -12,7 +12,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cache
-from importlib import resources
+from pathlib import Path
 from typing import Any, ClassVar, TypeAlias
 
 __all__ = [
@@ -191,6 +191,6 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
 @cache
 def json_schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of one action. Its ``$id`` carries the version of the format."""
-    text = resources.files("intent_engine").joinpath("actions.schema.json").read_text("utf-8")
+    text = (Path(__file__).parent / "actions.schema.json").read_text("utf-8")
     schema: dict[str, Any] = json.loads(text)
     return schema

@@ -7,19 +7,18 @@ the repository that the package is run from.
 from __future__ import annotations
 
 import os
-from importlib import resources
 from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
 __all__ = ["default_grammar", "default_locations", "default_robot", "find", "shipped"]
 
+PACKAGE = Path(__file__).parent
 _SUFFIX = ".yaml"
 
 
 def _folders(kind: str) -> list[Path]:
-    package = Path(str(resources.files("intent_engine")))
-    return [Path(kind), package / "share" / kind, package.parent / kind]
+    return [Path(kind), PACKAGE / "share" / kind, PACKAGE.parent / kind]
 
 
 def find(kind: str, name: str) -> Path:

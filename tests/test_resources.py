@@ -30,7 +30,7 @@ def test_the_installed_package_comes_before_the_repository(tmp_path, monkeypatch
     installed.parent.mkdir(parents=True)
     installed.write_text("frame: map\n", "utf-8")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(resources.resources, "files", lambda name: package)
+    monkeypatch.setattr(resources, "PACKAGE", package)
     assert resources.default_locations() == installed
     with pytest.raises(ConfigError, match=r"no file en\.yaml in grammars/"):
         resources.default_grammar()

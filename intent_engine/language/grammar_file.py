@@ -6,7 +6,6 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -41,7 +40,7 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
 @cache
 def schema() -> dict[str, Any]:
     """The JSON Schema of a grammar file."""
-    text = resources.files("intent_engine.language").joinpath("grammar.schema.json").read_text("utf-8")
+    text = (Path(__file__).parent / "grammar.schema.json").read_text("utf-8")
     loaded: dict[str, Any] = json.loads(text)
     return loaded
 
@@ -49,8 +48,7 @@ def schema() -> dict[str, Any]:
 @cache
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    folder = resources.files("intent_engine.language").joinpath("operators")
-    file = folder.joinpath(f"{language}.yaml")
+    file = Path(__file__).parent / "operators" / f"{language}.yaml"
     if not file.is_file():
         return {}
     source = read_yaml(str(file))

@@ -12,15 +12,15 @@ import reprlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.map_draft import DEFAULT_FRAME, FIELDS, Draft, Location, Row, Teller, checked
-from intent_engine.language.map_rows import read_rows
-from intent_engine.language.name_words import name_words, raw_words
+from intent_engine.language.map_rows import read_map
+from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
+from intent_engine.language.places import Places
 from intent_engine.language.schema_problems import schema_problems
 from intent_engine.language.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
 
@@ -73,6 +73,9 @@ class LocationMap(Mapping[str, Location]):
         return NameIndex(self._spoken())
 
     def _spoken(self) -> Iterator[tuple[str, str]]:
+        if isinstance(self.places, Places):
+            yield from self.places.spoken()
+            return
         for name, place in self.places.items():
             yield name, name
             for alias in place.aliases:
@@ -118,29 +121,34 @@ def from_text(text: str, name: str = "<text>") -> LocationMap:
 # -- reading --------------------------------------------------------------------------------------------------
 
 
-def _quickly(path: Path) -> tuple[dict[str, Location], str] | None:
+def _quickly(path: Path) -> tuple[Places, str] | None:
     """The places and the frame of a plainly written YAML map without a fault; None for any other file."""
     try:
         if path.suffix.lower() == ".csv" or path.stat().st_size > MAX_BYTES:
             return None
-        found = read_rows(path.read_text("utf-8"))
+        found = read_map(path.read_text("utf-8"))
     except (OSError, UnicodeDecodeError):
         return None
     if found is None:
         return None
-    rows, frame = found[0], found[1] or DEFAULT_FRAME
-    places: dict[str, Location] = {}
-    said: dict[tuple[str, ...], str] = {}
-    for name, fields in rows:
-        aliases = tuple(fields.get("aliases", ()))
-        for spoken in (name, *aliases):
-            if said.setdefault(name_words(spoken), name) != name:
-                return None
-        x, y, yaw = fields["x"], fields["y"], fields.get("yaw", 0.0)
-        if not math.isfinite(x + y + yaw):
-            return None
-        places[name] = Location(name, x, y, yaw, fields.get("frame", frame), aliases, tuple(fields.get("tags", ())))
-    return (places, frame) if () not in said else None
+    frame = found.frame or DEFAULT_FRAME
+    particulars = {
+        name: (fields.get("frame", frame), tuple(fields.get("aliases", ())), tuple(fields.get("tags", ())))
+        for name, fields in found.particulars.items()
+    }
+    places = Places(found.names, found.poses, particulars, frame)
+    return (places, frame) if _said_differently(places) else None
+
+
+def _said_differently(places: Places) -> bool:
+    """Whether every name can be said, and none is said as one of another place is."""
+    said: dict[str, str] = {}
+    for spoken, name in places.spoken():
+        # A name that is compared as it is written stands for its own words, and costs no memory.
+        words = spoken if compared_as_written(spoken) else " ".join(name_words(spoken))
+        if not words or said.setdefault(words, name) != name:
+            return False
+    return True
 
 
 def _carefully(path: Path) -> Draft:
@@ -223,7 +231,7 @@ def _teller(source: YamlSource, path: YamlPath) -> Teller:
 
 @cache
 def _schema() -> dict[str, Any]:
-    text = resources.files("intent_engine.language").joinpath("locations.schema.json").read_text("utf-8")
+    text = (Path(__file__).parent / "locations.schema.json").read_text("utf-8")
     loaded: dict[str, Any] = json.loads(text)
     return loaded
 

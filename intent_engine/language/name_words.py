@@ -14,7 +14,7 @@ from itertools import combinations
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers import english
 
-__all__ = ["heard_otherwise", "is_identifier", "name_words", "raw_words", "without_article"]
+__all__ = ["compared_as_written", "heard_otherwise", "is_identifier", "name_words", "raw_words", "without_article"]
 
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
 """Dropped before a name if the name is not known with it. "the" carries nothing and is dropped everywhere."""
@@ -64,6 +64,11 @@ def raw_words(text: str) -> tuple[str, ...]:
         return tuple(text.split(" "))
     text = _ABBREVIATED.sub(" number ", text.replace("_", " "))
     return tuple(token.word for token in tokenize(text))
+
+
+def compared_as_written(name: str) -> bool:
+    """Whether the words of a name are its own, one space between them: no number in words, no capitals, no "the"."""
+    return _PLAIN.fullmatch(name) is not None and _SPECIAL.isdisjoint(name.split(" "))
 
 
 def name_words(name: str | Sequence[str]) -> tuple[str, ...]:

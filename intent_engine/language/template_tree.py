@@ -67,13 +67,15 @@ Node: TypeAlias = Word | WordClass | Reference | Sequence | Choice | Optional | 
 
 def references(node: Node) -> Iterator[Reference]:
     """Every phrase and slot that a template names, in order."""
-    if isinstance(node, Reference):
-        yield node
-    elif isinstance(node, (Sequence, Choice, AnyOrder)):
-        for item in node.items:
-            yield from references(item)
-    elif isinstance(node, Optional):
-        yield from references(node.item)
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Reference):
+            yield node
+        elif isinstance(node, (Sequence, Choice, AnyOrder)):
+            waiting.extend(reversed(node.items))
+        elif isinstance(node, Optional):
+            waiting.append(node.item)
 
 
 def template_text(node: Node) -> str:

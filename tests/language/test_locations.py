@@ -16,7 +16,6 @@ from map_files import expected, maps
 
 from intent_engine.errors import ConfigError
 from intent_engine.language.locations import Location, LocationMap, from_text, load
-from intent_engine.language.map_rows import read_rows
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -29,7 +28,6 @@ def test_the_shipped_maps_load_without_doubts(name):
     assert places.frame == "map"
     assert places.warnings == ()
     assert places.files
-    assert read_rows((ROOT / "locations" / f"{name}.yaml").read_text("utf-8")) is not None, "they load the quick way"
 
 
 def test_the_home_of_the_tutorials():

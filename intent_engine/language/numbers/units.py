@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from importlib import resources
+from pathlib import Path
 
 import yaml
 
@@ -55,7 +55,7 @@ class Units:
 @cache
 def units(language: str) -> Units | None:
     """The units of a language, from ``<language>.yaml``; None if there is no such file."""
-    file = resources.files("intent_engine.language.numbers").joinpath(f"{language}.yaml")
+    file = Path(__file__).parent / f"{language}.yaml"
     if not file.is_file():
         return None
     data = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
