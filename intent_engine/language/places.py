@@ -1,7 +1,7 @@
 """The places of a large map, kept as columns.
 
 Objects for 100,000 places take several times the memory, and every run of the garbage collector looks at each of them;
-so a :class:`Location` is made when it is asked for.
+so a :class:`Location` is made when it is first asked for.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Places(Mapping[str, Location]):
         frame: of the places that have none.
     """
 
-    __slots__ = ("_at", "_frame", "_particulars", "_poses")
+    __slots__ = ("_at", "_frame", "_made", "_particulars", "_poses")
 
     def __init__(
         self, names: Sequence[str], poses: array[float], particulars: Mapping[str, Particulars], frame: str
@@ -36,11 +36,16 @@ class Places(Mapping[str, Location]):
         self._poses = poses
         self._particulars = dict(particulars)
         self._frame = frame
+        self._made: dict[str, Location] = {}
 
     def __getitem__(self, name: str) -> Location:
-        at = self._at[name]
-        x, y, yaw = self._poses[at : at + 3]
-        return Location(name, x, y, yaw, *self._particulars.get(name, (self._frame, (), ())))
+        place = self._made.get(name)
+        if place is None:
+            at = self._at[name]
+            x, y, yaw = self._poses[at : at + 3]
+            place = Location(name, x, y, yaw, *self._particulars.get(name, (self._frame, (), ())))
+            self._made[name] = place
+        return place
 
     def __contains__(self, name: object) -> bool:
         return name in self._at
