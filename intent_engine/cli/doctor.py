@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.listening import Model
+from intent_engine.cli.listening_options import Model
 from intent_engine.cli.options import Json
 from intent_engine.cli.terminal import json_line, level_meter, note, say
 

@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.listening_options import Hearing, RawSamples, Telling, session
+from intent_engine.cli.option_groups import grouped
 from intent_engine.cli.terminal import json_line, note, table
-from intent_engine.cli.watching import Watch, watched
+from intent_engine.cli.watching import watched
 from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
-from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.cli.session import Session
@@ -26,86 +26,35 @@ if TYPE_CHECKING:
 
 __all__ = ["listen", "run"]
 
-Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
-Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
-NoReflex = Annotated[
-    bool, typer.Option("--no-reflex", help="Do not hold the robot while a stop word is still being said.")
-]
-WakeWord = Annotated[
-    list[str] | None,
-    typer.Option("--wake-word", help='A command must begin with it, "stop" never must; may be repeated.'),
-]
-Denoise = Annotated[
-    bool, typer.Option("--denoise", help="Reduce noise before recognising; seldom better, see the docs on speech.")
-]
-Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
-Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
-Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in the terminal while it goes.")]
-JournalFile = Annotated[
-    Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
-]
-Rate = Annotated[int, typer.Option(help="Samples a second, of raw samples.")]
-Format = Annotated[str, typer.Option(help="Format of raw samples, as ffmpeg or ALSA names it: s16le, f32le, ...")]
-Channels = Annotated[int, typer.Option(help="Interleaved channels of raw samples.")]
-
 
 @verb
+@grouped
 def run(
     file: Annotated[
         Path, typer.Argument(help="A recording: WAV or FLAC, any rate, mono or stereo; - reads raw samples or WAV.")
     ],
-    grammar: Grammars = None,
-    locations: Locations = None,
-    robot: Robots = "simulated",
-    language: Language = None,
-    model: Model = "tiny.en",
-    free: Free = False,
-    no_reflex: NoReflex = False,
-    wake_word: WakeWord = None,
-    denoise: Denoise = False,
+    *,
+    hearing: Hearing,
     realtime: Annotated[
         bool, typer.Option("--realtime", help="Play at the speed of the recording, not as fast as possible.")
     ] = False,
-    rate: Rate = 16_000,
-    format: Format = "s16le",
-    channels: Channels = 1,
-    as_json: Json = False,
-    plot: Plot = None,
-    draw: Draw = False,
-    live: Live = False,
-    journal: JournalFile = None,
-    watch: Watch = False,
+    samples: RawSamples,
+    telling: Telling,
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
-    from intent_engine.cli.session import Session
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
-    from intent_engine.execution.robots.robot_file import load_robot
     from intent_engine.speech.sources.file import FileSource
 
-    if watch and not realtime:
+    if telling.watch and not realtime:
         raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
-    if live and not realtime:
+    if telling.live and not realtime:
         raise typer.BadParameter("--live needs --realtime: without it all is over at once; --map draws the whole way")
     source: AudioSource
     if str(file) == "-":
-        source, name = _pcm("-", rate, format, channels, live=realtime), "standard input"
+        source, name = _pcm("-", samples, live=realtime), "standard input"
     else:
         source, name = FileSource(file, realtime=realtime), str(file)
-    session = Session(
-        engine=load_engine(grammar, locations, language, wake_word),
-        robot=load_robot(find("robots", robot)),
-        clock=MonotonicClock() if realtime else VirtualClock(),
-        model=model,
-        language=language,
-        free=free,
-        reflex=not no_reflex,
-        denoise=denoise,
-        as_json=as_json,
-        plot=plot,
-        draw=draw,
-        live=live,
-        journal=journal,
-    )
+    made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock())
 
     def somebody_spoke(summary: Summary) -> None:
         if summary.utterances == 0:
@@ -114,13 +63,15 @@ def run(
                 "    listen to it; if there is speech, it is too quiet or buried in noise"
             )
 
-    with watched(session.engine, watch):
-        ended = session.play(source, check=somebody_spoke)
+    with watched(made.engine, telling.watch):
+        ended = made.play(source, check=somebody_spoke)
     return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
 
 @verb
+@grouped
 def listen(
+    *,
     device: Annotated[
         str | None, typer.Option(help="Microphone: its number, name, or a part of the name.", show_default="default")
     ] = None,
@@ -131,64 +82,33 @@ def listen(
     pcm: Annotated[
         str | None, typer.Option(help="Raw samples from this file or pipe instead; - is standard input.")
     ] = None,
-    rate: Rate = 16_000,
-    format: Format = "s16le",
-    channels: Channels = 1,
-    grammar: Grammars = None,
-    locations: Locations = None,
-    robot: Robots = "simulated",
-    language: Language = None,
-    model: Model = "tiny.en",
-    free: Free = False,
-    no_reflex: NoReflex = False,
-    wake_word: WakeWord = None,
-    denoise: Denoise = False,
-    as_json: Json = False,
-    plot: Plot = None,
-    draw: Draw = False,
-    live: Live = False,
-    journal: JournalFile = None,
-    watch: Watch = False,
+    samples: RawSamples,
+    hearing: Hearing,
+    telling: Telling,
 ) -> int:
     """Listen to a microphone and drive a simulated robot, until Ctrl-C. Speak: "go forward two meters"."""
-    from intent_engine.cli.session import Session
     from intent_engine.execution.clock import MonotonicClock
-    from intent_engine.execution.robots.robot_file import load_robot
 
     if list_devices:
-        return _list_devices(as_json)
+        return _list_devices(telling.as_json)
     if device is not None and pcm is not None:
         raise ConfigError(Problem("a microphone and raw samples at once", hint="give --device or --pcm, not both"))
     if push_to_talk:
         from intent_engine.cli.keys import check_terminal
 
         check_terminal()
-    session = Session(
-        engine=load_engine(grammar, locations, language, wake_word),
-        robot=load_robot(find("robots", robot)),
-        clock=MonotonicClock(),
-        model=model,
-        language=language,
-        free=free,
-        reflex=not no_reflex,
-        denoise=denoise,
-        as_json=as_json,
-        plot=plot,
-        draw=draw,
-        live=live,
-        journal=journal,
-    )
+    made = session(hearing, telling, MonotonicClock())
     source: AudioSource
     if pcm is not None:
-        source, name = _pcm(pcm, rate, format, channels, live=True, session=session), pcm.replace("-", "standard input")
+        source, name = _pcm(pcm, samples, live=True, session=made), pcm.replace("-", "standard input")
     else:
         from intent_engine.speech.sources.microphone import Microphone
 
-        microphone = Microphone(device, on_report=session.report)
+        microphone = Microphone(device, on_report=made.report)
         source, name = microphone, f"microphone {microphone.device.name!r}"
-    session.controls = functools.partial(_controls, name, push_to_talk)
-    with watched(session.engine, watch):
-        session.play(source)
+    made.controls = functools.partial(_controls, name, push_to_talk)
+    with watched(made.engine, telling.watch):
+        made.play(source)
     return 0
 
 
@@ -220,12 +140,10 @@ def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executo
         yield
 
 
-def _pcm(
-    where: str, rate: int, encoding: str, channels: int, *, live: bool, session: Session | None = None
-) -> AudioSource:
+def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None = None) -> AudioSource:
     from intent_engine.speech.sources.pcm import PcmFormat, PcmSource
 
-    form = PcmFormat.of(rate, encoding, channels)
+    form = PcmFormat.of(samples.rate, samples.format, samples.channels)
     file: BinaryIO
     if where == "-":
         if sys.stdin is None or sys.stdin.isatty():

@@ -1,0 +1,103 @@
+"""The options that ``run`` and ``listen`` share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.watching import Watch
+from intent_engine.resources import find
+
+if TYPE_CHECKING:
+    from intent_engine.cli.session import Session
+    from intent_engine.execution.clock import Clock
+
+__all__ = ["Hearing", "RawSamples", "Telling", "session"]
+
+Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
+Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
+NoReflex = Annotated[
+    bool, typer.Option("--no-reflex", help="Do not hold the robot while a stop word is still being said.")
+]
+WakeWord = Annotated[
+    list[str] | None,
+    typer.Option("--wake-word", help='A command must begin with it, "stop" never must; may be repeated.'),
+]
+Denoise = Annotated[
+    bool, typer.Option("--denoise", help="Reduce noise before recognising; seldom better, see the docs on speech.")
+]
+Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
+Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
+Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in the terminal while it goes.")]
+JournalFile = Annotated[
+    Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
+]
+Rate = Annotated[int, typer.Option(help="Samples a second, of raw samples.")]
+Format = Annotated[str, typer.Option(help="Format of raw samples, as ffmpeg or ALSA names it: s16le, f32le, ...")]
+Channels = Annotated[int, typer.Option(help="Interleaved channels of raw samples.")]
+
+
+@dataclass(frozen=True)
+class Hearing:
+    """What is understood, by which robot, and with what ears."""
+
+    grammar: Grammars = None
+    locations: Locations = None
+    robot: Robots = "simulated"
+    language: Language = None
+    model: Model = "tiny.en"
+    free: Free = False
+    no_reflex: NoReflex = False
+    wake_word: WakeWord = None
+    denoise: Denoise = False
+
+
+@dataclass(frozen=True)
+class RawSamples:
+    """The form of sound that has no header."""
+
+    rate: Rate = 16_000
+    format: Format = "s16le"
+    channels: Channels = 1
+
+
+@dataclass(frozen=True)
+class Telling:
+    """What a person sees of it, and what is kept."""
+
+    as_json: Json = False
+    plot: Plot = None
+    draw: Draw = False
+    live: Live = False
+    journal: JournalFile = None
+    watch: Watch = False
+
+
+def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
+    """The session that the options describe.
+
+    Raises:
+        ConfigError: a file is missing or wrong.
+    """
+    from intent_engine.cli.session import Session
+    from intent_engine.execution.robots.robot_file import load_robot
+
+    return Session(
+        engine=load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word),
+        robot=load_robot(find("robots", hearing.robot)),
+        clock=clock,
+        model=hearing.model,
+        language=hearing.language,
+        free=hearing.free,
+        reflex=not hearing.no_reflex,
+        denoise=hearing.denoise,
+        as_json=telling.as_json,
+        plot=telling.plot,
+        draw=telling.draw,
+        live=telling.live,
+        journal=telling.journal,
+    )
