@@ -67,6 +67,22 @@ class Parameters:
             self._wrong(name, value, f"one of {known}")
             return default
 
+    def language(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Grammar files and map files, which every node of ours takes."""
+        return (
+            self.texts("grammar", "en", "Grammar file, or the name of a shipped one"),
+            self.texts("locations", "home", "Map file, or the name of a shipped one"),
+        )
+
+    def check(self) -> None:
+        """Call when all are declared.
+
+        Raises:
+            ConfigError: with everything that is wrong.
+        """
+        if self.problems:
+            raise ConfigError(self.problems)
+
     def _declare(self, name: str, default: Any, meaning: str) -> Any:
         from rcl_interfaces.msg import ParameterDescriptor
 
@@ -123,8 +139,7 @@ def read_parameters(node: Any) -> NodeParameters:
         ConfigError: with everything that is wrong.
     """
     declared = Parameters(node)
-    grammar = declared.texts("grammar", "en", "Grammar file, or the name of a shipped one")
-    locations = declared.texts("locations", "home", "Map file, or the name of a shipped one")
+    grammar, locations = declared.language()
     name = declared.text("robot", "", "Robot file, or the name of a shipped one; empty: the limits given here")
     robot = DEFAULT
     if name:
@@ -164,6 +179,5 @@ def read_parameters(node: Any) -> NodeParameters:
         ),
         journal=declared.text("journal", "", "File that every goal is written to, as JSON lines"),
     )
-    if declared.problems:
-        raise ConfigError(declared.problems)
+    declared.check()
     return parameters

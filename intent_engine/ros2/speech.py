@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.engine import IntentEngine
-from intent_engine.errors import ConfigError, IntentEngineError
+from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
@@ -92,17 +92,17 @@ def read_parameters(node: Any) -> SpeechParameters:
         ConfigError: with everything that is wrong.
     """
     declared = Parameters(node)
+    grammar, locations = declared.language()
     parameters = SpeechParameters(
-        grammar=declared.texts("grammar", "en", "Grammar file, or the name of a shipped one"),
-        locations=declared.texts("locations", "home", "Map file, or the name of a shipped one"),
+        grammar=grammar,
+        locations=locations,
         model=declared.text("model", "tiny.en", "Whisper model: a name or a folder"),
         device=declared.text("device", "", "Microphone: number, name or part of it; empty: the system's"),
         file=declared.text("file", "", "Recording to play instead of the microphone"),
         reflex=declared.truth("reflex", True, "Hold the robot while a stop word is being said"),
         free=declared.truth("free", False, "Decode without the help of the grammar"),
     )
-    if declared.problems:
-        raise ConfigError(declared.problems)
+    declared.check()
     return parameters
 
 
