@@ -13,7 +13,7 @@ as in Laurikari, "NFAs with tagged transitions" (2000), with preference in place
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from intent_engine.errors import ConfigError
@@ -180,7 +180,11 @@ class Automaton:
 
     def _named(self, state: WordState, word: str) -> bool:
         heard = (word, *self._alikes.get(word, ()))
-        return any(one in place.arcs or one in place.allowed for place, _ in state.members for one in heard)
+        return any(
+            one in place.arcs or one in place.allowed or one in place.begins
+            for place, _ in state.members
+            for one in heard
+        )
 
     def _advance(
         self, state: WordState, word: str
@@ -203,7 +207,8 @@ class Automaton:
                 for target in place.arcs.get(meant, ()):
                     guessed.append((target, stack, index, (("alike", meant),)))
             if free or word in place.allowed:
-                swallowed.extend((target, stack, index, ()) for target in place.wild)
+                targets = place.begun if word in place.begins else place.wild
+                swallowed.extend((target, stack, index, ()) for target in targets)
         if not (onward or guessed or swallowed):
             return None
         # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from

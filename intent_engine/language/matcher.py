@@ -18,7 +18,6 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import numbers_otherwise
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
-from intent_engine.language.utterance import PhraseSet
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -34,10 +33,6 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
 _COUNTED = frozenset(QUANTITY_KINDS)
-_FREE = frozenset(("text", "object"))
-ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
-UNFINISHED = frozenset(("the", "an", "my", "our", "your", "of"))
-"""No thing ends so: who says "pick up the" has not said yet what. "box a" has a name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,12 +73,10 @@ class Reading:
 
     @property
     def problem(self) -> str:
-        return next((slot.problem for slot in self.slots if slot.problem), "")
-
-    @property
-    def unfinished(self) -> bool:
-        """Whether a slot holds the beginning of something only."""
-        return any(slot.status == "unfinished" for slot in self.slots)
+        for slot in self.slots:
+            if slot.problem:
+                return slot.problem
+        return ""
 
     @property
     def heard_exactly(self) -> int:
@@ -119,12 +112,7 @@ class Matcher:
         ]
         self._indexes: dict[str, NameIndex] = {}
         self._index_lock = threading.Lock()
-        # Single words of these are closed to free slots already; phrases are only seen whole.
-        operators = grammar.operators
-        changing = (
-            *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
-        )  # fmt: skip
-        self._operators = PhraseSet(words for words in changing if len(words) > 1)
+        self._free = FreeText(grammar)
         self._add_networks()
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
@@ -193,7 +181,7 @@ class Matcher:
 
     def _add_networks(self) -> None:
         grammar = self.grammar
-        spoken = quantities.templates(grammar.language)
+        spoken, free = quantities.templates(grammar.language), self._free
         for name, node in spoken_trees(grammar.language).items():
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(node)}
             self.networks.add_template(f"quantity:{name}", node, scope)
@@ -201,7 +189,7 @@ class Matcher:
             self.networks.add_wild(f"wild:{words}", words)
         for slot in grammar.slots.values():
             if slot.allow:
-                self.networks.add_wild(f"text:{slot.name}", slot.max_words, slot.allow)
+                self.networks.add_wild(f"text:{slot.name}", slot.max_words, slot.allow, free.unfinished, free.alone)
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
         for name, node in grammar.phrases.items():
@@ -216,6 +204,7 @@ class Matcher:
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
+            self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
             self.networks.add_template(key, kind, scope)
         elif slot.type in ("choice", "boolean"):
             scope = {}
@@ -233,8 +222,8 @@ class Matcher:
             slot = self.grammar.slots.get(name)
             if slot is None:
                 scope[name] = Call(f"phrase:{name}")
-            elif slot.type in ("text", "object"):
-                key = f"text:{name}" if slot.allow else f"wild:{slot.max_words}"
+            elif slot.type in FREE_KINDS:
+                key = f"text:{name}" if slot.allow else f"free:{slot.max_words}"
                 scope[f"{name}:{label}"] = Call(key, ("slot", label, name))
             else:
                 loose = None
@@ -277,7 +266,7 @@ class Matcher:
                 if mark[1][0] == "slot":
                     _, label, name = mark[1]
                     slot = self.grammar.slots[name]
-                    if slot.type in _FREE:
+                    if slot.type in FREE_KINDS:
                         free += position - start
                     slots.append(self._slot(slot, label, heard, start, position, value, loosely))
             elif kind == "alike":
@@ -312,7 +301,7 @@ class Matcher:
     ) -> SlotReading:
         if slot.type in QUANTITY_KINDS:
             return self._quantity(slot, label, words[start:end], start, end)
-        if slot.type in _FREE:
+        if slot.type in FREE_KINDS:
             return self._text(slot, label, words, start, end)
         if not loosely:
             return SlotReading(label, slot, start, end, value)
@@ -320,22 +309,13 @@ class Matcher:
 
     def _text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
         said = words[start:end]
-        wrong = slot.without.intersection(said)
-        # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
-        operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
-        if operator is not None:
-            phrase = words[operator[0] : sum(operator)]
-            if not slot.allow.issuperset(phrase):
-                wrong = frozenset((" ".join(phrase),))
-        if wrong:
-            problem = f"{min(wrong)!r} is nothing for slot {slot.name!r}"
-            return SlotReading(label, slot, start, end, None, 0.0, (), "unknown", problem)
-        if said[-1] in UNFINISHED or (said == ["a"] and start > 0):  # "ticket a" of a pattern is a letter
-            problem = f"the sentence is not finished: {' '.join(said)!r}"
-            return SlotReading(label, slot, start, end, None, 0.0, (), "unfinished", problem)
-        while len(said) > 1 and said[0] in ARTICLES:
-            said = said[1:]
-        return SlotReading(label, slot, start, end, " ".join(said))
+        problem = self._free.problem(slot, words, start, end)
+        status = "unknown"
+        if not problem and self._free.is_unfinished(slot, said, start):
+            problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
+        if problem:
+            return SlotReading(label, slot, start, end, None, 0.0, (), status, problem)
+        return SlotReading(label, slot, start, end, self._free.thing(said))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value = quantities.evaluate(said, slot.type, self.grammar.language, slot.unit)
@@ -381,7 +361,7 @@ class Matcher:
         end = len(said)
         if slot.type in ("choice", "boolean", "location"):
             reading = self._name(slot, label, said, 0, end)
-        elif slot.type in ("text", "object") and not self.grammar.operators.closed.isdisjoint(set(said) - slot.allow):
+        elif slot.type in FREE_KINDS and not self.grammar.operators.closed.isdisjoint(set(said) - slot.allow):
             problem = f"{' '.join(said)!r} holds a word that changes what is meant"
             return SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
         else:

@@ -58,7 +58,7 @@ class Edge:
 class State:
     """A place in a network."""
 
-    __slots__ = ("allowed", "arcs", "edges", "expand", "final", "number", "numeral", "wild")
+    __slots__ = ("allowed", "arcs", "begins", "begun", "edges", "expand", "final", "number", "numeral", "wild")
 
     def __init__(self) -> None:
         self.arcs: dict[str, tuple[State, ...]] = {}
@@ -73,6 +73,9 @@ class State:
         """Where any word leads, except those that a free slot may not swallow."""
         self.allowed: frozenset[str] = frozenset()
         """Words that this free slot may swallow all the same."""
+        self.begins: frozenset[str] = frozenset()
+        """Words with which this free slot may go on, but not end ("the"); they lead to ``begun``."""
+        self.begun: tuple[State, ...] = ()
         self.final = False
         """The end of its network."""
         self.expand: Callable[[State], None] | None = None
@@ -116,7 +119,7 @@ class Networks:
             states.add(id(state))
             onward = [target for targets in state.arcs.values() for target in targets]
             onward += [edge.target for edge in state.edges]
-            onward += [*state.numeral, *state.number, *state.wild]
+            onward += [*state.numeral, *state.number, *state.wild, *state.begun]
             arcs += len(onward)
             pending.extend(onward)
         return len(states), arcs
@@ -140,9 +143,24 @@ class Networks:
         """
         self._builders[key] = lambda: _names(entries, respell)
 
-    def add_wild(self, key: str, max_words: int, allowed: frozenset[str] = frozenset()) -> None:
-        """One to ``max_words`` words of any kind."""
-        self._builders[key] = lambda: _wild(max_words, allowed)
+    def add_wild(
+        self,
+        key: str,
+        max_words: int,
+        allowed: frozenset[str] = frozenset(),
+        begins: frozenset[str] = frozenset(),
+        alone: frozenset[str] = frozenset(),
+    ) -> None:
+        """One to ``max_words`` words of any kind.
+
+        Args:
+            key: of the network.
+            max_words: the most words.
+            allowed: words that it may swallow, though they are closed to others.
+            begins: words that are never the last.
+            alone: words that are never the only one.
+        """
+        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins)
 
 
 def _template(node: Node, scope: Mapping[str, Call]) -> Network:
@@ -231,14 +249,18 @@ def _names(entries: Iterable[Name], respell: Respell | None) -> Network:
     return Network(start, end)
 
 
-def _wild(max_words: int, allowed: frozenset[str]) -> Network:
+def _wild(max_words: int, allowed: frozenset[str], begins: frozenset[str], alone: frozenset[str]) -> Network:
     start, end = State(), State()
     end.final = True
     here = start
-    for _ in range(max_words):
-        there = State()
+    for left in range(max_words - 1, -1, -1):
+        there, begun = State(), State()
         here.wild = (there,)
         here.allowed = allowed
+        here.begins = (alone if here is start else begins) - allowed
+        if left:
+            here.begun = (begun,)
+            there.edges.append(Edge(begun))
         there.edges.append(Edge(end))
-        here = there
+        here = begun
     return Network(start, end)

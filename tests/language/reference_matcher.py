@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from itertools import islice, permutations, product
 from typing import Any
 
+from intent_engine.language.free_text import ALONE, ARTICLES, UNFINISHED
 from intent_engine.language.grammar import Grammar, Slot
-from intent_engine.language.matcher import ARTICLES, UNFINISHED
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 MOST = 3_000
@@ -34,12 +34,14 @@ class Piece:
     free: bool = False
     """Any word that is not closed, or that is in ``allowed``."""
     allowed: frozenset[str] = frozenset()
+    never: frozenset[str] = frozenset()
+    """Words that it is not, because nothing ends so."""
 
     def takes(self, word: str, closed: frozenset[str]) -> bool:
         if self.numeral:
             return word.lstrip("-").replace(".", "", 1).isdigit()
         if self.free:
-            return word not in closed or word in self.allowed
+            return word in self.allowed or (word not in closed and word not in self.never)
         return word == self.word
 
 
@@ -137,8 +139,6 @@ class ReferenceMatcher:
         if hole.value is not None:
             return hole.value
         said = words[hole.start : hole.end]
-        if said[-1] in UNFINISHED or (said == ["a"] and hole.start > 0):
-            return None
         while len(said) > 1 and said[0] in ARTICLES:
             said = said[1:]
         return " ".join(said)
@@ -178,7 +178,9 @@ class ReferenceMatcher:
         if slot.type == "text":
             for length in range(1, slot.max_words + 1):
                 piece = Piece(free=True, allowed=slot.allow)
-                yield Way((piece,) * length, (Hole(label, 0, length, None),))
+                never = UNFINISHED["en"] | (ALONE["en"] if length == 1 else set())
+                last = Piece(free=True, allowed=slot.allow, never=frozenset(never))
+                yield Way((*((piece,) * (length - 1)), last), (Hole(label, 0, length, None),))
         for value, node in slot.values:
             for way in self._ways(node):
                 yield Way(way.pieces, (Hole(label, 0, len(way.pieces), value),))

@@ -241,6 +241,25 @@ COMPOUND = {
     "turn left or right": NOTHING,
     "go to the kitchen or the bedroom": NOTHING,
 }
+CONTINUED = {
+    # To a place: no repetition of what was done last.
+    "continue to the kitchen": "to kitchen",
+    "carry on to the kitchen": "to kitchen",
+    "keep going to the kitchen": "to kitchen",
+    "go on to the kitchen": "to kitchen",
+    "continue": "again",
+    "carry on": "again",
+    "keep going": "again",
+    "continue forward": "forward 1",
+    "keep going back": "back 0.6",
+    "carry on to the moon": NOTHING,
+    "continue to the moon": NOTHING,
+    "keep going to the": NOTHING,
+    "continue to": NOTHING,
+    "don't continue to the kitchen": NOTHING,
+    "I continued to the kitchen": NOTHING,
+    "take over": NOTHING,
+}
 UNFINISHED = {
     "pick up the": NOTHING,
     "pick up a": NOTHING,
@@ -441,6 +460,28 @@ STOP = {
     "pull out all the stops": NOTHING,
     "don't stop, go forward": "forward 1",
 }
+LIKE_STOP = dict.fromkeys(
+    [
+        *(
+            "shop",
+            "top",
+            "stock",
+            "step",
+            "stops",
+            "stopper",
+            "stomp",
+            "strop",
+            "stoop",
+            "stub",
+            "chop",
+            "hop",
+        ),
+        *("hall", "the hall", "halts", "hold", "holt", "hault", "salt", "malt", "fault", "call my mother", "tall"),
+        *("weight", "wade", "way", "a bort", "report", "frieze", "breeze", "free", "woe", "whoever", "bake", "break"),
+        *("the shop", "to the top", "at the top", "the stock", "one step", "step by step", "non stop", "stop sign"),
+    ],
+    NOTHING,
+)
 TABLE = {
     **PLAIN,
     **FILLED,
@@ -448,7 +489,9 @@ TABLE = {
     **CORRECTED,
     **CANCELLED,
     **COMPOUND,
+    **CONTINUED,
     **UNFINISHED,
+    **LIKE_STOP,
     **MISHEARD,
     **REPORTED,
     **CONDITIONAL,
@@ -515,6 +558,23 @@ stop_words = st.sampled_from([" ".join(words) for words in shipped().grammar.ope
 def test_a_stop_word_before_or_after_a_command_stops(command: str, stop: str, form: str) -> None:
     text = form.format(command, stop)
     assert does(text) == "stop", text
+
+
+@quick
+@given(stop_words, st.data())
+def test_what_is_only_like_a_stop_word_is_none(stop: str, data: st.DataObject) -> None:
+    """Text is taken as it is: a letter more, less or other, and nothing stops, nor moves."""
+    place = data.draw(st.integers(0, len(stop) - 1))
+    letter = data.draw(st.sampled_from(string.ascii_lowercase))
+    other = data.draw(st.sampled_from(["", letter, letter + stop[place], stop[place] + letter]))
+    text = stop[:place] + other + stop[place + 1 :]
+    stops = shipped().grammar.operators.stop
+    said = Utterance.of(text).words
+    assume(all(" ".join(words) not in " ".join(said) for words in stops))
+    found = shipped().parse(text, state=("moving",))
+    assert not any(isinstance(action, Stop) for action in found.actions) or any(
+        reading.intent.action.type == "stop" for reading in shipped().matcher().read(said)
+    )
 
 
 words = st.text(st.characters(categories=["L", "N", "P", "S", "M"]), min_size=1, max_size=12)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from meanings import commands, does, shipped
@@ -16,6 +17,36 @@ few = settings(max_examples=80, deadline=None)
 def leads_on(found: Prefix, word: str) -> bool:
     numeral = word[0].isdigit()
     return word in found.next_words or "<any>" in found.next_words or (numeral and "<number>" in found.next_words)
+
+
+BEGUN = {
+    "pick up the": PrefixStatus.INCOMPLETE,
+    "pick up a": PrefixStatus.INCOMPLETE,
+    "please pick up my": PrefixStatus.INCOMPLETE,
+    "pick up a cup of": PrefixStatus.INCOMPLETE,
+    "put the cup on the": PrefixStatus.INCOMPLETE,
+    "turn left and pick up the": PrefixStatus.INCOMPLETE,
+    "pick up the cup": PrefixStatus.EXTENDABLE,
+    "pick up box a": PrefixStatus.EXTENDABLE,
+    "pick up that": PrefixStatus.EXTENDABLE,
+    "go to the": PrefixStatus.INCOMPLETE,
+    "go to the kitchen": PrefixStatus.COMPLETE,
+    "continue": PrefixStatus.EXTENDABLE,
+    "continue to the": PrefixStatus.INCOMPLETE,
+    "love": PrefixStatus.IMPOSSIBLE,
+}
+
+
+@pytest.mark.parametrize(("text", "status"), BEGUN.items())
+def test_how_far_words_have_come(text: str, status: PrefixStatus) -> None:
+    assert shipped().prefix(text).status is status
+
+
+@few
+@given(commands(), st.sampled_from(["the", "my", "an", "of"]))
+def test_nothing_ends_in_an_article(command: str, word: str) -> None:
+    found = shipped().prefix(f"{command} {word}")
+    assert found.status in (PrefixStatus.INCOMPLETE, PrefixStatus.IMPOSSIBLE)
 
 
 @few

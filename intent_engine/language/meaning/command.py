@@ -120,11 +120,9 @@ class Commands:
 def forbidden(reading: Reading, state: Collection[str]) -> str:
     """Why a command cannot be done in these states of the robot; empty: it can."""
     intent = reading.intent
-    missing = intent.requires - set(state) if intent.requires else None
-    if missing:
+    if intent.requires and (missing := intent.requires - set(state)):
         return f"{intent.name} needs the robot to be {' and '.join(sorted(missing))}"
-    present = intent.excludes & set(state) if intent.excludes else None
-    if present:
+    if intent.excludes and (present := intent.excludes & set(state)):
         return f"{intent.name} cannot be done while the robot is {' and '.join(sorted(present))}"
     return ""
 

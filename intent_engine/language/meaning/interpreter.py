@@ -185,8 +185,7 @@ class Interpreter:
         if not self.phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             _, reached = self.matcher.prefix(words)
-            unfinished = clause is not None and clause.reading is not None and clause.reading.unfinished
-            if reached is not None and (unfinished or not self.matcher.spoken.accepting(reached)):
+            if reached is not None and not self.matcher.spoken.accepting(reached):
                 following = tuple(sorted(self.matcher.spoken.next_words(reached))[:8])
                 reason = "the sentence is not finished"
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()

@@ -1,0 +1,63 @@
+"""What may be said where any words will do: the name of a thing or of a place that no map has."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from intent_engine.language.grammar import Grammar, Slot
+from intent_engine.language.utterance import PhraseSet
+
+__all__ = ["ALONE", "ARTICLES", "FREE_KINDS", "UNFINISHED", "FreeText"]
+
+FREE_KINDS = frozenset(("text", "object"))
+ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
+UNFINISHED: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("the", "an", "my", "our", "your", "of")),
+    "de": frozenset(("der", "den", "dem", "ein", "einen", "einem", "einer", "mein", "meinen", "dein", "deinen", "vom")),
+}
+"""No thing ends so: who says "pick up the" has not said yet what. "box a" has a name; "nimm das" is whole."""
+ALONE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("a", "on", "over", "up", "down", "off", "out", "in", "back", "along", "to", "from", "at", "with"))
+}
+"""By itself no thing: "carry on to the lab" carries nothing, "on" is a part of the verb."""
+
+
+class FreeText:
+    """The free words of one grammar's slots."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        # Single words of these are closed to free slots already; phrases are only seen whole.
+        operators = grammar.operators
+        changing = (
+            *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
+        )  # fmt: skip
+        self._operators = PhraseSet(words for words in changing if len(words) > 1)
+        self.unfinished = UNFINISHED.get(grammar.language, frozenset())
+        """Words that are never the last."""
+        self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
+        """Words that are never the only one."""
+
+    def problem(self, slot: Slot, words: Sequence[str], start: int, end: int) -> str:
+        """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
+        said = words[start:end]
+        wrong = slot.without.intersection(said)
+        # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
+        operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
+        if operator is not None:
+            phrase = words[operator[0] : sum(operator)]
+            if not slot.allow.issuperset(phrase):
+                wrong = frozenset((" ".join(phrase),))
+        return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
+        """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""
+        alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
+        return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
+
+    @staticmethod
+    def thing(said: Sequence[str]) -> str:
+        """The name without its articles."""
+        said = list(said)
+        while len(said) > 1 and said[0] in ARTICLES:
+            said = said[1:]
+        return " ".join(said)

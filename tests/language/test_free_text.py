@@ -1,0 +1,79 @@
+"""Free words name a thing, or they are nothing."""
+
+from __future__ import annotations
+
+import pytest
+from meanings import ROOT, done
+
+from intent_engine.engine import IntentEngine, PrefixStatus
+
+GRAMMAR = """
+language: {language}
+slots:
+  thing: {{type: text, max_words: 3}}
+  one: {{type: text, max_words: 1}}
+  any: {{type: text, max_words: 2, allow: [the, 'on']}}
+intents:
+  take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["take {{thing}} [home]"]}}
+  get: {{action: {{type: pick, object: "{{one}}"}}, sentences: ["get {{one}}"]}}
+  have: {{action: {{type: pick, object: "{{any}}"}}, sentences: ["have {{any}}"]}}
+  see: {{action: {{type: pick, object: "{{thing}}"}}, regex: "see (?P<thing>[a-z ]+)"}}
+"""
+ENGLISH = {
+    "take cup": "pick cup",
+    "take the cup": "pick cup",
+    "take the my cup": "pick cup",
+    "take box a": "pick box a",
+    "take the": "incomplete",
+    "take cup of": "incomplete",
+    "take cup the": "incomplete",
+    "take a": "incomplete",
+    "take on": "incomplete",
+    "take the on": "pick on",
+    "take on home": "pick on home",
+    "take that": "pick that",
+    # What the sentence ends with is none of the thing.
+    "take cup of home": "pick cup of home",
+    "take the cup home": "pick cup",
+    # Of one word, all are the last.
+    "get cup": "pick cup",
+    "get the": "rejected",
+    "get on": "rejected",
+    # An author may say that such words are things.
+    "have the": "pick the",
+    "have on": "pick on",
+    # A pattern finds the words by itself.
+    "see cup": "pick cup",
+    "see the": "rejected",
+    "see a": "pick a",
+}
+
+
+@pytest.fixture(scope="module")
+def engines(tmp_path_factory) -> dict[str, IntentEngine]:
+    found = {}
+    for language in ("en", "de", "fr"):
+        path = tmp_path_factory.mktemp(language) / "g.yaml"
+        path.write_text(GRAMMAR.format(language=language))
+        found[language] = IntentEngine.from_files(path)
+    return found
+
+
+@pytest.mark.parametrize(("text", "meant"), ENGLISH.items())
+def test_what_a_thing_may_be_called(engines, text, meant) -> None:
+    assert done(engines["en"].parse(text)) == meant
+    whole = engines["en"].prefix(text).status in (PrefixStatus.COMPLETE, PrefixStatus.EXTENDABLE)
+    if not text.startswith("see"):
+        assert whole is meant.startswith("pick")
+
+
+def test_each_language_has_its_own_articles(engines) -> None:
+    assert done(engines["de"].parse("take den")) == "incomplete"
+    assert done(engines["de"].parse("take an")) == "pick an"
+    assert done(engines["fr"].parse("take the")) == "pick the"
+
+
+def test_a_german_thing() -> None:
+    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    assert done(engine.parse("nimm den")) == "incomplete"
+    assert done(engine.parse("nimm das")) == "pick das"
