@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
 from intent_engine.language.automaton import Automaton, Trace, WordState
+from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
@@ -187,6 +188,7 @@ class Matcher:
             self.networks.add_template(f"quantity:{name}", node, scope)
         for words in range(1, 13):
             self.networks.add_wild(f"wild:{words}", words)
+            self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
         for slot in grammar.slots.values():
             if slot.allow:
                 self.networks.add_wild(f"text:{slot.name}", slot.max_words, slot.allow, free.unfinished, free.alone)
@@ -204,7 +206,6 @@ class Matcher:
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
-            self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
             self.networks.add_template(key, kind, scope)
         elif slot.type in ("choice", "boolean"):
             scope = {}
