@@ -54,6 +54,9 @@ class Prefix:
     """Words that may follow, in alphabetical order; ``<number>`` where a numeral may, ``<any>`` where any word may."""
     known_words: int = 0
     """How many of the words could be followed."""
+    settled: bool = False
+    """A whole command of which further words could only change the manner, as a speed does: what is to be done is
+    said."""
 
 
 @dataclass(frozen=True)
@@ -237,7 +240,9 @@ class IntentEngine:
             count, reached = 0, None
         if reached is None:
             return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
-        return Prefix(_status(matcher, reached), next_words(matcher, reached), count)
+        status = _status(matcher, reached)
+        settled = status is PrefixStatus.COMPLETE or (status is PrefixStatus.EXTENDABLE and matcher.settled(words))
+        return Prefix(status, next_words(matcher, reached), count, settled)
 
 
 class _Parses(Protocol):

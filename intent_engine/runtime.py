@@ -399,9 +399,9 @@ class Runtime:
             return meaning, Outlook.OTHER
         prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
         if meaning.status is Status.ACCEPTED:
-            if _stops(meaning):
+            if _stops(meaning) or prefix.status is PrefixStatus.COMPLETE:
                 return meaning, Outlook.COMPLETE
-            return meaning, Outlook.EXTENDABLE if prefix.status is PrefixStatus.EXTENDABLE else Outlook.COMPLETE
+            return meaning, Outlook.SETTLED if prefix.settled else Outlook.EXTENDABLE
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
     def _language(self, transcript: Transcript) -> str | None:

@@ -300,6 +300,28 @@ class Automaton:
         """Whether the words so far are a whole sentence."""
         return bool(state.accepts)
 
+    def ways_on(self, words: Iterable[str]) -> Iterator[tuple[State, list[tuple[State, Any, bool]]]]:
+        """Places at which a sentence that was begun may go on or be over after some words, each with the networks that
+        it was entered through, innermost first: where they return to, their mark, and whether no word of them was said.
+        """
+        state = self.start()
+        passed = state.came_from
+        for word in words:
+            taken = self._taken(state, word)
+            if taken is None:
+                return
+            state, passed = taken
+        for (place, stack), (_, marks) in zip(state.members, passed, strict=True):
+            if stack.apart or stack.parent is None:
+                continue
+            entered = {mark[1] for mark in marks if mark[0] == "open"}
+            calls: list[tuple[State, Any, bool]] = []
+            within: _Stack | None = stack
+            while within is not None and within.target is not None:
+                calls.append((within.target, within.call_mark, within.call_mark in entered))
+                within = within.parent
+            yield place, calls
+
     def inside(self, state: WordState) -> bool:
         """Whether a sentence that was begun could go on (not only a further one begin)."""
         return any(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
 from intent_engine.language.automaton import Automaton, Trace, WordState
+from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.names import NameIndex
@@ -150,6 +151,21 @@ class Matcher:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
         the middle of a misheard sentence is noise, and one that was said there is heard as it is."""
         return self._utterances(stop_anywhere=False)
+
+    @cached_property
+    def _continuations(self) -> Continuations:
+        return Continuations(self.networks, {slot.name: slot.type for slot in self.grammar.slots.values()})
+
+    def settled(self, words: Sequence[str]) -> bool:
+        """Whether what may follow a whole command is no more than the manner of it."""
+        last, language = words[-1], self.grammar.language
+        if last in NUMBER_WORDS or quantities.is_numeral(last) or quantities.is_number_word(last, language):
+            return False  # "one hundred" may go on to "and twenty"
+        return self.ahead(words) <= {Continuation.NOTHING, Continuation.MANNER}
+
+    def ahead(self, words: Sequence[str]) -> frozenset[Continuation]:
+        """What may still be said after the beginning of an utterance."""
+        return self._continuations.ahead(self.spoken.ways_on(words))
 
     def _utterances(self, *, stop_anywhere: bool) -> Automaton:
         begin, middle, end = State(), State(), State()

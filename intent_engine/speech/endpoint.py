@@ -21,6 +21,8 @@ class Outlook(StrEnum):
     """Not decoded yet."""
     COMPLETE = "complete"
     """A command that nothing can change."""
+    SETTLED = "settled"
+    """A command of which further words could change the manner only, as "slowly" would."""
     EXTENDABLE = "extendable"
     """A command that further words could change."""
     INCOMPLETE = "incomplete"
@@ -57,6 +59,7 @@ class Settings:
     """Frames of speech that begin an utterance."""
     min_speech: float = 0.12
     wait_complete: float = 0.064
+    wait_settled: float = 0.128
     wait_extendable: float = 0.35
     wait_incomplete: float = 0.7
     wait_other: float = 0.35
@@ -70,6 +73,7 @@ class Settings:
         """Silence after which an utterance with this outlook is over."""
         return {
             Outlook.COMPLETE: self.wait_complete,
+            Outlook.SETTLED: self.wait_settled,
             Outlook.EXTENDABLE: self.wait_extendable,
             Outlook.INCOMPLETE: self.wait_incomplete,
             Outlook.OTHER: self.wait_other,

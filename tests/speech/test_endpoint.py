@@ -14,6 +14,7 @@ from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
 SPEECH, SILENCE = 0.9, 0.05
 WAITS = {
     Outlook.COMPLETE: 0.064,
+    Outlook.SETTLED: 0.128,
     Outlook.EXTENDABLE: 0.35,
     Outlook.INCOMPLETE: 0.7,
     Outlook.OTHER: 0.35,
@@ -58,8 +59,9 @@ def test_how_long_it_waits_is_what_the_grammar_thinks(outlook):
 
 def test_every_wait_can_be_set():
     assert set(WAITS) == set(Outlook)
-    settings = Settings(wait_complete=1.0, wait_extendable=2.0, wait_incomplete=3.0, wait_other=4.0, wait_unknown=5.0)
-    assert sorted(settings.wait(outlook) for outlook in Outlook) == [1.0, 2.0, 3.0, 4.0, 5.0]
+    waits = {f"wait_{outlook}": float(number) for number, outlook in enumerate(Outlook, start=1)}
+    settings = Settings(**waits)
+    assert sorted(settings.wait(outlook) for outlook in Outlook) == sorted(waits.values())
 
 
 def test_who_goes_on_is_not_cut_off():

@@ -1,0 +1,89 @@
+"""What may still be said after a command decides how long to wait for it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from meanings import commands, shipped
+
+from intent_engine import IntentEngine, Status
+from intent_engine.engine import PrefixStatus
+
+SETTLED = [
+    "turn left ninety degrees",
+    "turn left 90 degrees",
+    "rotate sixty degrees to the right",
+    "go forward two meters",
+    "go forward two meters slowly",
+    "drive backward for ten seconds",
+    "go to the kitchen",
+    "please go to the kitchen",
+]
+OPEN = [
+    "turn left",
+    "go forward",
+    "stop turning and go forward",
+    "turn left 90",  # "90 degrees", or "90, no, 19"
+    "turn left one hundred",
+    "pick up the cup",
+    "bring me the red cup",
+    "go forward two",
+    "love",
+]
+
+
+@pytest.mark.parametrize("text", SETTLED)
+def test_what_is_to_be_done_is_said(text: str) -> None:
+    assert shipped().prefix(text).settled
+
+
+@pytest.mark.parametrize("text", OPEN)
+def test_more_may_be_said_of_what_is_to_be_done(text: str) -> None:
+    assert not shipped().prefix(text).settled
+
+
+@settings(max_examples=150, deadline=None)
+@given(commands(), st.data())
+def test_a_beginning_that_is_settled_says_the_same_as_the_whole_but_for_the_manner(
+    command: str, data: st.DataObject
+) -> None:
+    engine = shipped()
+    words = command.split()
+    count = data.draw(st.integers(1, len(words)))
+    beginning = " ".join(words[:count])
+    if not engine.prefix(beginning).settled:
+        return
+    begun, whole = engine.parse(beginning), engine.parse(command)
+    if begun.status is not Status.ACCEPTED or whole.status is not Status.ACCEPTED:
+        return
+    manner = {"speed", "turn_speed", "angular_speed"}
+    said = {name: value for name, value in begun.slots.items() if name not in manner}
+    later = {name: value for name, value in whole.slots.items() if name not in manner}
+    assert begun.intent == whole.intent
+    assert said.keys() == later.keys()
+
+
+GRAMMAR = """
+language: en
+slots:
+  pace: {type: speed}
+intents:
+  act:
+    action: {type: custom, name: act}
+    sentences:
+      - "paint it [black]"
+      - "polish it [at {pace}]"
+"""
+
+
+def test_words_without_a_slot_may_change_everything(tmp_path: Path) -> None:
+    file = tmp_path / "own.yaml"
+    file.write_text(GRAMMAR)
+    engine = IntentEngine.from_files(file)
+    assert engine.prefix("paint it").status is PrefixStatus.EXTENDABLE
+    assert not engine.prefix("paint it").settled
+    assert engine.prefix("paint it black").settled
+    assert engine.prefix("polish it").settled
