@@ -233,7 +233,7 @@ class IntentEngine:
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
         matcher = self.matcher(language)
-        words = Utterance.of(text).words if len(text) < 2000 else ["\0"]
+        words = Utterance.of(text, matcher.grammar.language).words if len(text) < 2000 else ["\0"]
         try:
             count, reached = matcher.prefix(words)
         except ConfigError:  # see parse

@@ -68,7 +68,7 @@ class Witness:
         if before is not None and before != found:
             outcome = found.reason if found.status is not before.status else "what it points back to is put in"
             self._open[0].steps.append(Step("pointing back", found.text, outcome))
-        tokens = tokenize(found.text[:MAX_CHARACTERS])
+        tokens = tokenize(found.text[:MAX_CHARACTERS], self.matcher.grammar.language)
         words = tuple(Word(token.word, found.text[token.start : token.end], token.breaks) for token in tokens)
         return Explanation(
             self.matcher.grammar.language,

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["Token", "plain_words", "tokenize"]
+__all__ = ["UNCLEAR", "Token", "plain_words", "tokenize"]
 
 
 class Token(NamedTuple):
@@ -50,6 +51,7 @@ _TOKEN = re.compile(
     r"(?:(?P<mixed>\d+(?:\s*-\s*|\s+)\d+\s?[/⁄]\s?\d+(?![\d/]))"
     r"|(?P<fraction>(?<![/\d])\d+[/⁄]\d+(?![\d/]))"
     r"|(?P<comma>(?<![\d.,])(?:0,\d+|\d+,(?:\d{1,2}|\d{4,}))(?![\d.,]*\d))"
+    r"|(?P<pointed>(?<![\d.,])[1-9]\d{0,2}(?:(?:\.\d{3})+,\d+|(?:\.\d{3}){2,})(?![.,]?\d))"
     r"|(?P<grouped>\d{1,3}(?:,\d{3})+(?:\.\d+)?(?!\d))"
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
@@ -57,6 +59,18 @@ _TOKEN = re.compile(
     r"|(?P<sign>[°º%'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
+
+_ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
+_READ_AS: Mapping[tuple[str, str], str] = {
+    ("en", ","): "", ("en", "."): ".", ("de", ","): ".", ("fr", ","): ".", ("it", ","): ".",
+}  # fmt: skip
+"""(language, sign) -> what the sign stands for in "1.500" or "1,500", where it could divide thousands or decimals.
+
+English has one custom. With a decimal comma, "1.500" is 1500 by the old custom and 1.5 by that of every machine: nobody
+can know, and so in Spanish, where Madrid and Mexico differ, with either sign. What is not here is unclear.
+"""
+UNCLEAR = "?"
+"""Ends the word of a number that could be a thousand times as much. No such word has a value."""
 
 
 def plain_words(text: str) -> list[str] | None:
@@ -70,8 +84,13 @@ def plain_words(text: str) -> list[str] | None:
     return None if not CONTRACTIONS.keys().isdisjoint(words) else words
 
 
-def tokenize(text: str) -> tuple[Token, ...]:
-    """The normalised words of any text, in order. Never raises; linear in the text."""
+def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
+    """The normalised words of any text, in order. Never raises; linear in the text.
+
+    Args:
+        text: what was typed or recognised.
+        language: whose custom of writing "1.500" and "1,500" holds.
+    """
     source, places = text, None
     if not text.isascii():
         source, places = _composed(text)
@@ -86,7 +105,7 @@ def tokenize(text: str) -> tuple[Token, ...]:
         if kind == "pause":
             breaks = True
             continue
-        for word in _words(match, kind, lowered, tokens):
+        for word in _words(match, kind, lowered, tokens, language):
             if places is not None:
                 tokens.append(Token(word, places[start], places[end - 1] + 1, breaks))
             else:
@@ -114,7 +133,7 @@ def _composed(text: str) -> tuple[str, list[int]]:
     return joined, places
 
 
-def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token]) -> tuple[str, ...]:
+def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token], language: str) -> tuple[str, ...]:
     found = match.group()
     if kind == "word":
         word = found
@@ -126,18 +145,29 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
     if kind == "mixed":
         whole, top, bottom = re.findall(r"\d+", found)
         number = f"{whole}-{top}/{bottom}"
-    elif kind == "grouped":
-        number = found.lstrip("-− ").replace(",", "")
-    elif kind == "comma":
-        number = found.lstrip("-− ").replace(",", ".")
     else:
-        number = found.lstrip("-− ").replace("⁄", "/")
+        number = _number(found.lstrip("-− "), kind, language)
     if number.startswith("."):
         number = "0" + number
     # "75 -300 mm" is a range, and no number below zero.
     start = match.start()
     negative = match.group("number") and not (start > 1 and text[start - 1].isspace() and text[start - 2].isdigit())
     return ("-" + number if negative else number,)
+
+
+def _number(written: str, kind: str | None, language: str) -> str:
+    """A number in digits with a decimal point and nothing else; or as it is written, and :data:`UNCLEAR`."""
+    if kind in ("grouped", "decimal") and (group := _ONE_GROUP.fullmatch(written)) is not None:
+        sign = group[1]
+        meant = _READ_AS.get((language, sign))
+        return written + UNCLEAR if meant is None else written.replace(sign, meant)
+    if kind == "pointed":
+        return written.replace(".", "").replace(",", ".")
+    if kind == "grouped":
+        return written.replace(",", "")
+    if kind == "comma":
+        return written.replace(",", ".")
+    return written.replace("⁄", "/")
 
 
 def _sign(sign: str, text: str, place: int, before: list[Token]) -> tuple[str, ...]:

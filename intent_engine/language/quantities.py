@@ -249,7 +249,7 @@ def find(text: str, language: str = "en") -> list[Found]:
     """All quantities in a text, left to right, the longest at each place; plain numbers where there is no unit."""
     from intent_engine.language.normalize import tokenize
 
-    tokens = tokenize(text)
+    tokens = tokenize(text, language)
     words = [token.word for token in tokens]
     table = units(language)
     found: list[Found] = []

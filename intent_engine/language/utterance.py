@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from intent_engine.language.normalize import Token, plain_words, tokenize
+from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
 
 __all__ = ["Openers", "PhraseSet", "Utterance"]
 
@@ -92,21 +92,30 @@ class Utterance:
     breaks: list[bool]
     joined: frozenset[int] = frozenset()
     """Places where a word was removed that stood between this word and the one before."""
+    unclear: str = ""
+    """A number as it is written that could be two in this language: "1.500". Among the words it is the larger one, so
+    that a stop is found beside it; nothing else may be done with them."""
 
     @classmethod
-    def of(cls, text: str) -> Utterance:
+    def of(cls, text: str, language: str = "en") -> Utterance:
+        """What was said; ``language`` says how its numbers are written."""
         plain = plain_words(text)
         if plain is not None and _STUTTER.search(text) is None:
             return cls(plain, [False] * len(plain))
         if any(bracket in text for bracket in "[(<*"):
             text = _ANNOTATION.sub(" , ", text)
-        tokens = tokenize(text)
+        tokens = tokenize(text, language)
         words = [token.word for token in tokens]
         breaks = [token.breaks for token in tokens]
+        unclear = ""
+        for place, word in enumerate(words):
+            if word.endswith(UNCLEAR):
+                unclear = unclear or word.removesuffix(UNCLEAR)
+                words[place] = re.sub("[^0-9-]", "", word)
         kept = [place for place in range(len(words)) if not _stutter(tokens, place)]
         if len(kept) < len(words):
-            return cls([words[place] for place in kept], [breaks[place] for place in kept])
-        return cls(words, breaks)
+            return cls([words[place] for place in kept], [breaks[place] for place in kept], unclear=unclear)
+        return cls(words, breaks, unclear=unclear)
 
     def __len__(self) -> int:
         return len(self.words)

@@ -83,7 +83,7 @@ class Coverage:
         if found.status is Status.ACCEPTED and found.intent is not None:
             seen.intents.add(found.intent)
             if not found.slots:  # a stop is heard before any sentence is looked at
-                readings = interpreter.matcher.read(Utterance.of(text).words)
+                readings = interpreter.matcher.read(Utterance.of(text, interpreter.matcher.grammar.language).words)
                 self._reached(interpreter, [one for one in readings[:1] if one.intent.name == found.intent])
 
     def _reached(self, interpreter: Interpreter, readings: Any) -> None:

@@ -39,6 +39,7 @@ class Interpreter:
         self.matcher = matcher
         self.phrases = Phrases(grammar)
         self._nearest = nearest
+        self._language = grammar.language
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
@@ -79,7 +80,7 @@ class Interpreter:
         """The same, with the commands of which the meaning is made."""
         if len(text) > MAX_CHARACTERS:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
-        said = Utterance.of(text)
+        said = Utterance.of(text, self._language)
         words = said.words
         if not words:
             return self._rejected(text, "nothing was said")
@@ -88,6 +89,8 @@ class Interpreter:
         phrases = self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
             return self._stopped(text)
+        if said.unclear:
+            return self._unclear(text, said, state)
         if phrases.wake:
             woken = self._awake(said)
             if woken is None and spoken:
@@ -143,6 +146,19 @@ class Interpreter:
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
         return self._not_understood(text, core, clause or single)
+
+    def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
+        """A number that could be another: nothing is done with it, but a stop is heard beside it."""
+        if self._stops.in_a_sentence(self.phrases.without_fillers(said)) or (
+            self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
+        ):
+            return self._stopped(text)
+        digits = said.unclear.replace(",", ".")
+        thousands, decimals = digits.replace(".", ""), digits.rstrip("0").rstrip(".")
+        if self._language != "en":
+            decimals = decimals.replace(".", ",")
+        reason = f"{said.unclear!r} could be {thousands} or {decimals}; write one of these, or say it in words"
+        return self._rejected(text, reason)
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:
