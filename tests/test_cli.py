@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import sys
 from importlib.metadata import version
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.console import Console
+from rich.text import Text
 from typer.main import get_command
 from typer.testing import CliRunner
 
@@ -60,6 +65,25 @@ def test_what_people_said_is_never_markup(capsys):
     assert capsys.readouterr().out == "[bold]go[/bold] [/nonsense]\n"
 
 
+@given(st.text() | st.text(st.characters(codec="utf-8"), max_size=200).map(lambda text: f" {text} \n {text}"))
+def test_a_pipe_gets_what_rich_would_write(text):
+    """The quick way past Rich, for what is no terminal."""
+    from intent_engine.cli import terminal
+
+    quick, rich = io.StringIO(), io.StringIO()
+    if terminal._plainly(quick, text):
+        Console(file=rich, highlight=False, soft_wrap=True).print(Text(text, style="dim"))
+        assert quick.getvalue() == rich.getvalue()
+
+
+def test_rich_is_asked_where_somebody_wants_colours(monkeypatch):
+    from intent_engine.cli import terminal
+
+    assert terminal._plainly(io.StringIO(), "done")
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    assert not terminal._plainly(io.StringIO(), "done")
+
+
 @pytest.fixture
 def faulty(monkeypatch):
     """A fault of ours, deep inside a verb."""
@@ -67,8 +91,7 @@ def faulty(monkeypatch):
     def broken(*_: object) -> None:
         raise ZeroDivisionError("one over nothing")
 
-    # The package's attribute of this name is the verb; the module is found by its full name.
-    monkeypatch.setattr(sys.modules["intent_engine.cli.parse"], "load_engine", broken)
+    monkeypatch.setattr("intent_engine.cli.parse.load_engine", broken)
     monkeypatch.setattr(sys, "argv", ["intent-engine", "parse", "go to the kitchen"])
     monkeypatch.delenv(guard.DEBUG, raising=False)
     yield

@@ -77,22 +77,44 @@ def test_a_long_argument(intent_engine):
     assert done.stderr.startswith("error: the text (99000 characters) is longer than")
 
 
-def test_text_needs_no_audio():
-    """Parsing must start fast and work where no audio library is installed."""
+HEAVY = {
+    *("faster_whisper", "ctranslate2", "sounddevice", "soundfile", "onnxruntime", "av", "soxr", "numpy", "rclpy"),
+    *("matplotlib", "huggingface_hub", "pydantic", "hypothesis", "pytest"),
+}
+"""What has no business in a verb that reads text."""
+SLOW = {"jsonschema", "lark", "rich.console", "importlib.metadata"}
+"""What is only needed for a mistake in a file, or for a terminal."""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "absent"),
+    [
+        (
+            ["parse", "go to the kitchen"],
+            HEAVY | SLOW | {"rapidfuzz", "intent_engine.execution", "intent_engine.speech"},
+        ),
+        (["parse", "--json", "turn left"], HEAVY | SLOW | {"rapidfuzz"}),
+        (["parse", "--explain", "turn left"], HEAVY | SLOW),
+        (["complete", "go to the"], HEAVY | SLOW | {"rapidfuzz"}),
+        (["sample", "-n", "3"], HEAVY | SLOW),
+        (["--help"], HEAVY | {"jsonschema", "lark", "rapidfuzz", "yaml"}),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_verbs_that_read_text_load_no_more_than_that_takes(arguments, absent):
     import subprocess
 
     code = (
-        "import sys\n"
-        "from typer.testing import CliRunner\n"
-        "from intent_engine.cli import app\n"
-        "result = CliRunner().invoke(app, ['parse', 'go to the kitchen'])\n"
-        "assert result.exit_code == 0, result.output\n"
-        "heavy = {'faster_whisper', 'ctranslate2', 'sounddevice', 'soundfile', 'onnxruntime', 'av', 'soxr', 'numpy',\n"
-        "         'rclpy', 'matplotlib', 'huggingface_hub'}\n"
-        "print(sorted(heavy & set(sys.modules)))\n"
+        "import contextlib, sys\n"
+        f"sys.argv = ['intent-engine', *{arguments!r}]\n"
+        "from intent_engine.cli import main\n"
+        "with contextlib.suppress(SystemExit):\n"
+        "    main()\n"
+        f"print(sorted({absent!r} & set(sys.modules)))\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "[]"
+    assert done.stdout.splitlines()[-1] == "[]"
+    assert len(done.stdout.splitlines()) > 1
 
 
 @pytest.mark.parametrize(

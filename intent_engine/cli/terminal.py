@@ -5,15 +5,15 @@ from __future__ import annotations
 import contextlib
 import json
 import logging
+import os
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TextIO, TypeVar
 
-from rich import box
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
-from rich.text import Text
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.progress import Progress
 
 __all__ = [
     "LogNotes",
@@ -31,19 +31,42 @@ __all__ = [
 
 T = TypeVar("T")
 
+_CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+"""What Rich replaces or leaves out."""
+_FORCING = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "JUPYTER_COLUMNS")
+"""Variables by which somebody asks Rich to take what is no terminal for one."""
+
 
 def _out() -> Console:
     # Made for each use: rich looks at the stream, NO_COLOR and the width when a console is made, and tests swap both.
+    from rich.console import Console
+
     return Console(highlight=False, soft_wrap=not sys.stdout.isatty())
 
 
 def _err() -> Console:
+    from rich.console import Console
+
     return Console(stderr=True, highlight=False, soft_wrap=not sys.stderr.isatty())
+
+
+def _plainly(stream: TextIO, text: str) -> bool:
+    """Write a line into a pipe or file as Rich would; False where Rich has to.
+
+    Loading Rich takes as long as understanding the sentence.
+    """
+    if stream.isatty() or any(os.environ.get(name) for name in _FORCING) or _CONTROL.search(text):
+        return False
+    stream.write(text + "\n")
+    return True
 
 
 def say(text: str = "", style: str | None = None) -> None:
     """One line on standard output, at once. ``text`` is shown as it is: what people said may hold brackets."""
-    _out().print(Text(text, style=style or ""))
+    if not _plainly(sys.stdout, text):
+        from rich.text import Text
+
+        _out().print(Text(text, style=style or ""))
     sys.stdout.flush()
 
 
@@ -58,7 +81,10 @@ def json_line(data: Any) -> None:
 
 def note(text: str) -> None:
     """A line for the person at the terminal that is no result; on standard error."""
-    _err().print(Text(text, style="dim"))
+    if not _plainly(sys.stderr, text):
+        from rich.text import Text
+
+        _err().print(Text(text, style="dim"))
 
 
 def redrawn(view: Any) -> contextlib.AbstractContextManager[object]:
@@ -73,6 +99,8 @@ def redrawn(view: Any) -> contextlib.AbstractContextManager[object]:
 
 def error_block(message: str) -> None:
     """What went wrong, on standard error."""
+    from rich.text import Text
+
     console = _err()
     first, *rest = message.splitlines() or [""]
     console.print(Text.assemble(("error: ", "bold red"), first))
@@ -89,6 +117,11 @@ class LogNotes(logging.Handler):
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """A table on standard output; columns of numbers stand to the right."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
     body = [[str(cell) for cell in row] for row in rows]
     grid = Table(title=title or None, title_justify="left", show_edge=False, pad_edge=False, box=box.SIMPLE_HEAD)
     for index, name in enumerate(columns):
@@ -142,6 +175,8 @@ def progress(what: str, steps: int) -> Iterator[Callable[[], None]]:
 
 
 def _bar() -> Progress:
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     return Progress(*columns, console=_err(), transient=True)
 
@@ -149,6 +184,8 @@ def _bar() -> Progress:
 @contextlib.contextmanager
 def level_meter(what: str) -> Iterator[Callable[[float], None]]:
     """A bar on standard error that follows a level in dBFS, -60 to 0."""
+    from rich.progress import BarColumn, Progress, TextColumn
+
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[level]}"))
     with Progress(*columns, console=_err(), transient=True) as progress:
         bar = progress.add_task(what, total=60, level="", visible=False)

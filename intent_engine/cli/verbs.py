@@ -1,0 +1,176 @@
+"""The verbs of the command line, each loaded when it is asked for: one that reads text never waits for the others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, MutableMapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, Final
+
+import typer
+from typer.core import TyperGroup
+from typer.main import get_command
+
+__all__ = ["VERBS", "Verb", "Verbs"]
+
+MARKUP: Final = "rich"
+_DRIVE = "Speak to a robot"
+_UNDERSTAND = "Understand text"
+_TRUST = "Measure and trust"
+
+
+@dataclass(frozen=True)
+class Verb:
+    """Where a verb is, and how the help shows it."""
+
+    module: str
+    """In this package."""
+    function: str
+    panel: str
+    examples: tuple[str, ...]
+
+
+VERBS = {
+    "run": Verb(
+        "listening",
+        "run",
+        _DRIVE,
+        (
+            "intent-engine run examples/demo.flac",
+            "intent-engine run --plot way.png recording.wav",
+            "intent-engine run --json recording.wav | jq .event",
+        ),
+    ),
+    "listen": Verb(
+        "listening",
+        "listen",
+        _DRIVE,
+        (
+            "intent-engine listen",
+            "intent-engine listen --device headset --wake-word robot",
+            "intent-engine listen --push-to-talk --no-reflex",
+            "intent-engine listen --list-devices",
+            "arecord -f S16_LE -r 16000 -t raw | intent-engine listen --pcm -",
+        ),
+    ),
+    "parse": Verb(
+        "parse",
+        "parse",
+        _UNDERSTAND,
+        (
+            'intent-engine parse "go to the kitchen"',
+            'intent-engine parse --json "turn left ninety degrees"',
+            'intent-engine parse --explain "go to the kitchen I mean the bedroom"',
+            "intent-engine parse - < sentences.txt",
+        ),
+    ),
+    "complete": Verb(
+        "complete",
+        "complete",
+        _UNDERSTAND,
+        ('intent-engine complete "go to the"', 'intent-engine complete --json "turn left n"'),
+    ),
+    "sample": Verb(
+        "sample",
+        "sample",
+        _UNDERSTAND,
+        (
+            "intent-engine sample",
+            "intent-engine sample -n 5 --intent turn --seed 7",
+            "intent-engine sample --grammar my_grammar.yaml --json > sentences.jsonl",
+        ),
+    ),
+    "check": Verb(
+        "check",
+        "check",
+        _TRUST,
+        (
+            "intent-engine check my_grammar.yaml",
+            "intent-engine check --strict --locations warehouse en my_grammar.yaml",
+            "intent-engine check --json | jq .figures",
+        ),
+    ),
+    "test": Verb(
+        "examples",
+        "run_examples",
+        _TRUST,
+        (
+            "intent-engine test my_grammar.yaml",
+            "intent-engine test --locations warehouse my_grammar.yaml tests/doors.intents.yaml",
+            "intent-engine test --json | jq 'select(.passed | not)'",
+        ),
+    ),
+    "evaluate": Verb(
+        "evaluate",
+        "evaluate",
+        _TRUST,
+        (
+            "intent-engine evaluate examples/ten_commands",
+            "intent-engine evaluate recordings -m tiny.en -m base --noise kitchen.wav --snr 6,12,24 "
+            "--plot out/speech.png",
+        ),
+    ),
+    "drill": Verb(
+        "drill",
+        "drill",
+        _TRUST,
+        (
+            "intent-engine drill",
+            "intent-engine drill --quick --robot turtlebot3",
+            "intent-engine drill --json | jq .passed",
+        ),
+    ),
+    "doctor": Verb(
+        "doctor",
+        "doctor",
+        _TRUST,
+        (
+            "intent-engine doctor",
+            "intent-engine doctor --model base --device headset",
+            "intent-engine doctor --no-microphone --json | jq .ok",
+        ),
+    ),
+}
+"""In the order of the help."""
+
+
+class _Commands(MutableMapping[str, Any]):
+    """Name -> command, made at the first question."""
+
+    def __init__(self) -> None:
+        self._made: dict[str, Any] = {}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._made:
+            self._made[name] = _command(name, VERBS[name])
+        return self._made[name]
+
+    def __setitem__(self, name: str, command: Any) -> None:
+        self._made[name] = command
+
+    def __delitem__(self, name: str) -> None:
+        del self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter({**VERBS, **self._made})
+
+    def __len__(self) -> int:
+        return len({**VERBS, **self._made})
+
+
+def _command(name: str, verb: Verb) -> Any:
+    function = getattr(import_module(f"intent_engine.cli.{verb.module}"), verb.function)
+    alone = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=MARKUP)
+    alone.command(name, epilog="\n\n".join(("Examples:", *verb.examples)), rich_help_panel=verb.panel)(function)
+    return get_command(alone)
+
+
+class Verbs(TyperGroup):
+    """The group of all verbs."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**settings)
+        self.commands = _Commands()
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(self.commands)
