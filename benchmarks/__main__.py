@@ -1,7 +1,9 @@
 """Run the benchmarks, merge their rows into ``results.json``, and write ``docs/benchmarks.md`` from it.
 
 Every module of this folder with a function ``run(quick: bool)`` is a benchmark. It gives a list of rows, or a
-:class:`~benchmarks.report.Report`: rows, tables and plots. A row has these keys:
+:class:`~benchmarks.report.Report`: rows, tables and plots; or an iterator of these, so that each part is kept as soon
+as it was measured, whatever becomes of the others. What an unfinished benchmark did not come to stays as it was
+measured before. A row has these keys:
 
 ``figure``      what was measured, in words
 ``value``       the number (the smaller the better, unless the words say otherwise)
@@ -24,6 +26,8 @@ import os
 import platform
 import sys
 import time
+import traceback
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -79,15 +83,23 @@ def checked(name: str, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [{"module": name, **row, "measured": day, "machine": machine()} for row in rows]
 
 
-def merge(old: dict[str, Any], name: str, report: Report, quick: bool) -> dict[str, Any]:
-    """Replace what one module found and leave that of the others."""
+def merge(old: dict[str, Any], name: str, report: Report, quick: bool, *, whole: bool = True) -> dict[str, Any]:
+    """Replace what one module found and leave that of the others; not ``whole``: also what it has not come to."""
     tables, plots = report.extras(name)
     fresh = {"rows": [{**row, "quick": quick} for row in report.rows], "tables": tables, "plots": plots}
     merged = {}
     for kind, found in fresh.items():
-        kept = [one for one in old.get(kind, []) if one["module"] != name]
-        merged[kind] = sorted([*kept, *found], key=lambda one: str(one["module"]))
+        mine = [one for one in old.get(kind, []) if one["module"] == name]
+        others = [one for one in old.get(kind, []) if one["module"] != name]
+        again = {_identity(one) for one in found}
+        earlier = [] if whole else [one for one in mine if _identity(one) not in again]
+        merged[kind] = sorted([*others, *found, *earlier], key=lambda one: str(one["module"]))
     return merged
+
+
+def _identity(one: dict[str, Any]) -> tuple[Any, ...]:
+    """What a row, table or plot is about, whatever was measured."""
+    return tuple(one.get(key) for key in ("figure", "peer", "title"))
 
 
 def number(value: Any) -> str:
@@ -161,38 +173,99 @@ def show(rows: list[dict[str, Any]]) -> None:
     (console if console.is_terminal else Console(highlight=False, width=180)).print(grid)
 
 
+def measure(name: str, quick: bool, results: dict[str, Any]) -> dict[str, Any]:
+    """Run one benchmark, and write down each part as it comes.
+
+    Returns:
+        All results.
+
+    Raises:
+        Whatever the benchmark raises; what was measured before is written down.
+    """
+    print(f"{name} ...", file=sys.stderr, flush=True)
+    begun = last = time.monotonic()
+    found = importlib.import_module(f"benchmarks.{name}").run(quick)
+    whole = Report([])
+    merged = results
+    for number, part in enumerate(parts(found), start=1):
+        report = replace(part, rows=checked(name, part.rows))
+        now = time.monotonic()
+        print(f"  {name}, part {number}: {now - last:.0f} s", file=sys.stderr, flush=True)
+        last = now
+        if report.rows:
+            show(report.rows)
+        whole = Report(whole.rows + report.rows, whole.tables + report.tables, whole.plots + report.plots)
+        merged = merge(results, name, whole, quick, whole=False)
+        write(merged)
+    merged = merge(results, name, whole, quick)
+    write(merged)
+    print(f"  {name}: {time.monotonic() - begun:.0f} s", file=sys.stderr, flush=True)
+    return merged
+
+
+def parts(found: Any) -> Iterator[Report]:
+    """What a benchmark gives, part by part."""
+    if isinstance(found, (Report, list)):
+        found = (found,)
+    for part in found:
+        yield Report.of(part)
+
+
+def write(results: dict[str, Any]) -> None:
+    """Write ``results.json`` so that it is whole at any time."""
+    draft = RESULTS.with_suffix(".part")
+    draft.write_text(json.dumps(results, indent=1) + "\n", "utf-8")
+    draft.replace(RESULTS)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description="Run the benchmarks.")
     parser.add_argument("--only", action="append", metavar="NAME", help=f"one of: {', '.join(modules())}; repeatable")
     parser.add_argument("--quick", action="store_true", help="few runs: to see that it works, not to quote")
     parser.add_argument("--page", action="store_true", help="only write docs/benchmarks.md from results.json")
     options = parser.parse_args()
-    results: dict[str, Any] = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {"rows": []}
     names = [] if options.page else options.only or modules()
-    failed = []
     for name in names:
         if name not in modules():
             parser.error(f"there is no benchmark {name!r}; there are: {', '.join(modules())}")
-        print(f"{name} ...", file=sys.stderr, flush=True)
-        try:
-            report = Report.of(importlib.import_module(f"benchmarks.{name}").run(options.quick))
-            report = replace(report, rows=checked(name, report.rows))
-        except FileNotFoundError as error:
-            # Recordings, voices or a ROS that this machine does not have: told, and no failure of ours.
-            print(f"{name}: skipped: {error}", file=sys.stderr)
-            continue
-        except Exception as error:
-            # One that cannot run (a peer that is not installed) must not cost the others their hour.
-            failed.append(name)
-            print(f"{name}: {type(error).__name__}: {error}", file=sys.stderr)
-            continue
-        show(report.rows)
-        results = merge(results, name, report, options.quick)
-        illustrate(results, name)
-        RESULTS.write_text(json.dumps(results, indent=1) + "\n", "utf-8")
-    PAGE.parent.mkdir(exist_ok=True)
-    PAGE.write_text(page(results), "utf-8")
-    return 1 if failed else 0
+    results = recorded()
+    endings: dict[str, str] = {}
+    try:
+        for name in names:
+            endings[name] = "stopped"
+            endings[name] = ending(name, options.quick, results)
+            results = recorded()
+    finally:  # also after Ctrl-C: the page says what was measured
+        results = recorded()
+        for name in names:
+            illustrate(results, name)
+        PAGE.parent.mkdir(parents=True, exist_ok=True)
+        PAGE.write_text(page(results), "utf-8")
+        for name, end in endings.items():
+            print(f"{name}: {end}", file=sys.stderr)
+    return 1 if any(end.startswith("failed") for end in endings.values()) else 0
+
+
+def recorded() -> dict[str, Any]:
+    """What ``results.json`` holds."""
+    empty: dict[str, Any] = {"rows": []}
+    return json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else empty
+
+
+def ending(name: str, quick: bool, results: dict[str, Any]) -> str:
+    """Run one benchmark; how it ended."""
+    try:
+        measure(name, quick, results)
+    except FileNotFoundError as error:
+        # Recordings, voices or a ROS that this machine does not have: told, and no failure of ours.
+        return f"skipped: {error}"
+    except ImportError as error:
+        return f"failed: {error}; make bench installs what the benchmarks need"
+    except Exception as error:
+        # One that cannot run must not cost the others their hour.
+        traceback.print_exc()
+        return f"failed: {type(error).__name__}: {error}"
+    return "measured"
 
 
 if __name__ == "__main__":

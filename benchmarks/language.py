@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 import statistics
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ import yaml
 from benchmarks import fresh, judging
 from benchmarks.clock import Parse, Times, answered, in_turns, median, no_collector, over_rounds, worst
 from benchmarks.locations import numbered_names
-from benchmarks.peers import Peer, all_peers
+from benchmarks.peers import Peer, all_peers, peers_of
 from benchmarks.report import Plot, Report, Table
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -29,19 +29,20 @@ COMMAND = "python -m benchmarks --only language"
 PICTURE = "language-cost.svg"
 
 
-def run(quick: bool) -> Report:
-    """Rows, the table of verdicts, and the plot of cost against size."""
+def run(quick: bool) -> Iterator[Report | list[dict[str, Any]]]:
+    """Rows, the table of verdicts, and the plot of cost against size; part by part."""
     everyone = [judging.ours(), *all_peers(judging.places())]
-    rows = exact(everyone, 3 if quick else 15)
-    rows += first_said(2 if quick else 5)
-    grown, places = locations((20, 1_000) if quick else (20, 1_000, 10_000, 100_000), 10 if quick else 40)
-    rows += grown
-    more, intents = many_intents((10, 100) if quick else (10, 100, 1_000), 10 if quick else 40)
-    rows += more
-    rows += cliffs(quick)
-    rows += loading(2 if quick else 5)
     table, judged = verdicts(everyone)
-    return Report(judged + rows, [table], [places, intents])
+    yield Report(judged, [table])
+    yield exact(everyone, 3 if quick else 15)
+    yield with_a_large_map(1_000 if quick else 10_000, 3 if quick else 15)
+    yield first_said(2 if quick else 5)
+    grown, places = locations((20, 1_000) if quick else (20, 1_000, 10_000, 100_000), 10 if quick else 40)
+    yield Report(grown, [], [places])
+    more, intents = many_intents((10, 100) if quick else (10, 100, 1_000), 10 if quick else 40)
+    yield Report(more, [], [intents])
+    yield from cliffs(quick)
+    yield loading(2 if quick else 7)
 
 
 def row(
@@ -75,6 +76,27 @@ def exact(everyone: list[Peer], rounds: int) -> list[dict[str, Any]]:
             figure = f"exact words, shipped grammar, {what} utterance"
             rows.append(row(figure, value, "us", peer.name, summary(times[peer.name]), rounds, spread))
     return rows
+
+
+def with_a_large_map(size: int, rounds: int) -> list[dict[str, Any]]:
+    """The same sentences, where the map holds the home of the sentences and very many places besides."""
+    home = judging.places()
+    large = {**home, **{name: name for name in numbered_names(size)}}
+    engines = {
+        "ours": judging.engine().parse,
+        "ours, large": IntentEngine.from_files(judging.GRAMMAR, locations=_map_of(tuple(large))).parse,
+        "hassil": _hassil(home),
+        "hassil, large": _hassil(large),
+    }
+    times = in_turns(engines, list(judging.of_kind("plain")), rounds)
+    spread = over_rounds(times["ours, large"], median)
+    figure = f"exact words, shipped grammar, {size:,} locations"
+    slower = {name: median(times[f"{name}, large"]) / median(times[name]) for name in ("ours", "hassil")}
+    return [
+        row(f"{figure}, median utterance", median(times["ours, large"]), "us", "hassil",
+            median(times["hassil, large"]), rounds, spread),
+        row(f"{figure}, against {len(home)}", slower["ours"], "times", "hassil", slower["hassil"], rounds),
+    ]  # fmt: skip
 
 
 def varied(count: int, seed: int) -> list[str]:
@@ -158,7 +180,7 @@ def locations(sizes: Sequence[int], said: int) -> tuple[list[dict[str, Any]], Pl
             row(f"{figure}, first time", median(new["Intent Engine"]), "us", "hassil", median(new["hassil"]), said)
         )
         smallest = smallest or median(own)
-        if size == sizes[-1]:
+        if size in (10_000, sizes[-1]):
             rows.append(row(f"a name among {size:,} against {sizes[0]}", median(own) / smallest, "times"))
     return rows, Plot("An exact name among more and more", PICTURE, "locations", "us per utterance", series)
 
@@ -167,13 +189,10 @@ def _with_places(names: list[str]) -> dict[str, Parse]:
     """The engines with these names; those whose cost grows with all names only as far as they can go."""
     places = {name: name for name in names}
     found: dict[str, Parse] = {"Intent Engine": _ours_with(names), "hassil": _hassil(places)}
-    try:
-        from benchmarks.peers import adapt_peer, rhasspy_peer
-    except ImportError:
-        return found
-    found["adapt"] = adapt_peer.peers(places)[0].recognize
-    if len(names) <= 1_000:
-        found["rhasspy-nlu"] = rhasspy_peer.peers(places)[0].recognize
+    if adapt := peers_of("adapt_peer", places):
+        found["adapt"] = adapt[0].recognize
+    if len(names) <= 1_000 and (rhasspy := peers_of("rhasspy_peer", places)):
+        found["rhasspy-nlu"] = rhasspy[0].recognize
     return found
 
 
@@ -229,13 +248,11 @@ def _hassil_grammar(templates: Mapping[str, list[str]], lists: Mapping[str, Any]
 # -- cliffs -------------------------------------------------------------------------------------------------------
 
 
-def cliffs(quick: bool) -> list[dict[str, Any]]:
+def cliffs(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """Three grammars that a person may well write and that cost a backtracking matcher dearly."""
-    return [
-        *_wildcard(1_000 if quick else 10_000),
-        *_numbers(10_000 if quick else 100_000),
-        *_optionals(12 if quick else 18),
-    ]
+    yield _wildcard(1_000 if quick else 10_000)
+    yield _numbers(10_000 if quick else 100_000)
+    yield _optionals(12 if quick else 18)
 
 
 def understood(result: Any) -> bool:
@@ -294,28 +311,34 @@ def _optionals(count: int) -> list[dict[str, Any]]:
 
 
 def loading(runs: int) -> list[dict[str, Any]]:
-    """ms and MB of a new process: import, load, first sentence."""
+    """ms and MB of a new process: import, load, first sentence, first place."""
     rows = []
-    for size in (20, 10_000):
-        with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder:
+        cache = Path(folder) / "byte code"
+        for size in (20, 10_000):
             names = numbered_names(size)
             poses = {"locations": {name: {"x": 1.0, "y": 2.0, "yaw": 0.0} for name in names}}
             files = {"ours": Path(folder) / "map.yaml", "hassil": Path(folder) / "names.yaml"}
             files["ours"].write_text(yaml.safe_dump(poses, width=1000), "utf-8")
             files["hassil"].write_text(yaml.safe_dump(names), "utf-8")
-            found = {name: [fresh.in_new_process(name, path) for _ in range(runs)] for name, path in files.items()}
-        for what, key, unit, scale in (
-            ("loading the shipped grammar", "load", "ms", 1e3),
-            ("first sentence after it", "first", "ms", 1e3),
-            ("memory of both", "memory", "MB", 1e-6),
-        ):
-            own, theirs = ([scale * one[key] for one in found[name]] for name in ("ours", "hassil"))
-            rows.append(row(f"{what}, {size:,} locations", statistics.median(own), unit, "hassil",
+            found = {name: fresh.in_new_processes(name, path, names[-1], runs, cache) for name, path in files.items()}
+            for what, keys, unit, scale in (
+                ("loading the shipped grammar", ("load",), "ms", 1e3),
+                ("first sentence after it", ("first",), "ms", 1e3),
+                ("first sentence with a place, after that", ("place",), "ms", 1e3),
+                ("a new program up to its first answer: import, load, parse", ("import", "load", "first"), "ms", 1e3),
+                ("memory of grammar and map, after a sentence", ("memory",), "MB", 1e-6),
+                ("the same, after a sentence with a place", ("memory_place",), "MB", 1e-6),
+            ):
+                own, theirs = (
+                    [scale * sum(one[key] for key in keys) for one in found[name]] for name in ("ours", "hassil")
+                )
+                rows.append(row(f"{what}, {size:,} locations", statistics.median(own), unit, "hassil",
+                                statistics.median(theirs), runs, [min(own), max(own)]))  # fmt: skip
+        for module, peer in (("intent_engine", "hassil"), ("intent_engine.engine", "hassil")):
+            own, theirs = ([1e3 * one for one in fresh.imported(name, runs, cache)] for name in (module, peer))
+            rows.append(row(f"import {module}", statistics.median(own), "ms", f"import {peer}",
                             statistics.median(theirs), runs, [min(own), max(own)]))  # fmt: skip
-    for module, peer in (("intent_engine", "hassil"), ("intent_engine.engine", "hassil")):
-        own, theirs = ([1e3 * fresh.imported(name) for _ in range(runs)] for name in (module, peer))
-        rows.append(row(f"import {module}", statistics.median(own), "ms", f"import {peer}", statistics.median(theirs),
-                        runs, [min(own), max(own)]))  # fmt: skip
     return rows
 
 

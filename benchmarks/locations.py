@@ -2,7 +2,7 @@
 
 Beside rapidfuzz's ``WRatio`` over all names, what one writes first, and padacioso, which has fuzzy names too.
 
-    python -m benchmarks locations
+    python -m benchmarks --only locations
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import gc
 import json
 import random
 import statistics
+import sys
 import tempfile
 import time
 import tracemalloc
@@ -27,7 +28,7 @@ from intent_engine.language.name_words import name_words
 from intent_engine.language.names import NameIndex
 
 HERE = Path(__file__).resolve().parent
-COMMAND = "python -m benchmarks locations"
+COMMAND = "python -m benchmarks --only locations"
 WRATIO_CUTOFF = 80
 """What a peer accepts, of 100."""
 RESPELLINGS = (
@@ -63,13 +64,12 @@ SECOND = [
 SYLLABLES = [a + b for a, b in product("bdfgklmnprstvz", ("a", "e", "i", "o", "u", "ar", "en", "il"))]
 
 
-def run(quick: bool) -> list[dict[str, Any]]:
+def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """The rows of this benchmark."""
-    rows = understood()
+    yield understood()
     for count in (10_000,) if quick else (10_000, 100_000):
-        rows += speed(count, 60 if quick else 300)
-        rows += loading(count, 3 if quick else 9)
-    return rows
+        yield speed(count, 60 if quick else 300)
+        yield loading(count, 3 if quick else 9)
 
 
 def row(
@@ -254,7 +254,8 @@ def speed(count: int, runs: int) -> list[dict[str, Any]]:
 def _padacioso(figure: str, names: list[str], said: list[str], ours: list[float]) -> list[dict[str, Any]]:
     try:
         from padacioso import IntentContainer
-    except ImportError:
+    except ImportError as error:
+        print(f"  padacioso is left out: {error}", file=sys.stderr, flush=True)
         return []
     container = IntentContainer(fuzz=True)
     container.add_intent("go", ["go to {place}"])
@@ -303,12 +304,12 @@ def loading(count: int, runs: int) -> list[dict[str, Any]]:
                 ours.append(_timed(lambda path=path: load(path)))
             figure = f"loading a map of {count:,} places, {what}"
             rows.append(_times(figure, ours, statistics.median, "PyYAML (C), values only", theirs))
-    tracemalloc.start()
-    places = LocationMap.from_mapping(data["locations"])
-    kept = tracemalloc.get_traced_memory()[0]
-    places.index.prepare()
-    indexed = tracemalloc.get_traced_memory()[0]
-    tracemalloc.stop()
+            tracemalloc.start()
+            places = load(path)
+            kept = tracemalloc.get_traced_memory()[0]
+            places.index.prepare()
+            indexed = tracemalloc.get_traced_memory()[0]
+            tracemalloc.stop()
     rows.append(row(f"memory of {count:,} places", kept / 1e6, "MB", None, None, 1))
     rows.append(
         row(f"memory of the fuzzy index of {count:,} names, besides", (indexed - kept) / 1e6, "MB", None, None, 1)

@@ -41,7 +41,7 @@ class Report:
 
     @staticmethod
     def of(found: Report | list[dict[str, Any]]) -> Report:
-        """A benchmark may also give its rows alone."""
+        """A part may also be its rows alone."""
         return found if isinstance(found, Report) else Report(found)
 
     def extras(self, module: str) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:

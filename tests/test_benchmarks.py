@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import nullcontext
 from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -127,6 +131,79 @@ def test_one_module_replaces_only_what_is_its_own() -> None:
     assert "| a \\| b | 0.0123 ms |" in page
     assert "**T**\n\n| a |\n|---|\n| 1\\|2 |\n\nA note.\n" in page
     assert "](images/one.svg)" in page
+
+
+@pytest.fixture
+def results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A collector that writes elsewhere, and has measured two rows of ``one`` before."""
+    path = tmp_path / "results.json"
+    monkeypatch.setattr(collector, "RESULTS", path)
+    monkeypatch.setattr(collector, "PAGE", tmp_path / "docs" / "benchmarks.md")
+    before = Report(collector.checked("one", [a_row(figure="first"), a_row(figure="second")]))
+    path.write_text(json.dumps(collector.merge({"rows": []}, "one", before, quick=True)), "utf-8")
+    return path
+
+
+def benchmark(monkeypatch: pytest.MonkeyPatch, name: str, run: object) -> None:
+    module = ModuleType(f"benchmarks.{name}")
+    module.run = run  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, f"benchmarks.{name}", module)
+    monkeypatch.setattr(collector, "modules", lambda: ["one", "two"])
+
+
+def measured(results: Path) -> list[tuple[str, float, bool]]:
+    return [(row["figure"], row["value"], row["quick"]) for row in json.loads(results.read_text("utf-8"))["rows"]]
+
+
+@pytest.mark.parametrize("error", [ZeroDivisionError("one over nothing"), KeyboardInterrupt()])
+def test_what_was_measured_before_a_fault_is_kept(
+    results: Path, monkeypatch: pytest.MonkeyPatch, error: BaseException
+) -> None:
+    def run(quick: bool) -> Iterator[list[dict[str, object]]]:
+        yield [a_row(figure="first", value=7)]
+        raise error
+
+    benchmark(monkeypatch, "one", run)
+    benchmark(monkeypatch, "two", lambda quick: [a_row(figure="third")])
+    monkeypatch.setattr(sys, "argv", ["benchmarks"])
+    interrupted = isinstance(error, KeyboardInterrupt)
+    with pytest.raises(KeyboardInterrupt) if interrupted else nullcontext():
+        assert collector.main() == 1
+    assert measured(results)[:2] == [("first", 7, False), ("second", 0.0123, True)]
+    assert len(measured(results)) == (2 if interrupted else 3), "the others are measured all the same"
+    assert "| first | 7 ms |" in collector.PAGE.read_text("utf-8")
+
+
+def test_a_whole_run_leaves_nothing_of_the_one_before(results: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    benchmark(monkeypatch, "one", lambda quick: [a_row(figure="first", value=7)])
+    monkeypatch.setattr(sys, "argv", ["benchmarks", "--only", "one"])
+    assert collector.main() == 0
+    assert measured(results) == [("first", 7, False)]
+
+
+@pytest.mark.parametrize(
+    ("error", "told", "code"),
+    [
+        (FileNotFoundError("no recordings"), "one: skipped: no recordings", 0),
+        (ModuleNotFoundError("No module named 'hassil'"), "hassil'; make bench installs what", 1),
+    ],
+)
+def test_what_cannot_run_says_why(
+    results: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    error: Exception,
+    told: str,
+    code: int,
+) -> None:
+    def run(quick: bool) -> list[dict[str, object]]:
+        raise error
+
+    benchmark(monkeypatch, "one", run)
+    monkeypatch.setattr(sys, "argv", ["benchmarks", "--only", "one"])
+    assert collector.main() == code
+    assert told in capsys.readouterr().err
+    assert len(measured(results)) == 2
 
 
 def test_pictures_are_the_same_for_the_same_numbers(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ them into SI units: what is compared is which command was understood, not who ca
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
@@ -39,14 +40,17 @@ class Peer:
 
 def all_peers(places: Places) -> list[Peer]:
     """Every peer that is installed."""
-    found: list[Peer] = []
-    for name in MODULES:
-        try:
-            module = import_module(f"benchmarks.peers.{name}")
-        except ImportError as error:
-            print(f"{name} is left out: {error}")
-            continue
-        found += module.peers(places)
+    return [peer for name in MODULES for peer in peers_of(name, places)]
+
+
+def peers_of(name: str, places: Places) -> list[Peer]:
+    """A peer in its ways; none, and a word about it on standard error, where it is not installed."""
+    try:
+        module = import_module(f"benchmarks.peers.{name}")
+    except ImportError as error:
+        print(f"  {name} is left out: {error}; make bench installs what can be had", file=sys.stderr, flush=True)
+        return []
+    found: list[Peer] = module.peers(places)
     return found
 
 
