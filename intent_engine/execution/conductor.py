@@ -114,8 +114,9 @@ class Conductor:
         while True:
             run = self._run
             try:
+                if not isinstance(run, MotionRun):
+                    self._loop.step(now)  # the zeros that end a motion
                 if run is None:
-                    self._loop.step(now)
                     if not self._begin_next(now):
                         break
                     continue
@@ -192,13 +193,13 @@ class Conductor:
     def stop(self, reason: Reason, kind: EventKind, now: float) -> None:
         """Zero, and the end of everything."""
         self._gate.shut()
-        self.stop_robot()
+        stopped = self.stop_robot()
         run, self._run = self._run, None
         self._halt_loop(run, now)
         self._held_since, self.paused = None, False
         if run is not None:
-            if isinstance(run, HandlerRun):
-                run.give_up(now)
+            if isinstance(run, HandlerRun) or not stopped:
+                self._let_go(run, now)
             # A goal that was making way already keeps its own reason.
             was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
             self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
@@ -206,10 +207,11 @@ class Conductor:
             self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
         self._events.tell(kind, reason=reason)
 
-    def stop_robot(self) -> None:
-        """The robot's own stop, whatever it raises. Needs no lock."""
+    def stop_robot(self) -> bool:
+        """The robot's own stop, whatever it raises; False if it did raise. Needs no lock."""
         try:
             self._robot.stop()
+            return True
         except Exception as error:
             # The protocol forbids it; and still the velocity is tried.
             log.exception("the robot raised in stop()")
@@ -218,6 +220,7 @@ class Conductor:
             except Exception:
                 log.exception("the robot raised in velocity(0, 0)")
             self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
+            return False
 
     def pose(self) -> Pose | None:
         try:
@@ -279,7 +282,10 @@ class Conductor:
         self._gate.open()
         self._move(goal, GoalState.EXECUTING, now)
         self._feedback_at = now + self.FEEDBACK_PERIOD
-        run.begin(now)
+        try:
+            run.begin(now)
+        except Exception as error:
+            self._robot_failed(run, error, now)
         return True
 
     def _make_way(self, goal: Goal, now: float) -> None:
@@ -365,17 +371,26 @@ class Conductor:
     def _robot_failed(self, run: Run | None, error: Exception, now: float) -> None:
         """A robot raised, or the velocity loop is lost: zero, and the goal is aborted."""
         self._gate.shut()
-        self.stop_robot()
+        stopped = self.stop_robot()
         reason: Reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
         if reason is Reason.VELOCITY_LOOP:
             self.fault = str(error)
         self._halt_loop(run, now)
+        if run is not None and not stopped:
+            self._let_go(run, now)
         if run is None or self._run is not run:
             self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
             return
         self._run = None
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
         self._end(run.goal, Ending(state, reason, str(error) or type(error).__name__), now, run)
+
+    def _let_go(self, run: Run, now: float) -> None:
+        """A handler is told to end; of a robot whose stop failed, the task is cancelled by its own name."""
+        try:
+            run.give_up(now)
+        except Exception:
+            log.exception("goal %d could not be given up", run.goal.id)
 
     def _halt_loop(self, run: Run | None, now: float) -> None:
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import queue
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -71,12 +72,37 @@ class Event:
 Listener = Callable[[Event], object]
 
 
+class _Lane:
+    """One listener, and a thread that calls it with what comes, in order; it holds up nobody else."""
+
+    def __init__(self, call: Listener, name: str) -> None:
+        self.call = call
+        # Re-entrant, unlike queue.Queue: a signal handler may stop the executor in the middle of a put.
+        self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
+        self.put = self._events.put
+        self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+        self._thread.start()
+
+    def end(self, timeout: float) -> None:
+        """Deliver what is waiting, for ``timeout`` s at the most."""
+        self.put(None)
+        if self._thread is not threading.current_thread():
+            self._thread.join(timeout)
+
+    def _run(self) -> None:
+        while (event := self._events.get()) is not None:
+            try:
+                _deliver(self.call, event)
+            except BaseException:  # sys.exit() in a listener, say: it ends neither this thread nor the program
+                log.exception("a listener raised on %s", event.kind.value)
+
+
 class Dispatcher:
     """Calls listeners and handlers outside the executor's lock, in the order in which things happened.
 
-    With ``threaded`` they run in a thread of its own, so that a slow listener delays other listeners and nothing
-    else; without (a virtual clock) in the thread that moves the clock, when it calls :meth:`flush`.
-    A listener that raises is logged and called again for the next event.
+    With ``threaded`` each listener has a thread of its own, so that one that is slow, hangs or raises delays nothing
+    else, the results of goals least of all; without (a virtual clock) all are called in the thread that moves the
+    clock, when it calls :meth:`flush`. A listener that raises is logged and called again for the next event.
 
     Args:
         now: the executor's clock.
@@ -86,21 +112,28 @@ class Dispatcher:
     def __init__(self, now: Callable[[], float], threaded: bool) -> None:
         self._now = now
         self._threaded = threaded
-        # Re-entrant, unlike queue.Queue: a signal handler may stop the executor in the middle of a put.
-        self._outbox: queue.SimpleQueue[Event | Callable[[], None] | None] = queue.SimpleQueue()
-        self._listeners: list[Listener] = []
+        self._outbox: queue.SimpleQueue[Event | Callable[[], None]] = queue.SimpleQueue()
+        """Without threads: what waits for a flush. Re-entrant, as the lanes are."""
         self._flushing = threading.Lock()
-        self._thread: threading.Thread | None = None
-        if threaded:
-            self._thread = threading.Thread(target=self._run, name="executor-events", daemon=True)
-            self._thread.start()
+        self._listeners: tuple[Listener, ...] = ()
+        self._lanes: tuple[_Lane, ...] = (_Lane(_settled, "executor-results"),) if threaded else ()
 
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Call ``listener`` with each event from now on; returns what ends this."""
-        self._listeners = [*self._listeners, listener]
+        if not self._threaded:
+            self._listeners = (*self._listeners, listener)
+
+            def forget() -> None:
+                self._listeners = tuple(other for other in self._listeners if other is not listener)
+
+            return forget
+        lane = _Lane(listener, "executor-events")
+        self._lanes = (*self._lanes, lane)
 
         def unsubscribe() -> None:
-            self._listeners = [other for other in self._listeners if other is not listener]
+            if lane in self._lanes:
+                self._lanes = tuple(other for other in self._lanes if other is not lane)
+                lane.put(None)
 
         return unsubscribe
 
@@ -117,7 +150,11 @@ class Dispatcher:
         if goal is not None:
             reason, detail = goal.reason, goal.detail
         state = goal.state if goal is not None else None
-        self._outbox.put(Event(kind, self._now(), goal, state, reason, detail, feedback))
+        event = Event(kind, self._now(), goal, state, reason, detail, feedback)
+        if not self._threaded:
+            self._outbox.put(event)
+        for lane in self._lanes:
+            lane.put(event)
 
     def launch(self, work: Callable[[], None]) -> None:
         """Do the work of a handler: in a thread of its own, so that a slow one holds up no listener."""
@@ -127,9 +164,7 @@ class Dispatcher:
             self._outbox.put(work)
 
     def flush(self) -> None:
-        """Without a thread: do what is waiting. If another thread is at it, that one does it all."""
-        if self._threaded:
-            return
+        """Without threads: do what is waiting. If another thread is at it, that one does it all."""
         while not self._outbox.empty() and self._flushing.acquire(blocking=False):
             try:
                 while True:
@@ -137,36 +172,37 @@ class Dispatcher:
                         item = self._outbox.get_nowait()
                     except queue.Empty:
                         break
-                    if item is not None:
-                        self._do(item)
+                    self._do(item)
             finally:
                 self._flushing.release()
 
     def close(self, timeout: float = 1.0) -> None:
-        """Deliver what is waiting, then end the thread."""
-        if self._thread is None:
-            self.flush()
-            return
-        thread, self._thread = self._thread, None
-        self._outbox.put(None)
-        if thread is not threading.current_thread():
-            thread.join(timeout)
-
-    def _run(self) -> None:
-        while (item := self._outbox.get()) is not None:
-            self._do(item)
+        """Deliver what is waiting, for ``timeout`` s at the most, then end the threads."""
+        self.flush()
+        lanes, self._lanes = self._lanes, ()
+        end = time.monotonic() + timeout
+        for lane in lanes:
+            lane.end(max(end - time.monotonic(), 0.0))
 
     def _do(self, item: Event | Callable[[], None]) -> None:
-        if not isinstance(item, Event):
-            try:
-                item()
-            except Exception:
-                log.exception("a call of the executor raised")
+        if isinstance(item, Event):
+            for listener in (_settled, *self._listeners):
+                _deliver(listener, item)
             return
-        if item.kind is EventKind.GOAL and item.goal is not None and item.state is not None and item.state.ended:
-            settle(item.goal)
-        for listener in self._listeners:
-            try:
-                listener(item)
-            except Exception:
-                log.exception("a listener raised on %s", item.kind.value)
+        try:
+            item()
+        except Exception:
+            log.exception("a call of the executor raised")
+
+
+def _settled(event: Event) -> None:
+    """Wake those who wait for the future of a goal that has ended."""
+    if event.kind is EventKind.GOAL and event.goal is not None and event.state is not None and event.state.ended:
+        settle(event.goal)
+
+
+def _deliver(listener: Listener, event: Event) -> None:
+    try:
+        listener(event)
+    except Exception:
+        log.exception("a listener raised on %s", event.kind.value)

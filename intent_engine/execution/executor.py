@@ -310,7 +310,6 @@ class Executor:
                 return
             self._conductor.closed = True
         self._stop(Reason.CLOSED, EventKind.STOP)
-        shutdown.unregister(self)
         with self._lock:
             self._wake.notify_all()
         if self._thread is not None and self._thread is not threading.current_thread():
@@ -318,6 +317,7 @@ class Executor:
         if self._stepped is not None:
             self._stepped.detach(self)
         self.last_zeros()
+        shutdown.unregister(self)
         if hasattr(self.loop, "close"):
             self.loop.close()
         self._events.close()

@@ -61,6 +61,8 @@ class Guardian:
 
     ANSWER_TIMEOUT = 0.1
     """s for the answer to a halt; after it the process is killed and the robot stopped by its own stop."""
+    START_TIMEOUT = 20.0
+    """s for the process to be ready"""
     SILENCE = 0.25
     """s without a word during a motion, after which the process is taken for frozen. One that dies is noticed at
     once, by the end of its socket."""
@@ -222,14 +224,18 @@ class Guardian:
             [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
             stdin=subprocess.DEVNULL,
             pass_fds=(theirs.fileno(), *self._pass_fds),
+            # Not in the terminal's foreground: Ctrl-Z would freeze the program and its guardian at once.
+            process_group=0,
         )
         theirs.close()
         threading.Thread(target=self._listen, args=(ours,), name="velocity-process", daemon=True).start()
-        self._ready.wait(20.0)
+        try:
+            self._ready.wait(self.START_TIMEOUT)
+        except BaseException:  # Ctrl-C meanwhile
+            _discard(process, ours)
+            raise
         if self._error or not self._ready.is_set():
-            process.kill()
-            process.wait()
-            ours.close()
+            _discard(process, ours)
             raise RobotError(
                 f"the velocity process did not start ({self._sink}); what it said is on standard error. "
                 "To drive without it, give the executor no loop"
@@ -366,6 +372,13 @@ class Guardian:
 
 
 _RAMPS = ("linear_acceleration", "linear_deceleration", "angular_acceleration", "angular_deceleration")
+
+
+def _discard(process: subprocess.Popen[bytes], line: socket.socket) -> None:
+    """End a process that nothing depends on yet."""
+    process.kill()
+    process.wait()
+    line.close()
 
 
 def _exit(code: int) -> str:

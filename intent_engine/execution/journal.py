@@ -66,7 +66,8 @@ class Journal:
 
     def close(self) -> None:
         """Idempotent; a line that comes later opens the file again."""
-        self._file.close()
+        with contextlib.suppress(OSError):  # of a full disk was told when the line was written
+            self._file.close()
 
     def __enter__(self) -> Journal:
         return self

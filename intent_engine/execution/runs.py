@@ -291,10 +291,13 @@ class HandlerRun:
         try:
             result = self._handler(*([self.goal.action, self._context][: _arguments(self._handler)]))
             self._ending = Ending(GoalState.SUCCEEDED, detail=result if isinstance(result, str) else "")
-        except Exception as error:
+        except BaseException as error:  # a handler that calls sys.exit() ends its goal, too
             text = str(error) if isinstance(error, IntentEngineError) else f"{type(error).__name__}: {error}"
             self._ending = Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, text)
-        self._poke()
+            if isinstance(error, KeyboardInterrupt):
+                raise
+        finally:
+            self._poke()
 
     def step(self, now: float) -> Ending | None:
         if self._ending is None and now >= self._deadline:

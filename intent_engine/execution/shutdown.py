@@ -40,10 +40,15 @@ def unregister(executor: _Closable) -> None:
     _open.discard(executor)
 
 
+# A child that was forked has the parent's objects and not its robot: its end must not stop what the parent drives.
+os.register_at_fork(after_in_child=_open.clear)
+
+
 @atexit.register
 def _at_exit() -> None:
     for executor in list(_open):
         try:
+            executor.last_zeros()  # closing may have been interrupted, and then does nothing a second time
             executor.close()
         except Exception:
             log.exception("an executor could not be closed")

@@ -183,8 +183,8 @@ def _watch(pid: int) -> int | None:
 
 def main() -> None:
     settings = json.loads(sys.argv[1])
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to the parent, which says what to do
-    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTSTP, signal.SIGTTOU):
+        signal.signal(number, signal.SIG_IGN)  # Ctrl-C and Ctrl-Z are the parent's, which says what to do
     line = socket.socket(fileno=settings["line"])
     parent = _watch(settings["parent"])
     if os.getppid() != settings["parent"]:

@@ -22,12 +22,12 @@ itself: a pipe cannot tell a silent writer from a dead one.
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import json
 import logging
 import math
 import os
+import select
 import threading
 import time
 from collections.abc import Iterable
@@ -50,6 +50,9 @@ class JsonLinesRobot:
         replies: lines that come back; None: nobody answers, and a task has succeeded when it is handed over.
         capabilities: what the process behind the pipe can do.
     """
+
+    PATIENCE = 0.05
+    """s that a write waits for a reader that has not read what was written before"""
 
     def __init__(
         self,
@@ -78,9 +81,11 @@ class JsonLinesRobot:
         self._write({"velocity": {"linear": linear, "angular": angular, "valid_for": valid_for}})
 
     def stop(self) -> None:
-        # A pipe that nobody reads any more: there is nothing left to stop.
-        with contextlib.suppress(RobotError):
+        # A pipe that nobody reads any more: there is nothing left that could be told to stop.
+        try:
             self._write({"stop": True})
+        except RobotError as error:
+            log.warning("no stop could be written: %s", error)
         for task in list(self._tasks.values()):
             task.end(TaskState.CANCELED, "stopped")
 
@@ -118,12 +123,19 @@ class JsonLinesRobot:
 
     def _write(self, message: dict[str, Any]) -> None:
         line = (json.dumps({**message, "time": round(time.monotonic(), 6)}) + "\n").encode()
+        end = time.monotonic() + self.PATIENCE
+        if not self._lock.acquire(timeout=self.PATIENCE):
+            raise RobotError("the process behind the pipe does not read")
         try:
-            with self._lock:
-                while line:
-                    line = line[os.write(self._out, line) :]
-        except OSError as error:
-            raise RobotError(f"the process behind the pipe is gone: {error.strerror}") from None
+            while line:
+                # What is writable takes a short line whole, without waiting.
+                if not select.select([], [self._out], [], max(end - time.monotonic(), 0.0))[1]:
+                    raise RobotError("the process behind the pipe does not read")
+                line = line[os.write(self._out, line[: select.PIPE_BUF]) :]
+        except (OSError, ValueError) as error:
+            raise RobotError(f"the process behind the pipe is gone: {error}") from None
+        finally:
+            self._lock.release()
 
     def _listen(self, replies: IO[str]) -> None:
         for line in replies:
