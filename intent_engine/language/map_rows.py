@@ -12,8 +12,8 @@ reader knows the two shapes that people and programs write::
 and answers None for anything else, wrong or only unusual: then the YAML parser reads the file, with the place of every
 value. Where it does answer, the YAML parser reads the same (a property in the tests).
 
-Places that are nothing but a pose come first as columns, in one search over the text; from the first place that is
-more, all are read line by line.
+Places whose fields stand in the usual order are found in one search over the text; from the first that is written in
+another way, all are read line by line.
 """
 
 from __future__ import annotations
@@ -39,14 +39,19 @@ _ITEM = re.compile(rf"- ({_WORD})")
 _BLANK = r"(?: *(?:#.*)?\n)*"
 _COMMENT = r" *(?: #.*)?\n"
 _HEAD = re.compile(rf"{_BLANK}(?:frame: ({_WORD}){_COMMENT}{_BLANK})?locations:{_COMMENT}{_BLANK}")
-_REST = r"|((?s:.+))"
-_POSES = (
-    re.compile(rf"  ({_WORD}): \{{x: ({_NUMBER}), y: ({_NUMBER})(?:, yaw: ({_NUMBER}))?\}}(?:\n|\Z)(?=  \S|\Z){_REST}"),
+_WORDS = rf"\[{_WORD}(?:, ?{_WORD})*\]"
+_END = r"(?:\n|\Z)(?=  \S|\Z)|((?s:.+))"
+_EVEN = (
     re.compile(
-        rf"  ({_WORD}):\n    x: ({_NUMBER})\n    y: ({_NUMBER})(?:\n    yaw: ({_NUMBER}))?(?:\n|\Z)(?=  \S|\Z){_REST}"
+        rf"  ({_WORD}): \{{x: ({_NUMBER}), y: ({_NUMBER})(?:, yaw: ({_NUMBER}))?"
+        rf"(?:, aliases: ({_WORDS}))?(?:, tags: ({_WORDS}))?\}}{_END}"
+    ),
+    re.compile(
+        rf"  ({_WORD}):\n    x: ({_NUMBER})\n    y: ({_NUMBER})(?:\n    yaw: ({_NUMBER}))?"
+        rf"(?:\n    aliases: ({_WORDS}))?(?:\n    tags: ({_WORDS}))?{_END}"
     ),
 )
-"""A place that is only a pose, on one line or on three; or all that is left."""
+"""A place written as most are, on one line or on several; or all that is left."""
 _VALUES = frozenset(("yes", "no", "on", "off", "true", "false", "null", "y", "n"))
 """Words that YAML 1.1 reads as something else."""
 
@@ -79,26 +84,32 @@ def read_map(text: str) -> PlainMap | None:
     if head is None or (head[1] and not _is_text(head[1])):
         return None
     found = PlainMap(head[1])
-    at = _read_poses(text, head.end(), found)
+    at = _read_even(text, head.end(), found)
     if at < len(text) and not _read_lines(text[at:].split("\n"), found):
         return None
     once = len(set(found.names)) == len(found.names) > 0
     return found if once and math.isfinite(sum(found.poses)) else None
 
 
-def _read_poses(text: str, at: int, found: PlainMap) -> int:
-    """Read places that are only poses, up to the first that is not; the place where that stands."""
-    shape = next((shape for shape in _POSES if (first := shape.match(text, at)) and first[1]), None)
+def _read_even(text: str, at: int, found: PlainMap) -> int:
+    """Read places that are all written as most are, up to the first that is not; the place where that stands."""
+    shape = next((shape for shape in _EVEN if (first := shape.match(text, at)) and first[1]), None)
     if shape is None:
         return at
     rows = shape.findall(text, at)
     rest = rows.pop()[-1] if rows[-1][-1] else ""
-    names, *columns, _ = zip(*rows, strict=True)
+    names, xs, ys, yaws, aliases, tags, _ = zip(*rows, strict=True)
+    particulars: dict[str, Fields] = {}
+    for key, column in (("aliases", aliases), ("tags", tags)):
+        for name, written in zip(names, column, strict=True):
+            if written and not _put(particulars.setdefault(name, {}), key, written):
+                return at
     if not _VALUES.isdisjoint(map(str.lower, names)):
         return at
     found.names.extend(names)
+    found.particulars = particulars
     found.poses = array("d", bytes(3 * 8 * len(names)))
-    for place, numbers in enumerate(columns):
+    for place, numbers in enumerate((xs, ys, yaws)):
         found.poses[place::3] = array("d", [float(number) if number else 0.0 for number in numbers])
     return len(text) - len(rest)
 

@@ -16,6 +16,8 @@ from intent_engine.language.yaml_source import YamlSource, parse_yaml
 
 PIECES = ["", " ", "#", " #", ":", ": ", "- ", "'", '"', "[", "]", "{", "}", ",", "1", "\n", "\t", "é", "&a", "*a", "|"]
 
+LISTS = st.lists(spoken | st.sampled_from(["no", "Yes", "null"]), max_size=2)
+
 
 def fields(found: PlainMap) -> dict[str, Any]:
     """What was read, as a YAML parser gives it, ``yaw`` always."""
@@ -56,18 +58,19 @@ def test_the_quick_reader_reads_what_a_yaml_parser_reads(places, style, data):
 
 
 @settings(deadline=None, max_examples=300)
-@given(st.dictionaries(spoken, st.tuples(metres, metres, metres | st.none()), min_size=1), st.booleans(), st.data())
-def test_so_it_does_where_every_place_is_only_a_pose(poses, flow, data):
+@given(st.dictionaries(spoken, st.tuples(metres, metres, metres, LISTS, LISTS), min_size=1), st.booleans(), st.data())
+def test_so_it_does_where_fields_stand_in_the_usual_order(places, flow, data):
     rows = ["locations:"]
-    for name, (x, y, yaw) in poses.items():
-        values = [f"x: {x:.6f}", f"y: {y:.3f}"] + ([] if yaw is None else [f"yaw: {yaw:.2f}"])
+    for name, (x, y, yaw, aliases, tags) in places.items():
+        values = [f"x: {x:.6f}", f"y: {y:.3f}"] + ([f"yaw: {yaw:.2f}"] if yaw > 0 else [])
+        values += [f"{key}: [{', '.join(one)}]" for key, one in (("aliases", aliases), ("tags", tags)) if one]
         rows += [f"  {name}: {{{', '.join(values)}}}"] if flow else [f"  {name}:", *(f"    {one}" for one in values)]
     check(changed("\n".join(rows) + data.draw(st.sampled_from(["", "\n", "\n\n", "\n# end"])), data))
 
 
 FLOW = "locations:\n  bay 1: {x: 1, y: 2.5, yaw: -.5, aliases: [first bay, b one]}  # near the door\n"
 BLOCK = "locations:\n  bay 1:\n    x: 1\n    y: 2.5\n    yaw: -.5\n    aliases:\n    - first bay\n    - b one\n"
-LAST = "  dock: {x: 3, y: 4, yaw: 0, tags: [charger]}\n"
+LAST = "  dock: {yaw: 0, x: 3, y: 4, tags: [charger]}  # by the door\n"
 POSES = "  hall: {x: 1, y: 2}\n  lab: {x: 3.5, y: -4, yaw: 1.5}\n"
 POSES_BELOW = "  hall:\n    x: 1\n    y: 2\n  lab:\n    x: 3.5\n    y: -4\n    yaw: 1.5\n"
 
@@ -82,7 +85,7 @@ def test_plain_maps_of_both_shapes_are_read_quickly():
 
 @pytest.mark.parametrize("head", ["", "# places\n\n", "frame: map  # of the house\n"])
 @pytest.mark.parametrize("shape", [POSES, POSES_BELOW], ids=["flow", "block"])
-def test_poses_alone_and_then_others_are_one_map(head, shape):
+def test_places_in_the_usual_order_and_then_others_are_one_map(head, shape):
     found = read_map(head + "locations:\n" + shape + LAST)
     assert found is not None
     assert fields(found) == {
