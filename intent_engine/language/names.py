@@ -83,7 +83,10 @@ class NameIndex:
 
     def prepare(self) -> None:
         """Make it ready now, so that the first question is as quick as the others."""
-        self._ready()
+        from intent_engine.language import likeness
+
+        self._ready().arrange(())
+        likeness.sound("ready")
 
     def _ready(self) -> _Tables:
         tables = self._tables
@@ -212,15 +215,18 @@ class _Tables:
         if not letters:
             return []
         found: list[_Found] = []
-        for words in self._group(identifiers).shortlist(letters):
+        for words in self.arrange(identifiers).shortlist(letters):
             like = compare(said, words)
             same = len(said) == len(words) and all(sound(a) == sound(b) for a, b in zip(said, words, strict=True))
             how: Literal["sound", "spelling"] = "sound" if same else "spelling"
             found.extend(_Found(name, like.score, like.passes, how) for name in self._exact[words])
         return found
 
-    def _group(self, identifiers: tuple[str, ...]) -> _Group:
+    def arrange(self, identifiers: tuple[str, ...]) -> _Group:
+        """The names with exactly these identifiers, made when first asked for."""
         group = self._groups.get(identifiers)
+        if group is None and self._by_identifiers.keys() == {identifiers}:
+            group = self._groups[identifiers] = self._all
         if group is None:
             by_letters: dict[str, list[Words]] = {}
             for words in self._by_identifiers.get(identifiers, ()):
