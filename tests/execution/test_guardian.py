@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import signal
+import socket
 import subprocess
 import sys
 import textwrap
@@ -22,8 +24,10 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.limits import Limits
+from intent_engine.execution.motion import Motion, Rates
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.execution.velocity_loop import VelocityProcess
 
 SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
 LIMITS = Limits(linear_acceleration=2.0, angular_acceleration=4.0)
@@ -145,6 +149,99 @@ def test_stopping_a_frozen_loop_kills_it(guarded, wire):
     until(lambda: "stop" in wire.lines[-1])
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTSTP, signal.SIGHUP])
+def test_what_a_terminal_sends_does_not_reach_the_loop(guarded, wire, number):
+    (goal,) = guarded.submit(Move(0.5, 0.2, 0.4))
+    until(wire.moving)
+    assert os.getpgid(guarded.loop.pid) != os.getpgid(0)
+    os.kill(guarded.loop.pid, number)
+    assert goal.result(30.0).succeeded
+
+
+def test_a_loop_that_is_asked_to_end_ends_in_zeros(guarded, wire):
+    (goal,) = guarded.submit(LONG)
+    until(wire.moving)
+    os.kill(guarded.loop.pid, signal.SIGTERM)
+    goal.result(30.0)
+    assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.VELOCITY_LOOP)
+    assert (0.0, 0.0) in wire.velocities()
+    until(wire.stopped)
+
+
+def test_a_loop_that_dies_is_answered_by_the_robots_own_stop_at_once(wire):
+    """From the thread that notices, without the executor, which may be held up."""
+    guardian = Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
+    stopped = threading.Event()
+    guardian.attach(lambda: None, stopped.set)
+    os.kill(guardian.pid, signal.SIGKILL)
+    assert stopped.wait(30.0)
+    guardian.close()
+
+
+def test_two_guardians_do_not_meet(guarded, wire):
+    other = Wire()
+    guardian = Guardian(SINK, {"out": other.write}, limits=LIMITS, pass_fds=(other.write,))
+    with Executor(JsonLinesRobot(other.write), LIMITS, loop=guardian, handle_sigterm=False) as executor:
+        guarded.submit(LONG)
+        (goal,) = executor.submit(Move(-0.3, 0.1, 0.1 / 0.3))
+        until(wire.moving)
+        guarded.stop()
+        assert goal.result(30.0).succeeded
+    assert all(linear <= 0.0 for linear, _ in other.velocities())
+    os.close(other.write)
+
+
+def test_an_interrupted_start_leaves_no_process(wire, monkeypatch):
+    started: list[subprocess.Popen] = []
+    popen = subprocess.Popen
+
+    def start(*arguments, **options):
+        started.append(popen(*arguments, **options))
+        return started[-1]
+
+    def interrupted(event, timeout=None):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(subprocess, "Popen", start)
+    # Threads wait for their own start in the same way, so theirs has to go on.
+    waits = threading.Event.wait
+    monkeypatch.setattr(Guardian, "START_TIMEOUT", -1.0)
+    monkeypatch.setattr(threading.Event, "wait", lambda event, t=None: (interrupted if t == -1.0 else waits)(event, t))
+    with pytest.raises(KeyboardInterrupt):
+        Guardian(SINK, {"out": wire.write}, pass_fds=(wire.write,))
+    assert started[0].returncode is not None
+
+
+class Failing:
+    """A sink that fails once and then takes everything."""
+
+    def __init__(self) -> None:
+        self.written: list[float] = []
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        if linear and not self.written:
+            self.written.append(math.nan)
+            raise OSError("one frame was lost")
+        self.written.append(linear)
+
+    def stop(self) -> None:
+        self.written.append(0.0)
+
+
+def test_a_sink_that_fails_once_is_not_driven_on():
+    ours, theirs = socket.socketpair()
+    sink = Failing()
+    process = VelocityProcess(sink, LIMITS, Rates(), theirs, None)
+    thread = threading.Thread(target=process.run, daemon=True)
+    thread.start()
+    order = {"do": "start", "id": 1, "motion": Motion(False, 0.5, 5.0, 10.0).to_json()}
+    ours.sendall(json.dumps(order).encode() + b"\n")
+    until(lambda: len(sink.written) >= 3)
+    ours.close()
+    thread.join(30.0)
+    assert not any(sink.written[1:])
 
 
 PARENT = textwrap.dedent(

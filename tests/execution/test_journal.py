@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -64,4 +65,13 @@ def test_a_journal_that_breaks_does_not_stop_the_robot(stage, tmp_path, caplog):
         (goal,) = s.executor.submit(FORWARD)
         s.executor.wait(goal)
         assert goal.succeeded
+    assert caplog.text.count("driving goes on") == 1
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+def test_a_full_disk_is_told_once_and_closing_is_quiet(stage, caplog):
+    with Journal("/dev/full") as journal:
+        s = stage(journal=journal)
+        for _ in range(3):
+            assert s.executor.submit(Move(0.5, 0.1, 0.2))[0].result().succeeded
     assert caplog.text.count("driving goes on") == 1

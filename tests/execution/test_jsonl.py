@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 
@@ -80,3 +81,17 @@ def test_a_broken_pipe_aborts_the_goal_and_stop_stays_quiet(pipe):
         (goal,) = executor.submit(Move(0.5, 1.0, 2.0))
         assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
         executor.stop()
+
+
+def test_a_reader_that_does_not_read_holds_up_no_stop(pipe):
+    _, write = pipe
+    os.set_blocking(write, False)
+    with contextlib.suppress(BlockingIOError):
+        while True:
+            os.write(write, b" " * 4096)
+    os.set_blocking(write, True)
+    robot = JsonLinesRobot(write)
+    with pytest.raises(RobotError, match="does not read"):
+        robot.velocity(0.5, 0.0, 0.3)
+    robot.stop()
+    robot.close()

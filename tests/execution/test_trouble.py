@@ -1,0 +1,232 @@
+"""What goes wrong around the executor: robots that cannot begin or stop, handlers and listeners that exit or hang."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import os
+import subprocess
+import sys
+import threading
+
+import pytest
+
+from intent_engine.actions import Custom, Move, Navigate, Stop
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.limits import Limits
+from intent_engine.execution.robots.robot import TaskState
+from intent_engine.execution.robots.simulated import SimulatedRobot
+
+FORWARD = Move(0.5, 1.0, 2.0)
+KITCHEN = Navigate("kitchen", 5.0, 2.0, 0.0)
+
+
+def fail(*_) -> None:
+    raise OSError("the bus is off")
+
+
+def test_a_task_that_cannot_begin_ends_its_goal_and_the_next_one_is_done(stage):
+    s = stage()
+    s.robot.navigate = fail
+    goals = s.executor.submit([KITCHEN, FORWARD])
+    s.executor.run_until_idle()
+    assert (goals[0].state, goals[0].reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
+    assert "the bus is off" in goals[0].detail
+    assert goals[1].state is GoalState.CANCELED
+    assert s.executor.submit(FORWARD)[0].result().succeeded
+
+
+def test_the_zeros_of_a_motion_go_on_while_something_else_is_done(stage):
+    """A run that is no motion must not keep what is due from being done: time would stand still."""
+    s = stage(handlers={"wave": lambda action: None})
+    s.robot.pick = fail
+    s.executor.submit(FORWARD)
+    s.clock.advance(1.0)
+    s.executor.submit([Custom("wave")])
+    s.executor.run_until_idle()
+    assert s.executor.idle
+
+
+def test_a_robot_whose_stop_fails_has_its_task_cancelled_by_name(stage):
+    s = stage()
+    (goal,) = s.executor.submit(KITCHEN)
+    s.clock.advance(2.0)
+    s.robot.stop = fail
+    s.executor.stop()
+    where = s.robot.pose()
+    s.clock.advance(3.0)
+    assert goal.reason is Reason.STOP
+    assert s.robot.pose() == where
+
+
+def test_a_robot_that_raises_is_stopped_at_that_very_time(stage):
+    s = stage()
+    (goal,) = s.executor.submit(FORWARD)
+    s.clock.advance(0.5)
+    stops: list[float] = []
+    stop = s.robot.stop
+    s.robot.stop = lambda: (stops.append(s.clock.now()), stop())
+    s.robot.velocity = fail
+    s.clock.advance(0.05)
+    assert stops == [goal.times.ended]
+    assert s.robot.speed() == (0.0, 0.0)
+
+
+def test_a_spoken_stop_stops_at_once(stage):
+    s = stage()
+    (goal,) = s.executor.submit(FORWARD)
+    s.clock.advance(0.5)
+    (stop,) = s.executor.submit(Stop())
+    assert s.robot.speed() == (0.0, 0.0)
+    assert (goal.reason, stop.state) == (Reason.STOP, GoalState.SUCCEEDED)
+
+
+@pytest.mark.parametrize("wrong", [{"spoken_at": math.nan}, {"keep": "both"}, {"keep": ["distance"] * 3}])
+def test_a_stop_stops_whatever_else_is_wrong(stage, wrong):
+    s = stage()
+    s.executor.submit(FORWARD)
+    s.clock.advance(0.5)
+    with pytest.raises(ValueError, match=r"keep|spoken_at|Keep"):
+        s.executor.submit([Stop(), FORWARD], **wrong)
+    assert s.executor.idle
+    assert s.robot.speed() == (0.0, 0.0)
+
+
+def test_what_comes_in_a_pause_waits_for_the_end_of_it(stage):
+    s = stage()
+    s.executor.pause()
+    (goal,) = s.executor.submit(FORWARD)
+    s.clock.advance(5.0)
+    assert (goal.state, s.robot.speed()) == (GoalState.ACCEPTED, (0.0, 0.0))
+    s.executor.resume()
+    assert goal.result().succeeded
+
+
+def test_a_task_that_takes_too_long_is_cancelled_by_name(stage):
+    s = stage(Limits(task_duration=5.0))
+    cancelled: list = []
+    cancel = s.robot.cancel
+    s.robot.cancel = lambda task: (cancelled.append(s.clock.now()), cancel(task))
+    task = s.executor.submit(Navigate("far", 100.0, 0.0, 0.0))[0]
+    s.executor.wait(task)
+    assert (task.state, task.reason) == (GoalState.ABORTED, Reason.TIMEOUT)
+    assert cancelled == [5.0]
+    assert s.robot.speed() == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("command", ["stop", "hold", "estop"])
+def test_the_gate_is_shut_before_anything_is_waited_for(command):
+    """The robot's own stop, which comes past a lock that hangs, must be the last word."""
+    through: list[bool] = []
+
+    class Curious(SimulatedRobot):
+        def stop(self) -> None:
+            through.append(executor._gate._opened == executor._gate._generation)
+
+    executor = Executor(Curious(), handle_sigterm=False)
+    with executor:
+        executor.submit(Move(0.5, 50.0, 100.0))
+        with executor._lock:
+            thread = threading.Thread(target=getattr(executor, command), daemon=True)
+            thread.start()
+            for _ in range(3000):
+                if through:
+                    break
+                thread.join(0.01)
+        thread.join(30.0)
+    assert through[0] is False
+
+
+def test_a_handler_that_exits_ends_its_goal_alone():
+    with Executor(SimulatedRobot(), handlers={"exit": lambda action: sys.exit(3)}, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Custom("exit"))
+        assert executor.wait(goal, 30.0)
+        assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.HANDLER_ERROR)
+        assert executor.submit(Move(0.5, 0.05, 0.1))[0].result(30.0).succeeded
+
+
+def test_a_handler_may_stop_the_executor():
+    with Executor(SimulatedRobot(), handle_sigterm=False) as executor:
+        executor.register("halt", lambda action: executor.stop())
+        (goal,) = executor.submit(Custom("halt"))
+        assert executor.wait(goal, 30.0)
+        assert goal.reason is Reason.STOP
+
+
+def test_listeners_that_hang_or_exit_hold_up_no_result_and_no_other_listener(caplog):
+    go, heard = threading.Event(), threading.Event()
+    with Executor(SimulatedRobot(), on_event=lambda event: go.wait(30.0), handle_sigterm=False) as executor:
+        executor.subscribe(lambda event: sys.exit(1))
+        executor.subscribe(lambda event: heard.set() if event.state is GoalState.SUCCEEDED else None)
+        (goal,) = executor.submit(Move(0.5, 0.05, 0.1))
+        assert goal.future().result(30.0) is goal
+        assert heard.wait(30.0)
+        go.set()
+    assert "a listener raised" in caplog.text
+
+
+def test_one_who_gives_up_waiting_takes_nothing_from_the_others():
+    async def wait(executor: Executor) -> None:
+        (goal,) = executor.submit(Move(0.5, 50.0, 100.0))
+        with pytest.raises(asyncio.TimeoutError):
+            await asyncio.wait_for(goal, 0.01)
+        given_up = asyncio.ensure_future(asyncio.wait_for(goal, 30.0))
+        await asyncio.sleep(0.01)
+        given_up.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await given_up
+        assert not goal.done
+        executor.stop()
+        assert (await goal).reason is Reason.STOP
+
+    with Executor(SimulatedRobot(), handle_sigterm=False) as executor:
+        asyncio.run(wait(executor))
+
+
+FORKING = """
+import os, sys, time
+from intent_engine.actions import Move
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.robots.jsonl import JsonLinesRobot
+executor = Executor(JsonLinesRobot(1))
+(goal,) = executor.submit(Move(0.5, 0.1, 0.2))
+if os.fork() == 0:
+    sys.exit(0)
+os.wait()
+print(goal.result(30).state, file=sys.stderr)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_the_end_of_a_forked_child_stops_nothing():
+    done = subprocess.run([sys.executable, "-c", FORKING], capture_output=True, text=True, timeout=60)
+    assert done.stderr.splitlines()[-1] == "succeeded"
+
+
+def test_a_close_that_was_interrupted_is_made_good_at_the_end_of_the_process():
+    program = """
+from intent_engine.actions import Move
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.robots.jsonl import JsonLinesRobot
+executor = Executor(JsonLinesRobot(1))
+executor.submit(Move(0.5, 50.0, 100.0))
+def interrupted(*_): raise KeyboardInterrupt
+executor._stop = interrupted
+try:
+    executor.close()
+except KeyboardInterrupt:
+    pass
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert '"linear": 0.5' in done.stdout
+    assert "stop" in done.stdout.splitlines()[-1]
+
+
+def test_a_simulated_task_tells_its_end_to_who_asks_late(stage):
+    s = stage()
+    task = s.robot.navigate(s.robot.pose())
+    s.clock.advance(0.1)
+    told: list = []
+    task.add_done_callback(told.append)
+    assert (told, task.state) == ([task], TaskState.SUCCEEDED)
