@@ -22,7 +22,7 @@ MISSED = 0.7
 """Cost of a word that was said but not heard, and of each letter of it."""
 EXTRA = 0.9
 """Cost of a letter of a word that was heard but not said."""
-FREE = 0.3
+FREE = 0.7
 """Cost of a word that a free slot takes as it was heard."""
 WIDTH = 48
 """Partial sentences kept for each number of words heard."""
@@ -54,11 +54,13 @@ class Graph(Protocol):
 
     def step(self, state: Any, word: str) -> Any | None: ...
 
-    def next_words(self, state: Any) -> Collection[str]: ...
+    def next_words(self, state: Any, *, fillers: bool = True) -> Collection[str]: ...
 
     def accepting(self, state: Any) -> bool: ...
 
     def free(self, state: Any) -> bool: ...
+
+    def known_words(self, state: Any) -> Collection[str]: ...
 
 
 @lru_cache(maxsize=200_000)
@@ -100,17 +102,28 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
     # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
     pending: list[list[_Move]] = [[] for _ in range(count + 1)]
     pending[0].append((0.0, (), graph.start(), None))
+    said_anywhere = set(heard)
     following: dict[Any, list[str]] = {}
+    audible: dict[Any, list[str]] = {}
     close: dict[tuple[Any, str], list[str]] = {}
 
     def words_after(state: Any) -> list[str]:
         found = following.get(state)
         if found is None:
-            found = following[state] = [word for word in graph.next_words(state) if word and word[0].isalnum()]
+            words = graph.next_words(state, fillers=False)
+            found = following[state] = [word for word in words if word and word[0].isalnum()]
+        return found
+
+    def heard_after(state: Any) -> list[str]:
+        found = audible.get(state)
+        if found is None:
+            # A sound that fits anywhere would explain every word that was misheard, so it must be heard as it is.
+            as_heard = said_anywhere.intersection(graph.next_words(state))
+            found = audible[state] = list({*words_after(state), *graph.known_words(state), *as_heard})
         return found
 
     def candidates(state: Any, span: str) -> list[str]:
-        words = words_after(state)
+        words = heard_after(state)
         if len(words) <= MANY_WORDS:
             return words
         found = close.get((state, span))

@@ -19,7 +19,7 @@ from typing import Any
 from intent_engine.errors import ConfigError
 from intent_engine.language.network import Edge, Networks, State
 
-__all__ = ["Automaton", "Trace", "WordState"]
+__all__ = ["FILLER", "Automaton", "Trace", "WordState"]
 
 MAX_MEMBERS = 20_000
 """Members of one set. Shipped grammars need hundreds; a grammar beyond this doubles at every optional."""
@@ -28,6 +28,9 @@ MAX_KEPT = 30_000
 
 MAX_OTHER_WORDS = 2_000
 """Steps of one set beyond which words that no arc names are looked up by their kind each time."""
+
+FILLER = ("filler",)
+"""Mark of a call to what may be said anywhere."""
 
 Mark = tuple[Any, ...]
 Trace = list[tuple[int, Mark]]
@@ -281,12 +284,23 @@ class Automaton:
 
     # -- looking ahead ----------------------------------------------------------------------------------------
 
-    def next_words(self, state: WordState) -> set[str]:
-        """The words that may follow, without numerals and without what a free slot would take."""
+    def next_words(self, state: WordState, *, fillers: bool = True) -> set[str]:
+        """The words that may follow, without numerals and without what a free slot would take.
+
+        Args:
+            state: after the words so far.
+            fillers: with those that belong to fillers only.
+        """
         words: set[str] = set()
-        for place, _ in state.members:
-            words.update(place.arcs)
+        for place, stack in state.members:
+            if fillers or stack.call_mark is not FILLER:
+                words.update(place.arcs)
         return words
+
+    def known_words(self, state: WordState) -> frozenset[str]:
+        """The words that are likely in a free slot that is open."""
+        found = [place.known for place, _ in state.members if place.known]
+        return frozenset[str]().union(*found) if len(found) != 1 else found[0]
 
     def allows_digits(self, state: WordState) -> bool:
         """Whether a numeral may follow."""

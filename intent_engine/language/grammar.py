@@ -85,6 +85,8 @@ class Slot:
     """Text: words that it may hold though they are operators ("and")."""
     without: frozenset[str] = frozenset()
     """Text: words that show that something else is meant ("email" is nothing to pick up)."""
+    known: frozenset[str] = frozenset()
+    """Text: words that are likely in it. Speech that sounds like one is heard as it; others are taken all the same."""
     tags: frozenset[str] = frozenset()
     """Location: only places with one of these tags; empty: all."""
     fuzzy: bool = True

@@ -20,8 +20,8 @@ _KEYS: Mapping[str, tuple[str, ...]] = {
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
-    "text": ("max_words", "allow", "without"),
-    "object": ("max_words", "allow", "without"),
+    "text": ("max_words", "allow", "without", "known"),
+    "object": ("max_words", "allow", "without", "known"),
 }
 """What each type of slot takes besides its type."""
 _UNITS: Mapping[str, str] = {
@@ -184,6 +184,7 @@ class PartReader:
             max_words=spec.get("max_words", 4),
             allow=frozenset(word for text in spec.get("allow", ()) for word in plain_phrase(text)),
             without=frozenset(word for text in spec.get("without", ()) for word in plain_phrase(text)),
+            known=frozenset(word for text in spec.get("known", ()) for word in plain_phrase(text)),
             tags=frozenset(spec.get("tags", ())),
             fuzzy=spec.get("fuzzy", True),
             place=source.place(path, key=True),

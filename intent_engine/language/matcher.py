@@ -10,9 +10,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
-from intent_engine.language.automaton import Automaton, Trace, WordState
+from intent_engine.language.automaton import FILLER, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.free_text import FREE_KINDS, FreeText
+from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
@@ -183,8 +183,8 @@ class Matcher:
         begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
         begin.edges.append(Edge(middle))
         if fillers:
-            begin.edges.append(Edge(begin, call=Call("fillers", apart=True)))
-            end.edges.append(Edge(end, call=Call("fillers", apart=True)))
+            begin.edges.append(Edge(begin, call=Call("fillers", mark=FILLER, apart=True)))
+            end.edges.append(Edge(end, call=Call("fillers", mark=FILLER, apart=True)))
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
         if stop_anywhere:
@@ -206,8 +206,15 @@ class Matcher:
             self.networks.add_wild(f"wild:{words}", words)
             self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
         for slot in grammar.slots.values():
-            if slot.allow:
-                self.networks.add_wild(f"text:{slot.name}", slot.max_words, slot.allow, free.unfinished, free.alone)
+            if slot.allow or slot.known:
+                self.networks.add_wild(
+                    f"text:{slot.name}",
+                    slot.max_words,
+                    slot.allow,
+                    free.unfinished,
+                    free.alone,
+                    slot.known | ARTICLES if slot.known else slot.known,
+                )
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
         for name, node in grammar.phrases.items():
@@ -240,7 +247,7 @@ class Matcher:
             if slot is None:
                 scope[name] = Call(f"phrase:{name}")
             elif slot.type in FREE_KINDS:
-                key = f"text:{name}" if slot.allow else f"free:{slot.max_words}"
+                key = f"text:{name}" if slot.allow or slot.known else f"free:{slot.max_words}"
                 scope[f"{name}:{label}"] = Call(key, ("slot", label, name))
             else:
                 loose = None

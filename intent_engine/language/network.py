@@ -58,7 +58,7 @@ class Edge:
 class State:
     """A place in a network."""
 
-    __slots__ = ("allowed", "arcs", "begins", "begun", "edges", "expand", "final", "number", "numeral", "wild")
+    __slots__ = ("allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "wild")
 
     def __init__(self) -> None:
         self.arcs: dict[str, tuple[State, ...]] = {}
@@ -76,6 +76,8 @@ class State:
         self.begins: frozenset[str] = frozenset()
         """Words with which this free slot may go on, but not end ("the"); they lead to ``begun``."""
         self.begun: tuple[State, ...] = ()
+        self.known: frozenset[str] = frozenset()
+        """Words that are likely in this free slot."""
         self.final = False
         """The end of its network."""
         self.expand: Callable[[State], None] | None = None
@@ -150,6 +152,7 @@ class Networks:
         allowed: frozenset[str] = frozenset(),
         begins: frozenset[str] = frozenset(),
         alone: frozenset[str] = frozenset(),
+        known: frozenset[str] = frozenset(),
     ) -> None:
         """One to ``max_words`` words of any kind.
 
@@ -159,8 +162,9 @@ class Networks:
             allowed: words that it may swallow, though they are closed to others.
             begins: words that are never the last.
             alone: words that are never the only one.
+            known: words that are likely.
         """
-        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins)
+        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins, known)
 
 
 def _template(node: Node, scope: Mapping[str, Call]) -> Network:
@@ -249,7 +253,13 @@ def _names(entries: Iterable[Name], respell: Respell | None) -> Network:
     return Network(start, end)
 
 
-def _wild(max_words: int, allowed: frozenset[str], begins: frozenset[str], alone: frozenset[str]) -> Network:
+def _wild(
+    max_words: int,
+    allowed: frozenset[str],
+    begins: frozenset[str],
+    alone: frozenset[str],
+    known: frozenset[str],
+) -> Network:
     start, end = State(), State()
     end.final = True
     here = start
@@ -257,6 +267,7 @@ def _wild(max_words: int, allowed: frozenset[str], begins: frozenset[str], alone
         there, begun = State(), State()
         here.wild = (there,)
         here.allowed = allowed
+        here.known = known
         here.begins = (alone if here is start else begins) - allowed
         if left:
             here.begun = (begun,)
