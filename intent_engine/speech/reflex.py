@@ -1,23 +1,26 @@
 """The reflex stop: while somebody speaks, is the word being said a word that stops the robot?
 
-A small Whisper is shown the last second of sound every 64 ms and asked for one thing only: how likely the first words
-are a stop phrase. It need not be likely, only far likelier than in any other speech: a stop word half said is guessed
-at one in a hundred, other words below one in ten thousand. So "stop" is heard before it has ended. The robot is then
-only *held*; the recogniser, which hears the whole utterance, confirms the stop or releases the robot.
+A small Whisper is shown the last half second of sound every 64 ms and asked for one thing only: how likely the first
+words are a stop phrase. It need not be likely, only far likelier than in any other speech: a stop word half said is
+guessed at one in a hundred, other words below one in ten thousand. So "stop" is heard before it has ended, also after
+other words, since in so short a window it soon comes first. The robot is then only *held*; the recogniser, which hears
+the whole utterance, confirms the stop or releases the robot.
 """
 
 from __future__ import annotations
 
 import logging
+import math
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Samples
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.whisper import WhisperRecognizer
 
 if TYPE_CHECKING:
@@ -25,23 +28,36 @@ if TYPE_CHECKING:
 
 __all__ = ["Reflex", "WhisperReflex", "reflex_for"]
 
-THRESHOLD = 0.005
-"""Probability of a stop phrase above which the robot is held. Measured: docs/decisions/speech-reflex.md."""
-LATER = 10.0
-"""Times as likely it must be where the window no longer begins with the utterance: cut anywhere, words are guessed
-at more wildly."""
-WINDOW_SECONDS = 1.0
-"""Sound that is looked at, so that a stop at the end of a long utterance is heard as well."""
-INPUT_SECONDS = 2.0
-"""Length of the encoder's input."""
+THRESHOLD = 0.01
+"""Probability of a stop phrase in one look above which the robot is held. Measured: docs/decisions/speech-reflex.md."""
+AGREED = 1 / 3
+"""Part of the threshold that is enough as the geometric mean of looks in a row: in noise no look is sure, but of other
+words few are taken for a stop again and again."""
+LOOKS = 3
+"""Looks that must agree."""
+LATER = 5.0
+"""Times as likely it must be once an utterance has gone on: cut anywhere, words are guessed at more wildly."""
+WINDOW_FRAMES = 16
+"""Frames of sound that are looked at, half a second. In a second "stop" after other words was heard 200 ms later, since
+those stood before it."""
+INPUT_SECONDS = 1.0
+"""Length of the encoder's input, which is what a look costs most."""
 EVERY_FRAMES = 2
 """Frames between two looks."""
+EARLY_FRAMES = 20
+"""Frames after the onset in which the first word is being said, 0.64 s."""
+LATER_FRAMES = 3
+"""Frames between two looks after that."""
+QUIET_FRAMES = 3
+"""Frames without sound after which nothing new is to be heard. The "p" of "stop" is silent for shorter."""
+QUIET = 0.03
+"""RMS of such frames, as a part of the loudest frame's in the window: 30 dB below."""
 MAX_PIECES = 5
 """Tokens of a phrase; longer ones are left to the recogniser."""
 MAX_LEADS = 80
 """Words before a stop that are known; more would only slow the start."""
-MAX_OPEN = 6
-"""Beginnings of phrases that are followed up in one look."""
+OPEN = 0.1
+"""Probability of a beginning that is followed up; each costs as much again as the first token."""
 
 
 class Reflex(Protocol):
@@ -73,7 +89,7 @@ class WhisperReflex:
         language: of the phrases.
         background: look in a thread beside, so that listening never waits; False on a virtual clock, where the same
             sound must always give the same.
-        threshold: probability that holds the robot.
+        threshold: probability in one look that holds the robot.
 
     Raises:
         WeightsError: the model cannot be found or loaded.
@@ -99,9 +115,11 @@ class WhisperReflex:
             raise ValueError("no stop phrase")
         self.phrases = phrases
         self._complete, self._onward = self._pieces(phrases, tuple(dict.fromkeys(leads)))
-        self._sound: deque[Samples] = deque(maxlen=int(WINDOW_SECONDS / FRAME_SECONDS))
-        self._cut = False
+        self._sound: deque[Samples] = deque(maxlen=WINDOW_FRAMES)
+        self._length = 0
         self._since = 0
+        self._looked = 0
+        self._evidence: deque[float] = deque(maxlen=LOOKS)
         self._worker = _Worker(self._look) if background else None
 
     def _pieces(
@@ -134,28 +152,48 @@ class WhisperReflex:
 
     def begin(self, frames: Sequence[Samples]) -> None:
         self._sound.clear()
-        self._sound.extend(frames)
-        self._cut = False
+        self._sound.extend(np.nan_to_num(samples, posinf=0.0, neginf=0.0) for samples in frames)
+        self._length = 0
         self._since = EVERY_FRAMES
+        self._looked = 0
         if self._worker is not None:
             self._worker.reset()
 
     def heard(self, samples: Samples) -> bool:
-        self._cut = self._cut or len(self._sound) == self._sound.maxlen
-        self._sound.append(samples)
+        self._sound.append(np.nan_to_num(samples, posinf=0.0, neginf=0.0))
+        self._length += 1
         self._since += 1
-        if self._worker is not None:
-            if self._since >= EVERY_FRAMES and self._worker.offer(tuple(self._sound), self._cut):
-                self._since = 0
+        early = self._length <= EARLY_FRAMES
+        due = self._since >= (EVERY_FRAMES if early else LATER_FRAMES) and not self._quiet()
+        if not due:
+            return self._worker is not None and self._worker.found
+        view = _View(tuple(self._sound), self._looked == 0, early)
+        if self._worker is None:
+            found = self._look(view)
+        elif self._worker.offer(view):
+            found = self._worker.found
+        else:
             return self._worker.found
-        if self._since < EVERY_FRAMES:
-            return False
+        self._looked += 1
         self._since = 0
-        return self._look(tuple(self._sound), self._cut)
+        return found
 
-    def _look(self, frames: tuple[Samples, ...], cut: bool) -> bool:
-        sound = np.nan_to_num(np.concatenate(frames), posinf=0.0, neginf=0.0)
-        return self.probability(sound) >= self._threshold * (LATER if cut else 1.0)
+    def _quiet(self) -> bool:
+        """Whether nothing has been said since before the last look; then there is nothing new to hear."""
+        if self._looked < LOOKS:
+            return False  # a word that the detector was late for is over, but has not been looked at
+        levels = [float(np.sqrt(np.mean(np.square(samples)))) for samples in self._sound]
+        return max(levels[-QUIET_FRAMES:]) <= QUIET * max(levels)
+
+    def _look(self, view: _View) -> bool:
+        """Whether this look, or the last few together, are enough."""
+        if view.first:
+            self._evidence.clear()
+        found = self.probability(np.concatenate(view.frames))
+        self._evidence.append(math.log(max(found, 1e-9)))
+        threshold = self._threshold * (1.0 if view.early else LATER)
+        together = len(self._evidence) == LOOKS and sum(self._evidence) / LOOKS >= math.log(threshold * AGREED)
+        return found >= threshold or together
 
     def probability(self, samples: Samples) -> float:
         """How likely a stop phrase is being said, or has just been said, at the beginning of this sound."""
@@ -163,39 +201,33 @@ class WhisperReflex:
             return 0.0
         encoded = self._whisper.encode(samples, INPUT_SECONDS)
         total = 0.0
-        open_ways: list[tuple[tuple[int, ...], float]] = [((), 1.0)]
-        while open_ways:
-            rows = self._next(encoded.features, [begun for begun, _ in open_ways])
-            further: list[tuple[tuple[int, ...], float]] = []
-            for (begun, chance), row in zip(open_ways, rows, strict=True):
-                for token in self._onward[begun]:
-                    whole, likely = (*begun, token), chance * float(row[token])
-                    if whole in self._complete:
-                        total += likely
-                    elif likely >= self._threshold:
-                        further.append((whole, likely))
-            if total >= self._threshold * LATER:
-                break
-            open_ways = sorted(further, key=lambda way: -way[1])[:MAX_OPEN]
+        begun: tuple[int, ...] | None = ()
+        chance = 1.0
+        while begun is not None and total < self._threshold * LATER:
+            row = self._next(encoded.features, begun)
+            ways = [((*begun, token), chance * float(row[token])) for token in self._onward[begun]]
+            total += sum(likely for way, likely in ways if way in self._complete)
+            begun, chance = max(
+                ((way, likely) for way, likely in ways if way not in self._complete and likely >= OPEN),
+                key=lambda way: way[1],
+                default=(None, 0.0),
+            )
         return total
 
-    def _next(self, features: Any, beginnings: Sequence[tuple[int, ...]]) -> list[Any]:
-        """Probabilities of the next token after each beginning, ``(tokens,)`` each."""
+    def _next(self, features: Any, begun: Sequence[int]) -> Any:
+        """Probability of each token after a beginning, ``(tokens,)``."""
         import ctranslate2
 
-        rows = []
-        for begun in beginnings:
-            # max_length counts two for each token to write.
-            result = self._whisper.engine.generate(
-                features, [[*self._prompt, *begun]], max_length=2, beam_size=1, return_logits_vocab=True
-            )[0]
-            logits = result.logits[0]
-            if isinstance(logits, ctranslate2.StorageView):
-                logits = logits.to_device(ctranslate2.Device.cpu)
-            scores = np.asarray(logits, dtype=np.float32).reshape(-1)
-            scores = np.exp(scores - scores.max())
-            rows.append(scores / scores.sum())
-        return rows
+        # max_length counts two for each token to write.
+        result = self._whisper.engine.generate(
+            features, [[*self._prompt, *begun]], max_length=2, beam_size=1, return_logits_vocab=True
+        )[0]
+        logits = result.logits[0]
+        if isinstance(logits, ctranslate2.StorageView):
+            logits = logits.to_device(ctranslate2.Device.cpu)
+        scores = np.asarray(logits, dtype=np.float32).reshape(-1)
+        scores = np.exp(scores - scores.max())
+        return scores / scores.sum()
 
     def close(self) -> None:
         if self._worker is not None:
@@ -203,13 +235,24 @@ class WhisperReflex:
         self._whisper.close()
 
 
+@dataclass(frozen=True, slots=True)
+class _View:
+    """What one look is given."""
+
+    frames: tuple[Samples, ...]
+    first: bool
+    """Of its utterance."""
+    early: bool
+    """Whether the utterance has only begun."""
+
+
 class _Worker:
     """Looks in a thread of its own, always at the newest sound; what came while it was busy is passed over."""
 
-    def __init__(self, look: Callable[[tuple[Samples, ...], bool], bool]) -> None:
+    def __init__(self, look: Callable[[_View], bool]) -> None:
         self._look = look
         self._condition = threading.Condition()
-        self._task: tuple[int, tuple[Samples, ...], bool] | None = None
+        self._task: tuple[int, _View] | None = None
         self._utterance = 0
         self._busy = False
         self._closed = False
@@ -225,12 +268,12 @@ class _Worker:
                 self._task, self._busy = None, False
             self.found = False
 
-    def offer(self, frames: tuple[Samples, ...], cut: bool) -> bool:
+    def offer(self, view: _View) -> bool:
         """Take this sound, unless still busy with older."""
         with self._condition:
             if self._busy or self._closed:
                 return False
-            self._task = (self._utterance, frames, cut)
+            self._task = (self._utterance, view)
             self._busy = True
             self._condition.notify_all()
             return True
@@ -243,9 +286,9 @@ class _Worker:
                     return
                 task, self._task = self._task, None
             assert task is not None
-            utterance, frames, cut = task
+            utterance, view = task
             try:
-                found = self._look(frames, cut)
+                found = self._look(view)
             except Exception:  # a reflex that fails must go on: the recogniser still hears the stop
                 logging.getLogger(__name__).exception("the reflex could not look at the sound")
                 found = False
