@@ -17,7 +17,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -44,23 +44,24 @@ LOADS: dict[str, tuple[int, int]] = {
 Writes = list[tuple[float, float]]
 
 
-def run(quick: bool) -> list[dict[str, Any]]:
+def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """The rows of this benchmark."""
     logging.getLogger("intent_engine.execution").setLevel(logging.CRITICAL)  # what is killed on purpose is no news
-    rows: list[dict[str, Any]] = []
     for load, (processes, threads) in LOADS.items():
         with busy(processes, threads):
-            rows += timing(load, 2 if quick else 12)
-            rows += stopping(load, 50 if quick else 200)
+            rows = [*timing(load, 2 if quick else 12), *stopping(load, 50 if quick else 200)]
+        yield rows
     file = RobotFile("benchmark", "")
     for load in ("idle", "every core and 2 own threads busy"):
         with busy(*LOADS[load]):
-            rows.append(trial_row(load, program_lost("killed", signal.SIGKILL, file, 3 if quick else 15)))
-            rows.append(trial_row(load, program_lost("frozen", signal.SIGSTOP, file, 3 if quick else 8)))
-            rows.append(trial_row(load, loop_killed(file, 3 if quick else 10)[0]))
-    rows.append(virtual(2_000 if quick else 100_000))
-    rows.append(interleavings(quick))
-    return rows
+            rows = [
+                trial_row(load, program_lost("killed", signal.SIGKILL, file, 3 if quick else 15)),
+                trial_row(load, program_lost("frozen", signal.SIGSTOP, file, 3 if quick else 8)),
+                trial_row(load, loop_killed(file, 3 if quick else 10)[0]),
+            ]
+        yield rows
+    yield [virtual(2_000 if quick else 100_000)]
+    yield [interleavings(quick)]
 
 
 # -- action times --------------------------------------------------------------------------------------------------

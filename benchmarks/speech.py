@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -37,7 +38,7 @@ PAUSE = 1.0
 """s between two commands of a minute of commands."""
 
 
-def run(quick: bool) -> list[dict[str, Any]]:
+def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """The rows of this benchmark."""
     engine = IntentEngine.from_files(default_grammar(), locations=default_locations())
     labels = read_labels(speech_set(), engine)
@@ -57,8 +58,8 @@ def run(quick: bool) -> list[dict[str, Any]]:
             if pair[0]:
                 rows += accuracy_rows(f"{what}, {name}", _COMMAND, *pair)
         rows += reflex_rows(name, ours[snr])
-    rows += cost(ways, [load(one) for one in labels if one.expected.command][: 4 if quick else 40], quick)
-    return rows
+    yield rows
+    yield cost(ways, [load(one) for one in labels if one.expected.command][: 4 if quick else 40], quick)
 
 
 def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from benchmarks.recordings import DATA, Ways, accuracy_rows, hear, holds, kitchen, needs, row, some
@@ -17,7 +18,7 @@ WORD_FLOOR = 25.0
 _COMMAND = "python -m benchmarks --only speech_people"
 
 
-def run(quick: bool) -> list[dict[str, Any]]:
+def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """The rows of this benchmark."""
     needs(DATA / "gsc_words", "the single words of the development data")
     engine = IntentEngine.from_files(default_grammar(), locations=default_locations())
@@ -29,8 +30,8 @@ def run(quick: bool) -> list[dict[str, Any]]:
     for snr, name in ((None, "clean"), (10.0, "kitchen noise at 10 dB")):
         rows += accuracy_rows(f"single words of people, {name}", _COMMAND, ours[snr], peer[snr])
         rows += reflex_rows(name, ours[snr])
-    rows += clips(engine, ways)
-    return rows
+    yield rows
+    yield clips(engine, ways)
 
 
 def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:
