@@ -108,6 +108,22 @@ def fake(played: str) -> dict[str, str]:
     return {"PYTHONPATH": str(PLAYED), "PLAYED": played}
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_a_pipe_that_goes_on_until_ctrl_c(go_forward):
+    """The reader of the pipe is still at it when the program ends; that must not abort it."""
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--no-reflex", "--json"]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen(command, cwd=ROOT, **pipes) as process:
+        process.stdin.write(raw(go_forward))
+        process.stdin.flush()
+        assert process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        error = process.stderr.read().decode()
+        assert process.wait(60) == 130, error
+    assert "the robot is stopped" in error
+    assert "Fatal" not in error
+
+
 def test_microphones_are_listed(intent_engine):
     done = intent_engine("listen", "--list-devices", **fake("zeros"))
     assert done.returncode == 0, done.stderr

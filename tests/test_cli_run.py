@@ -7,6 +7,7 @@ import math
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -107,16 +108,27 @@ def test_a_person_drives_the_robot_ten_meters(intent_engine, clip):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
 @pytest.mark.parametrize(
-    ("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminated")]
+    ("numbers", "code", "word"),
+    [
+        ([signal.SIGINT], 130, "interrupted"),
+        ([signal.SIGTERM], 143, "terminated"),
+        ([signal.SIGINT] * 4, 130, "interrupted"),
+        ([signal.SIGTERM, signal.SIGINT], 143, "terminated"),
+    ],
 )
-def test_a_signal_stops_the_robot(number, code, word):
-    """While the robot drives, in real time: it is told as canceled, and nothing is driven after it."""
+def test_a_signal_stops_the_robot(numbers, code, word):
+    """While the robot drives, in real time: it is told as canceled, and nothing is driven after it.
+
+    Whoever presses Ctrl-C twice does not interrupt what stops the robot.
+    """
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "run", "--realtime", "--json", str(DEMO)]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         for line in process.stdout:
             if json.loads(line).get("state") == "executing":
-                process.send_signal(number)
+                for number in numbers:
+                    process.send_signal(number)
+                    time.sleep(0.01)
                 break
         rest = [json.loads(line) for line in process.stdout]
         error = process.stderr.read()

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import math
 import os
 import shlex
 import signal
 import sys
 import threading
+import time
 import traceback
 from collections.abc import Callable, Iterator
 from typing import ParamSpec
@@ -49,7 +51,7 @@ def verb(function: Callable[P, int | None]) -> Callable[P, None]:
 
     @functools.wraps(function)
     def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
-        with _sigterm_raises():
+        with _signals_raise():
             code = _run(functools.partial(function, *args, **kwargs))
         raise typer.Exit(code)
 
@@ -90,17 +92,31 @@ def _trace() -> None:
         traceback.print_exc()
 
 
+PATIENCE = 3.0
+"""s after a Ctrl-C or SIGTERM in which another one changes nothing: what stops the robot is not to be interrupted."""
+
+
 @contextlib.contextmanager
-def _sigterm_raises() -> Iterator[None]:
+def _signals_raise() -> Iterator[None]:
+    """Make exceptions of SIGINT and SIGTERM, one at a time."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
+    raised_at = -math.inf
 
-    def raise_terminated(signum: int, frame: object) -> None:
-        raise _Terminated
+    def interrupt(signum: int, frame: object) -> None:
+        nonlocal raised_at
+        if time.monotonic() - raised_at < PATIENCE:
+            return
+        raised_at = time.monotonic()
+        raise KeyboardInterrupt if signum == signal.SIGINT else _Terminated
 
-    before = signal.signal(signal.SIGTERM, raise_terminated)
+    # Who started this program with SIGINT ignored (a shell does, with "&") wants it ignored.
+    numbers = [number for number in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(number) is not signal.SIG_IGN]
+    before = {number: signal.signal(number, interrupt) for number in numbers}
     try:
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in before.items():
+            # The program is on its way out when it was interrupted; the rest of it is not worth a traceback either.
+            signal.signal(number, handler if math.isinf(raised_at) else signal.SIG_IGN)

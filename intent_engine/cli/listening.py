@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -151,7 +152,8 @@ def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None
                 "standard input is a terminal, and no sound comes from it\n"
                 "    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | intent-engine ..."
             )
-        file, name = sys.stdin.buffer, "standard input"
+        # A reader of its own: Python takes sys.stdin down at its end, and aborts if a thread is still reading it.
+        file, name = os.fdopen(os.dup(sys.stdin.fileno()), "rb"), "standard input"
     else:
         try:
             file, name = Path(where).open("rb"), where  # noqa: SIM115 - it ends with the process
