@@ -18,6 +18,8 @@ class Write:
     time: float
     linear: float
     angular: float
+    by_stop: bool = False
+    """The robot's own stop, which may be sudden."""
 
 
 class RecordingRobot(SimulatedRobot):
@@ -32,7 +34,7 @@ class RecordingRobot(SimulatedRobot):
         super().velocity(linear, angular, valid_for)
 
     def stop(self) -> None:
-        self.written.append(Write(self.clock.now(), 0.0, 0.0))
+        self.written.append(Write(self.clock.now(), 0.0, 0.0, by_stop=True))
         super().stop()
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import tempfile
 from itertools import pairwise
+from pathlib import Path
 
 from execution_stage import MAP, RecordingRobot
 from hypothesis import settings
@@ -11,12 +13,15 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Stop, Turn
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import EventKind
 from intent_engine.execution.executor import Executor, Policy
 from intent_engine.execution.goal import GoalState
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep, Rates
+from intent_engine.interpretation import Status
 
 ACCELERATION, TURN_ACCELERATION = 0.8, 1.6
 RATES = Rates(rate=20.0, valid_for=0.3)
@@ -32,10 +37,36 @@ others = st.sampled_from([Pick("cup"), Custom("wave"), Custom("broken"), Custom(
 actions = st.one_of(moves, turns, navigations, others)
 
 
+GRAMMAR = """
+language: en
+slots:
+  direction: {{type: choice, values: {{forward: [forward], backward: [back]}}}}
+intents:
+  move:
+    action: move
+    sentences: ["{verb} {{direction}}"]
+    defaults: {{speed: 0.5 m/s, duration: 2 s}}
+"""
+
+
 class FailingRobot(RecordingRobot):
-    """Raises in the velocity write it is told to fail at."""
+    """Raises in the velocity write it is told to fail at, when it navigates, or in a stop (after having stopped)."""
 
     fail_in: int | None = None
+    fails_to: str | None = None
+
+    def navigate(self, goal):
+        self._fail("navigate")
+        return super().navigate(goal)
+
+    def stop(self) -> None:
+        super().stop()
+        self._fail("stop")
+
+    def _fail(self, what: str) -> None:
+        if self.fails_to == what:
+            self.fails_to = None
+            raise OSError("the bus is off")
 
     def velocity(self, linear: float, angular: float, valid_for: float) -> None:
         if self.fail_in is not None and (linear or angular):
@@ -54,6 +85,11 @@ class ExecutorMachine(RuleBasedStateMachine):
         self.goals: list = []
         self.ends: dict[int, int] = {}
         self.started: list[int] = []
+        self.folder = tempfile.TemporaryDirectory()
+        self.file = Path(self.folder.name) / "grammar.yaml"
+        self.file.write_text(GRAMMAR.format(verb="go"))
+        self.engine = IntentEngine.from_files([self.file])
+        self.verb = "go"
         self.executor = Executor(
             self.robot,
             Limits(linear_acceleration=ACCELERATION, angular_acceleration=TURN_ACCELERATION),
@@ -102,6 +138,34 @@ class ExecutorMachine(RuleBasedStateMachine):
         """The everyday case, often: a motion that replaces whatever there is."""
         self.submit([motion], None, Keep.DISTANCE)
         self.clock.advance(seconds)
+
+    @rule(verb=st.sampled_from(["go", "roll", "[broken"]), seconds=st.floats(0.0, 1.0))
+    def reload_and_speak(self, verb, seconds) -> None:
+        """A grammar is taken up, or not because it is broken, while the robot does whatever it does."""
+        before = list(self.robot.written)
+        standing = [goal.state for goal in self.goals]
+        self.file.write_text(GRAMMAR.format(verb=verb))
+        try:
+            self.engine.reload()
+            self.verb = verb
+        except ConfigError:
+            assert verb == "[broken"
+        assert (self.robot.written, [goal.state for goal in self.goals]) == (before, standing)
+        for spoken in ("go", "roll"):
+            found = self.engine.parse(f"{spoken} back")
+            assert (found.status is Status.ACCEPTED) == (spoken == self.verb)
+            if found.status is Status.ACCEPTED:
+                self.submit(found.actions, None, Keep.DISTANCE)
+        self.clock.advance(seconds)
+
+    @rule(count=st.integers(1, 9))
+    def register_anew(self, count) -> None:
+        """A handler is replaced: the goals that come are the new one's."""
+        self.executor.register("wave", lambda action: f"hello {count}")
+
+    @rule(what=st.sampled_from(["navigate", "stop"]))
+    def fail_to(self, what) -> None:
+        self.robot.fails_to = what
 
     @rule()
     def stop(self) -> None:
@@ -180,8 +244,8 @@ class ExecutorMachine(RuleBasedStateMachine):
     def acceleration_is_within_its_limit(self) -> None:
         written = self.robot.written
         for before, after in pairwise(written):
-            if after.linear == 0.0 and after.angular == 0.0:
-                continue  # a stop, a hold and the end of validity are at once, by design
+            if after.by_stop:
+                continue  # a stop and a hold are at once, by design
             gap = max(after.time - before.time, RATES.period) + 1e-9
             if after.time - before.time > RATES.valid_for:
                 before = type(before)(before.time, 0.0, 0.0)
@@ -197,6 +261,7 @@ class ExecutorMachine(RuleBasedStateMachine):
         assert all(goal.done for goal in self.goals)
         self.executor.close()
         assert self.robot.speed() == (0.0, 0.0)
+        self.folder.cleanup()
 
 
 TestExecutor = ExecutorMachine.TestCase
