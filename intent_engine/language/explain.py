@@ -212,6 +212,10 @@ def _compound(answer: list[Clause] | None) -> str:
     return f"{len(answer)} commands" if len(answer) > 1 else "one command"
 
 
+def _run_on(answer: list[Clause] | None) -> str | None:
+    return None if answer is None else f"{len(answer)} commands, with nothing between them"
+
+
 def _refusal(answer: tuple[Interpretation, Any]) -> str:
     return answer[0].reason
 
@@ -231,6 +235,7 @@ OUTCOMES: Mapping[Kind, Callable[[Any], str | None]] = {
     Kind.REPLACEMENT: _replacement,
     Kind.NEGATION: _negation,
     Kind.COMPOUND: _compound,
+    Kind.RUN_ON: _run_on,
     Kind.REFUSAL: _refusal,
     Kind.OTHERWISE: _otherwise,
 }

@@ -42,9 +42,9 @@ class FreeText:
         said = words[start:end]
         wrong = slot.without.intersection(said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
-        operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
-        if operator is not None:
-            phrase = words[operator[0] : sum(operator)]
+        if self._operators.may_stand_in(said):
+            operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
+            phrase = words[operator[0] : sum(operator)] if operator is not None else ()
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""

@@ -61,6 +61,8 @@ class PhraseSet:
 
     def find(self, words: Sequence[str], start: int = 0) -> tuple[int, int] | None:
         """First (position, length) at or after ``start``."""
+        if not self.may_stand_in(words):
+            return None
         for position in range(start, len(words)):
             length = self.at(words, position)
             if length:

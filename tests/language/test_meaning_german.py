@@ -15,6 +15,11 @@ TABLE = {
     "fahr in die Küche": "to küche",
     "nimm die Tasse": "pick tasse",
     "fahr zwei Meter vorwärts und dreh dich nach links": "forward 2, left 43",
+    "fahr zwei Meter vorwärts dreh dich nach links": "forward 2, left 43",
+    "nimm die Tasse fahr in die Küche": "pick tasse, to küche",
+    "fahr vorwärts fahr zurück": NOTHING,
+    "dreh dich nach links fahr nicht vorwärts": NOTHING,
+    "fahr weiter in die Küche": "to küche",
     # Negated.
     "fahr nicht vorwärts": NOTHING,
     "bitte nicht vorwärts fahren": NOTHING,

@@ -17,10 +17,12 @@ from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import Grammar, Operators
 from intent_engine.language.locations import load
 from intent_engine.language.meaning import MAX_WORDS, Interpreter
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.utterance import Utterance
 
@@ -260,6 +262,64 @@ CONTINUED = {
     "I continued to the kitchen": NOTHING,
     "take over": NOTHING,
 }
+RUN_ON = {
+    "go forward turn left": "forward 1, left 43",
+    "turn left go forward two meters": "left 43, forward 2",
+    "forward two meters turn left": "forward 2, left 43",
+    "turn left ninety go forward two meters": "left 90, forward 2",
+    "turn left go forward turn right": "left 43, forward 1, right 43",
+    "uh turn left um go forward please": "left 43, forward 1",
+    "can you go to the kitchen turn around": "to kitchen, left 180",
+    "pick up the cup go to the kitchen": "pick cup, to kitchen",
+    "pick up the cup go forward": "pick cup, forward 1",
+    "go to the kitchen pick up the red cup": "to kitchen, pick red cup",
+    "get the book from the table turn left go forward": "pick book, left 43, forward 1",
+    "put it down go back two meters": "place, back 2",
+    # What could be parted in two ways, or be a correction or an echo.
+    "turn left ninety two meters forward": NOTHING,
+    "turn left two meters ahead": NOTHING,
+    "go to the kitchen two meters ahead": NOTHING,
+    "move forward slowly turn left": NOTHING,
+    "turn left i need two meters forward": NOTHING,
+    "go forward wait for me at the kitchen": NOTHING,
+    "wait for me at the kitchen turn left": NOTHING,
+    "turn left turn right": NOTHING,
+    "turn left turn left": NOTHING,
+    "go to the kitchen go to the bedroom": NOTHING,
+    "turn left go forward turn left go forward": NOTHING,
+    "keep going go forward": NOTHING,
+    "go forward forward": NOTHING,
+    # No words are the name of a thing and a command, nor a name that nobody can be sure of.
+    "pick up the go forward button": NOTHING,
+    "take the box back go to the kitchen": NOTHING,
+    "pick up the cup slowly go to the kitchen": NOTHING,
+    "pick up the thing you know go forward": NOTHING,
+    "pick up the cup it is red go to the kitchen": NOTHING,
+    # Half of it is nothing.
+    "turn left go to the moon": NOTHING,
+    "go to the kitchn turn left": NOTHING,
+    "turn left go": NOTHING,
+    "dance turn left": NOTHING,
+    # What changes a sentence changes these.
+    "don't turn left go forward": NOTHING,
+    "turn left don't go forward": NOTHING,
+    "do not ever go forward turn left": NOTHING,
+    "go forward turn left no": NOTHING,
+    "go forward turn left never mind": NOTHING,
+    "go forward turn left if you see me": NOTHING,
+    "he said go forward turn left": NOTHING,
+    "when I say so go forward turn left": NOTHING,
+    "I went forward turned left": NOTHING,
+    "you go forward turn left": NOTHING,
+    "did you go forward turn left": NOTHING,
+    "he told me go forward turn left": NOTHING,
+    "the command is go forward turn left": NOTHING,
+    "go forward turn left stop": "stop",
+    "go forward stop turn left go back": "stop",
+    "stop go forward turn left": "stop",
+    "turn left turn left stop": "stop",
+    "move forward slowly turn left stop": "stop",
+}
 UNFINISHED = {
     "pick up the": NOTHING,
     "pick up a": NOTHING,
@@ -490,6 +550,7 @@ TABLE = {
     **CANCELLED,
     **COMPOUND,
     **CONTINUED,
+    **RUN_ON,
     **UNFINISHED,
     **LIKE_STOP,
     **MISHEARD,
@@ -546,6 +607,37 @@ def test_a_negated_part_moves_nothing_of_the_whole(first: str, second: str, join
     for text in (f"{first}{joint}don't {second}", f"don't {first} and {second}"):
         found = shipped().parse(text)
         assert all(isinstance(action, Stop) for action in found.actions), (text, done(found))
+
+
+@quick
+@given(commands(), commands(), st.sampled_from(NEGATIONS))
+def test_commands_in_one_breath_are_negated_together(first: str, second: str, negated: str) -> None:
+    found = shipped().parse(negated.format(f"{first} {second}"))
+    assert all(isinstance(action, Stop) for action in found.actions), done(found)
+
+
+@quick
+@given(st.lists(commands(), min_size=2, max_size=3).map(" ".join))
+@example("go forward turn left")
+@example("pick up the cup go to the kitchen")
+def test_commands_in_one_breath_are_done_only_if_they_can_be_parted_in_one_way(text: str) -> None:
+    """A reference that tries every way to cut the words into commands, each understood for itself."""
+    found = shipped().parse(text)
+    if found.intent != "compound" or not shipped()._interpreter(None)._run_ons.split(Utterance.of(text), ()):
+        return
+    words = text.split()
+
+    def ways(start: int) -> list[list[str]]:
+        if start == len(words):
+            return [[]]
+        onward = []
+        for end in range(start + 2, len(words) + 1):
+            part = shipped().parse(" ".join(words[start:end]))
+            if len(part.actions) == 1 and part.confidence == 1.0 and part.intent != "compound":
+                onward.extend([done(part), *rest] for rest in ways(end))
+        return onward
+
+    assert done(found) in {", ".join(way) for way in ways(0)}
 
 
 STOPPING = ["{1}, {0}", "{1} {0}", "{0} {1}", "{0}, {1}", "{0}. {1}!", "{0} no {1}", "{1} {1} {1}", "{0} {1} {0}"]
@@ -673,6 +765,7 @@ HARD = [
         "never mind",
         "not but",
     ),
+    *("go forward turn left", "turn left go", "pick up the cup go forward", "turn left slowly go forward"),
     *("pick up the cup no the bottle and", "go to the kitchn and", "go to the kitchn,", "go forward stop turn left"),
 ]
 
@@ -739,6 +832,7 @@ def test_an_english_grammar_has_its_operators_whatever_its_author_writes() -> No
     assert shipped().grammar.operators != Operators()
 
 
+ALL_WAYS = RunOns._ways
 RULES = {
     # Rule -> what it says when it is broken.
     (Negations, "wanted"): lambda self, core, state: (core, ""),
@@ -758,6 +852,13 @@ RULES = {
     (Corrections, "_grafted"): lambda self, slot, at, meant, whole: False,
     (Corrections, "taken_back"): lambda self, words: 0,
     (Compounds, "split"): lambda self, core, state: None,
+    (RunOns, "split"): lambda self, core, state: None,
+    (RunOns, "_is_certain"): lambda self, clause, start: clause.accepted,
+    (RunOns, "_is_thing"): lambda self, slot, reading: True,
+    (RunOns, "_said_twice"): lambda self, parts: False,
+    (RunOns, "_ways"): lambda self, core: ALL_WAYS(self, core)[-1:],
+    (Commands, "holds_command"): lambda self, reading, words=(): False,
+    (Phrases, "operate_in"): lambda self, words: False,
     (Stops, "heard"): lambda self, said, state: False,
 }
 

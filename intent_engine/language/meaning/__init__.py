@@ -9,6 +9,7 @@ Each rule has its module, and knows only those above it:
 - ``command``: one command, exactly said or with misheard names;
 - ``correction``: "turn left no right";
 - ``compound``: "go forward and turn left";
+- ``run_on``: "go forward turn left";
 - ``negation``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;
 - ``interpreter``: the order in which they are asked, and what comes of it.

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
 from intent_engine.language.matcher import Matcher, Reading
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative
 
-__all__ = ["Clause", "Commands", "forbidden", "slot_values"]
+__all__ = ["LEAST_WORDS", "Clause", "Commands", "forbidden", "slot_values"]
+
+LEAST_WORDS = 2
+"""Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +43,7 @@ class Commands:
     def __init__(self, matcher: Matcher) -> None:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
+        self._not_verbs = ARTICLES | ALONE.get(matcher.grammar.language, frozenset())
 
     @step(Kind.SENTENCE)
     def exact(self, words: list[str], state: Collection[str]) -> Clause | None:
@@ -45,6 +51,8 @@ class Commands:
         readings = self.matcher.read(words)
         if self._patterns:
             readings = [*readings, *self._patterns.read(words, self.matcher)]
+        if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
+            readings = [reading for reading in readings if not self.holds_command(reading)]
         return self._choose(readings, state) if readings else None
 
     def accepts(self, words: list[str], state: Collection[str]) -> bool:
@@ -52,10 +60,58 @@ class Commands:
         clause = self.exact(words, state)
         return clause is not None and clause.accepted
 
+    def whole_from(self, words: Sequence[str], start: int) -> Iterator[tuple[int, list[Reading]]]:
+        """Where commands of two words and more end that begin at a place, exactly, and what they are."""
+        strict = self.matcher.strict
+        here = strict.start()
+        for end in range(start + 1, len(words) + 1):
+            following = strict.step(here, words[end - 1])
+            if following is None:
+                return
+            here = following
+            if end >= start + LEAST_WORDS and strict.accepting(here):
+                readings = [one for one in self.matcher.read(list(words[start:end])) if not one.problem]
+                if readings:
+                    yield end, readings
+
+    @cached_property
+    def first_words(self) -> frozenset[str]:
+        """Words with which a command may begin."""
+        strict = self.matcher.strict
+        return frozenset(strict.next_words(strict.start()))
+
+    @cached_property
+    def _verbs(self) -> frozenset[str]:
+        return self.first_words - self._not_verbs
+
+    def may_begin_in(self, words: Sequence[str]) -> bool:
+        """A quick look: whether any word could be the verb of a command."""
+        return not self._verbs.isdisjoint(words)
+
+    def opens_with_a_verb(self, reading: Reading) -> bool:
+        """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
+        return reading.words[0] not in self._not_verbs and all(slot.start > 0 for slot in reading.slots)
+
+    def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:
+        """Whether free words are the end of a thing's name and the beginning of a command: "the cup go forward".
+
+        ``words`` go on after those of the reading, and a command that begins in it may end there.
+        """
+        words = words or reading.words
+        for slot in reading.slots:
+            if slot.slot.type not in FREE_KINDS:
+                continue
+            for place in range(slot.start + 1, slot.end):
+                if words[place] in self._verbs and any(
+                    self.opens_with_a_verb(one) for _, readings in self.whole_from(words, place) for one in readings
+                ):
+                    return True
+        return False
+
     @step(Kind.MISHEARD)
     def misheard(self, words: list[str], state: Collection[str]) -> Clause | None:
         """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near."""
-        readings = self.matcher.read(words, loose=True)
+        readings = [one for one in self.matcher.read(words, loose=True) if not self.holds_command(one)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing.
@@ -79,7 +135,9 @@ class Commands:
         best = readings[0]
         if best.problem:
             return _problem_clause(best)
-        allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
+        allowed = readings
+        if len(readings) > 1 or forbidden(best, state):
+            allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
         best = allowed[0]
@@ -159,11 +217,10 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
 
 def _changes(reading: Reading) -> str:
     """What was changed to accept a reading that is not exact."""
-    changes = [
-        f"heard {' '.join(reading.words[slot.start : slot.end])!r} as {slot.value!r}"
-        for slot in reading.slots
-        if slot.status == "fuzzy"
-    ]
+    changes = []
+    for slot in reading.slots:
+        if slot.status == "fuzzy":
+            changes.append(f"heard {' '.join(reading.words[slot.start : slot.end])!r} as {slot.value!r}")
     if reading.alikes:
         changes.append(f"read as {' '.join(reading.words)!r}")
-    return "; ".join(changes)
+    return "; ".join(changes) if changes else ""

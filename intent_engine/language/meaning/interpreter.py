@@ -13,6 +13,7 @@ from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.utterance import Utterance
@@ -55,8 +56,9 @@ class Interpreter:
         self._commands = made(commands)
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
+        self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds))
-        self._stops = made(Stops(phrases, self._commands, self._compounds))
+        self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -145,6 +147,8 @@ class Interpreter:
             return _told(text, single)
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
+        if not negated and (commands := self._run_ons.split(core, state)) is not None:
+            return self._joined(text, commands)
         return self._not_understood(text, core, clause or single)
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:

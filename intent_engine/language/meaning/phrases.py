@@ -22,6 +22,10 @@ class Phrases:
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
         """Operators, of which no filler takes a part."""
+        self._operators = PhraseSet(
+            (*operators.stop, *operators.sequence, *operators.contrast, *operators.correction, *operators.cancel,
+             *operators.negation)
+        )  # fmt: skip
         self.wake = PhraseSet(grammar.wake)
         self.stop = PhraseSet(operators.stop)
         self.negation = PhraseSet(operators.negation)
@@ -42,6 +46,10 @@ class Phrases:
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
         return not self._closed.isdisjoint(words)
+
+    def operate_in(self, words: Sequence[str]) -> bool:
+        """Whether an operator stands in the words, or any word that changes a sentence's sense."""
+        return self.change_meaning(words) or self._operators.find(words) is not None
 
     def awake(self, said: Utterance) -> Utterance | None:
         """What follows the wake word with which the utterance begins; None if it does not."""

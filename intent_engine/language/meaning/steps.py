@@ -39,6 +39,8 @@ class Kind(StrEnum):
     """Utterance -> what of it is wanted all the same, or None and why nothing is."""
     COMPOUND = "compound"
     """Utterance -> the clauses of which it is made."""
+    RUN_ON = "run-on"
+    """Utterance -> the clauses that follow one another in it; None: that is not certain."""
     REFUSAL = "refused"
     """Text -> an interpretation without an action."""
     OTHERWISE = "otherwise"

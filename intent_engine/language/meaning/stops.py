@@ -7,6 +7,7 @@ from collections.abc import Collection
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
 
@@ -19,11 +20,12 @@ MOVING = "moving"
 class Stops:
     """Whether an utterance stops the robot."""
 
-    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds) -> None:
+    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds, run_ons: RunOns) -> None:
         self._phrases = phrases
         self._stop = phrases.stop
         self._commands = commands
         self._compounds = compounds
+        self._run_ons = run_ons
 
     def may_stand_in(self, words: list[str]) -> bool:
         return self._stop.may_stand_in(words)
@@ -62,6 +64,8 @@ class Stops:
     def between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
         words = said.words
+        if self._stop.find(words) is None:
+            return False
         begins = [self._phrases.after_opening(words), 0]
         position = begins[0]
         while position <= len(words):
@@ -130,4 +134,4 @@ class Stops:
             part = part.part(0, len(part) - joint.ends(part.words))
         core = phrases.without_fillers(part)
         known = not core.words or any(self._commands.accepts(each.words, state) for each in (part, core))
-        return known or self._compounds.split(core, state) is not None
+        return known or self._compounds.split(core, state) is not None or self._run_ons.may_be(core)
