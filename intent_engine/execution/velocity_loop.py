@@ -64,6 +64,8 @@ class VelocityProcess:
                 ended = self._follower.step(now)
             except Exception as error:
                 self._failed(error)
+                if self._ending:
+                    return  # there is nobody to drive for, and nothing that could be told so
                 continue
             if ended is not None:
                 travel = ended.travel

@@ -91,6 +91,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     elif error.validator in ("minimum", "maximum"):
         most = "at least" if error.validator == "minimum" else "at most"
         yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}")
+    elif error.validator == "exclusiveMinimum":
+        yield _at(source, path, f"{name} must be more than {wanted}, not {instance}")
     else:
         yield _at(source, path, error.message)
     source.broken.add(broken)

@@ -244,6 +244,24 @@ def test_a_sink_that_fails_once_is_not_driven_on():
     assert not any(sink.written[1:])
 
 
+def test_a_loop_that_has_neither_program_nor_robot_ends():
+    """A pipeline that is killed as a whole must not leave it behind, writing zeros to nobody."""
+
+    class Gone(Failing):
+        def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+            self.written.append(linear)
+            raise OSError("nobody reads")
+
+    ours, theirs = socket.socketpair()
+    sink = Gone()
+    process = VelocityProcess(sink, LIMITS, Rates(), theirs, None)
+    thread = threading.Thread(target=process.run, daemon=True)
+    thread.start()
+    ours.close()
+    thread.join(30.0)
+    assert not thread.is_alive()
+
+
 PARENT = textwrap.dedent(
     """
     import time

@@ -75,6 +75,7 @@ simulation: {start: {x: 1, y: 2}, objects: {cup: kitchen}, seed: 4}
         ("name: r\ncapabilities: [place]\n", 2, "must be able to pick"),
         ("name: r\nrates: {rate: 2, valid_for: 0.3}\n", 2, "runs out before the next one"),
         ("limits: {}\n", 1, "needs 'name'"),
+        ("name: r\nlimits: {linear_velocity: 0}\n", 2, "'linear_velocity' must be more than 0, not 0"),
         ("name: [\n", 1, "is not valid YAML"),
         ("", None, "is empty"),
     ],
