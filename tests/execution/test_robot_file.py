@@ -68,7 +68,7 @@ simulation: {start: {x: 1, y: 2}, objects: {cup: kitchen}, seed: 4}
     [
         ("name: r\nlimits: {linear_velocty: 1}\n", 2, "did you mean 'linear_velocity'"),
         ("name: r\nlimits:\n  linear_velocity: fast\n", 3, "must be a number"),
-        ("name: r\nlimits:\n  linear_velocity: -1\n", 3, "minimum"),
+        ("name: r\nlimits:\n  linear_velocity: -1\n", 3, "must be more than 0"),
         ("name: r\nlimits:\n  distance: .inf\n", 3, "finite"),
         ("name: r\nlimits: {over: clmp}\n", 2, "did you mean 'clamp'"),
         ("name: r\ncapabilities: [move, flying]\n", 2, "'flying' is not known here"),
