@@ -36,7 +36,7 @@ class PrefixStatus(StrEnum):
     """How far words that may go on have come."""
 
     IMPOSSIBLE = "impossible"
-    """No utterance of the grammar begins so."""
+    """No utterance of the grammar begins so; commands with nothing between them are not looked ahead to."""
     INCOMPLETE = "incomplete"
     """More words are needed."""
     EXTENDABLE = "extendable"

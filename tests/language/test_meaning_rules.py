@@ -1,0 +1,105 @@
+"""Every rule of meaning is needed: without it, some sentence of the table is done wrongly."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from meanings import ROOT, does, done, shipped
+from safety_table import NEGATED, STOP, TABLE, WHILE_MOVING, matches
+
+from intent_engine.engine import IntentEngine
+from intent_engine.language.grammar import Grammar, Operators
+from intent_engine.language.locations import load
+from intent_engine.language.meaning import Interpreter
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.negation import Negations
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.run_on import RunOns
+from intent_engine.language.meaning.stops import Stops
+
+
+def engine_with(grammar: Grammar) -> IntentEngine:
+    return IntentEngine([grammar], load(ROOT / "locations" / "home.yaml"))
+
+
+def failures(engine: IntentEngine, rows: dict[str, str]) -> list[str]:
+    return [text for text, meant in rows.items() if not matches(meant, done(engine.parse(text)))]
+
+
+@pytest.mark.parametrize("words", shipped().grammar.operators.negation, ids=" ".join)
+def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> None:
+    grammar = shipped().grammar
+    operators = grammar.operators
+    broken = replace(
+        operators,
+        negation=tuple(other for other in operators.negation if other != words),
+        closed=operators.closed - set(words) if len(words) == 1 else operators.closed,
+    )
+    assert failures(engine_with(replace(grammar, operators=broken)), {**NEGATED, **STOP}), f"nothing needs {words}"
+
+
+@pytest.mark.parametrize("name", ["negation", "correction", "cancel", "sequence", "contrast", "stop"])
+def test_the_table_fails_without_a_list_of_operators(name: str) -> None:
+    grammar = shipped().grammar
+    broken = replace(grammar.operators, **{name: ()})
+    assert failures(engine_with(replace(grammar, operators=broken)), TABLE)
+
+
+def test_an_english_grammar_has_its_operators_whatever_its_author_writes() -> None:
+    assert shipped().grammar.operators != Operators()
+
+
+ALL_WAYS = RunOns._ways
+RULES = {
+    # Rule -> what it says when it is broken.
+    (Negations, "wanted"): lambda self, core, state: (core, ""),
+    (Phrases, "negated_before"): lambda self, words, position: False,
+    (Stops, "in_a_sentence"): lambda self, core: False,
+    (Stops, "_corrected_after"): lambda self, words, position: False,
+    (Stops, "between"): lambda self, said, state: False,
+    (Stops, "_only_commands"): lambda self, part, state: True,
+    (Phrases, "joined_before"): lambda self, words, position: False,
+    (Stops, "_clause_begins"): lambda self, words, start, position: True,
+    (Phrases, "after_opening"): lambda self, words: 0,
+    (Phrases, "only_stops"): lambda self, words, position: bool(words[position:]),
+    (Interpreter, "_number_restarted"): lambda self, core: False,
+    (Corrections, "_pause_after"): lambda self, part, position: True,
+    (Corrections, "corrected"): lambda self, part, state: None,
+    (Corrections, "_corrected_before"): lambda self, part, state: None,
+    (Corrections, "_grafted"): lambda self, slot, at, meant, whole: False,
+    (Corrections, "taken_back"): lambda self, words: 0,
+    (Compounds, "split"): lambda self, core, state: None,
+    (RunOns, "split"): lambda self, core, state: None,
+    (RunOns, "_is_certain"): lambda self, clause, start: clause.accepted,
+    (RunOns, "_is_thing"): lambda self, slot, reading: True,
+    (RunOns, "_said_twice"): lambda self, parts: False,
+    (RunOns, "_ways"): lambda self, core: ALL_WAYS(self, core)[-1:],
+    (Commands, "holds_command"): lambda self, reading, words=(): False,
+    (Phrases, "operate_in"): lambda self, words: False,
+    (Stops, "heard"): lambda self, said, state: False,
+}
+
+
+@pytest.mark.parametrize(("rule", "name"), RULES, ids=[f"{rule.__name__}.{name}" for rule, name in RULES])
+def test_the_table_fails_without_a_rule(rule: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert hasattr(rule, name)
+    assert not failures(shipped(), TABLE)
+    monkeypatch.setattr(rule, name, RULES[rule, name])
+    moving = [text for text in WHILE_MOVING if does(text, "moving") != "stop"]
+    assert moving or failures(shipped(), TABLE), f"no sentence of the table needs {rule.__name__}.{name}"
+
+
+FILLER_WORDS = {words[0] for words in shipped().grammar.fillers if len(words) == 1}
+
+
+@pytest.mark.parametrize("word", sorted(shipped().grammar.operators.closed - FILLER_WORDS))
+def test_a_closed_word_is_part_of_no_thing(word: str) -> None:
+    text = f"pick up the cup {word} bottle"
+    grammar = shipped().grammar
+    broken = replace(grammar.operators, closed=grammar.operators.closed - {word})
+    bare = replace(broken, negation=(), correction=(), cancel=(), sequence=(), contrast=(), stop=())
+    assert "cup" not in does(text) or "bottle" not in does(text)
+    assert done(engine_with(replace(grammar, operators=bare)).parse(text)) == f"pick cup {word} bottle"
