@@ -168,6 +168,10 @@ def test_simulated_time(peer):
         tick(0.1)
         peer.say("turn left")
         until(lambda: len(peer.goals("executing")) == 3)
+        # A simulator that is paused lets no time go by; a stop needs none.
+        peer.say("stop")
+        until(lambda: len(peer.goals("canceled")) == 2)
+        until(peer.standing)
 
 
 def test_stamped_by_parameter():

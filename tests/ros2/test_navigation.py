@@ -192,3 +192,22 @@ def test_a_server_that_goes_away_is_noticed(way):
         assert "is the navigation running" in goal.detail
     finally:
         stage.close()
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_server_that_is_started_anew_ends_the_goal_and_drives_the_next(way):
+    """What it was doing it has forgotten; the robot that said so is told where to go again."""
+    from ros_stage import Server, until
+
+    stage = Stage(way)
+    try:
+        goal = stage.go(2000)
+        until(lambda: stage.server.driving() == 1)
+        stage.server.end()
+        stage.server = Server(stage.peer.namespace, "goal_pose")
+        assert goal.result(60.0).state == "aborted", goal
+        until(lambda: stage.server.said)
+        until(lambda: not stage.keeper._link.unavailable(), "the new server is there")
+        assert stage.go(10).result(20.0).state == "succeeded"
+    finally:
+        stage.close()
