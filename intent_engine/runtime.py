@@ -412,6 +412,14 @@ class Runtime:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         state, language = self._state(), self._language(transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=self._last)
+        if meaning.status is Status.ACCEPTED and transcript.unclear and not _stops(meaning):
+            words = " and ".join(repr(word) for word in transcript.unclear)
+            return Interpretation(
+                transcript.text,
+                Status.REJECTED,
+                reason=f"{words} was not heard clearly; say it again",
+                alternatives=(transcript.text,),
+            )
         if meaning.status is Status.ACCEPTED and _too_far(transcript, stopping=_stops(meaning)):
             free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=self._last)
             if free.actions != meaning.actions:

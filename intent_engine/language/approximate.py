@@ -22,7 +22,9 @@ MISSED = 0.7
 """Cost of a word that was said but not heard, and of each letter of it."""
 EXTRA = 0.9
 """Cost of a letter of a word that was heard but not said."""
-FREE = 0.7
+WEIGHTY = 3.0
+"""Times that a word costs more which would have changed what is meant, had it been said."""
+FREE = 1.5
 """Cost of a word that a free slot takes as it was heard."""
 WIDTH = 48
 """Partial sentences kept for each number of words heard."""
@@ -81,28 +83,32 @@ def _sound_of(text: str) -> str:
     return sound(text)
 
 
-def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> list[tuple[tuple[str, ...], float]]:
+def nearest_utterances(
+    graph: Graph, heard: Sequence[str], most: int = 12, weighty: Collection[str] = ()
+) -> list[tuple[tuple[str, ...], float]]:
     """Whole utterances nearest to the words heard.
 
     Args:
         graph: the grammar.
         heard: normalised words, numbers as words.
         most: how many to give.
+        weighty: words that are hardly noise: "when", "not".
 
     Returns:
         (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
     """
     heard = list(heard[:MAX_HEARD])
     count = len(heard)
+    said_anywhere = set(heard)
     spans = {
         (begin, end): "".join(heard[begin:end])
         for begin in range(count)
         for end in range(begin + 1, min(begin + MAX_SPAN, count) + 1)
+        if end == begin + 1 or not said_anywhere.intersection(weighty, heard[begin:end])
     }
     # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
     pending: list[list[_Move]] = [[] for _ in range(count + 1)]
     pending[0].append((0.0, (), graph.start(), None))
-    said_anywhere = set(heard)
     following: dict[Any, list[str]] = {}
     audible: dict[Any, list[str]] = {}
     close: dict[tuple[Any, str], list[str]] = {}
@@ -142,14 +148,17 @@ def nearest_utterances(graph: Graph, heard: Sequence[str], most: int = 12) -> li
             _go(graph, states, _missed_words(states, words_after))
         if place == count:
             break
+        noise = EXTRA * len(heard[place]) * (WEIGHTY if heard[place] in weighty else 1.0)
         for state, ways in states.items():
             for cost, said in ways:
-                pending[place + 1].append((cost + EXTRA * len(heard[place]), said, state, None))
+                pending[place + 1].append((cost + noise, said, state, None))
             if graph.free(state):
                 taken = FreeWord(heard[place])
                 pending[place + 1].extend((cost + FREE, said, state, taken) for cost, said in ways)
             for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
-                span = spans[(place, end)]
+                span = spans.get((place, end))
+                if span is None:
+                    continue
                 onward = pending[end]
                 for word in candidates(state, span):
                     slack = len(word) - len(span)

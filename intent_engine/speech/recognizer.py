@@ -26,6 +26,9 @@ class Transcript:
     explains the sound as well as anything. Large: something else was said."""
     alternatives: tuple[str, ...] = ()
     """Further readings, best first."""
+    unclear: tuple[str, ...] = ()
+    """Words on which the meaning hangs and that were not heard clearly: names that no list has, and numbers that sound
+    like others."""
     language: str | None = None
     decode_seconds: float = 0.0
     """Time that recognition took."""

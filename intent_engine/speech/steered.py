@@ -27,6 +27,7 @@ from intent_engine.speech.whisper import RETRY_SECONDS, Encoded, WhisperRecogniz
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
+    from intent_engine.language.matcher import Matcher
 
 __all__ = ["SteeredWhisper"]
 
@@ -44,6 +45,24 @@ FAR_LETTERS = 1.7
 LETTER = 0.35
 """nats that a letter of difference from the free words weighs beside the model's own score: the free words were heard
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
+UNKNOWN_WORD = 4.0
+"""nats by which a word that no list has is less likely than those that are."""
+CLEAR = 0.6
+"""Geometric mean of the probabilities of an unknown word's pieces, from which it is taken."""
+NARRATING = frozenset(
+    {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
+    | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
+)
+"""English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
+RIVALS = {
+    short + end: short + other
+    for short in ("thir", "four", "fif", "six", "seven", "eigh", "nine")
+    for end, other in (("teen", "ty"), ("ty", "teen"))
+    if short != "four"
+} | {"fourteen": "forty", "forty": "fourteen"}
+"""Numbers that even people ask back about."""
+RIVAL_MARGIN = 1.0
+"""nats by which such a number must be likelier than its like."""
 GLANCE = 3
 """Utterances that are scored first, to see whether it is worth to look further."""
 HOPELESS_GAP = 4.0
@@ -78,7 +97,11 @@ class _Candidate:
 
     @property
     def rank(self) -> float:
-        return self.score - LETTER * self.letters
+        return self.score - LETTER * self.letters - UNKNOWN_WORD * self.unknown
+
+    @property
+    def unknown(self) -> int:
+        return sum(isinstance(word, FreeWord) for word in self.words)
 
 
 class SteeredWhisper(WhisperRecognizer):
@@ -109,10 +132,13 @@ class SteeredWhisper(WhisperRecognizer):
 
     def _hint(self, language: str | None) -> str:
         """The grammar's vocabulary, for a second draft."""
-        matcher = self._engine.matcher(language if language in self._engine.languages else None)
+        matcher = self._matcher(language)
         if self._hinted is None or self._hinted[0] is not matcher:
             self._hinted = (matcher, vocabulary(matcher))
         return self._hinted[1]
+
+    def _matcher(self, language: str | None) -> Matcher:
+        return self._engine.matcher(language if language in self._engine.languages else None)
 
     def _parse(self, text: str, language: str | None = None) -> Interpretation:
         return self._engine.parse(text, language=language if language in self._engine.languages else None)
@@ -131,8 +157,11 @@ class SteeredWhisper(WhisperRecognizer):
             meaning = self._parse(free, language)
             if not free or _is_refusal(meaning):
                 return Transcript(free, mean, free, None, language=language)
-            if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE:
-                return Transcript(free, mean, free, 0.0, language=language)
+            exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+            words = self._words(free, language)
+            if exact and mean > DOUBTFUL_SCORE and not self._unknown(words, language):
+                unclear = self._rivalled(encoded, words, language)
+                return Transcript(free, mean, free, 0.0, unclear=unclear, language=language)
             drafts.append(free)
             near = self._near([free], language)
             if not near or self._hopeless(encoded, free, near, language):
@@ -140,10 +169,7 @@ class SteeredWhisper(WhisperRecognizer):
                 if mean > POOR_SCORE:
                     break
                 continue
-            hinted, _, _ = self.greedy(encoded, language, hint=self._hint(language))
-            runaway = len(hinted.split()) > RUNAWAY * len(free.split()) + 2
-            if hinted and hinted != free and not runaway and not _is_refusal(self._parse(hinted, language)):
-                hints.append(hinted)
+            hints += [] if exact else self._second_draft(encoded, free, language)
             ranked = self._ranked(encoded, drafts, hints, language)
             if not ranked:
                 found = found or Transcript(free, mean, free, None, language=language)
@@ -153,7 +179,8 @@ class SteeredWhisper(WhisperRecognizer):
             gap = max(free_score - best.score, 0.0) / (1 + self._telling(best.words, language))
             if best.rank > best_rank:
                 others = tuple(" ".join(one.words) for one in ranked[1:4])
-                found = Transcript(" ".join(best.words), mean, free, gap, others, language)
+                unclear = self._unclear(encoded, best, language)
+                found = Transcript(" ".join(best.words), mean, free, gap, others, unclear, language)
                 best_rank = best.rank
             if gap < RETRY_GAP:
                 break
@@ -164,7 +191,7 @@ class SteeredWhisper(WhisperRecognizer):
 
     def _near(self, drafts: list[str], language: str | None) -> dict[tuple[str, ...], float]:
         """Utterances of the grammar like any of the drafts, with the letters by which they differ."""
-        graph = self._engine.matcher(language if language in self._engine.languages else None).likely
+        graph = self._matcher(language).likely
         differ: dict[tuple[str, ...], float] = {}
         for draft in dict.fromkeys(drafts):
             heard = self._words(draft, language)
@@ -184,18 +211,66 @@ class SteeredWhisper(WhisperRecognizer):
             self._searched = (graph, {})
         found = self._searched[1].get(heard)
         if found is None:
-            found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES)
+            found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES, NARRATING)
         return found
 
     def _telling(self, words: Sequence[str], language: str | None) -> int:
         """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
-        matcher = self._engine.matcher(language if language in self._engine.languages else None)
+        matcher = self._matcher(language)
         return sum(not isinstance(word, FreeWord) and (word,) not in matcher.grammar.fillers for word in words)
 
     def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
         heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
         return 2 * self._telling(words, language) < heard_anywhere
+
+    def _second_draft(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
+        """What is heard with the grammar's vocabulary as a hint, if that is of use."""
+        hinted, _, _ = self.greedy(encoded, language, hint=self._hint(language))
+        runaway = len(hinted.split()) > RUNAWAY * len(free.split()) + 2
+        if not hinted or hinted == free or runaway or _is_refusal(self._parse(hinted, language)):
+            return []
+        return [hinted]
+
+    # -- what was not heard clearly ----------------------------------------------------------------
+
+    def _unknown(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether an exact sentence has words in free slots that no list has."""
+        heard = tuple(words)
+        as_heard = next((said for said, _ in self._nearest(self._matcher(language).likely, heard) if said == heard), ())
+        return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
+
+    def _unclear(self, encoded: Encoded, best: _Candidate, language: str | None) -> tuple[str, ...]:
+        """Words of an utterance on which its meaning hangs, and that the sound does not tell from others."""
+        if not best.unknown:
+            return self._rivalled(encoded, best.words, language)
+        tokenizer = self.tokenizer(language)
+        (tokens,) = self._token_scores(encoded, [" ".join(best.words)], language)
+        unclear = []
+        at = 0
+        for word in best.words:
+            count = len(tokenizer.encode(" " + word))
+            if isinstance(word, FreeWord) and float(np.mean(tokens[at : at + count])) < math.log(CLEAR):
+                unclear.append(str(word))
+            at += count
+        return tuple(unclear)
+
+    def _rivalled(self, encoded: Encoded, words: Sequence[str], language: str | None) -> tuple[str, ...]:
+        """Numbers that sound like others, where the sound does not decide for them: "fifteen" and "fifty"."""
+        if language not in (None, "en"):
+            return ()
+        rivals = {
+            word: [*words[:at], RIVALS[word], *words[at + 1 :]] for at, word in enumerate(words) if word in RIVALS
+        }
+        if not rivals:
+            return ()
+        said, *others = (self._best_score(encoded, one, language) for one in (words, *rivals.values()))
+        return tuple(word for word, other in zip(rivals, others, strict=True) if said - other < RIVAL_MARGIN)
+
+    def _best_score(self, encoded: Encoded, words: Sequence[str], language: str | None) -> float:
+        """Log probability of words, written in words or in digits."""
+        spellings = dict.fromkeys((" ".join(words), " ".join(in_digits(words))))
+        return max(self.score(encoded, [text[:1].upper() + text[1:] for text in spellings], language))
 
     def _hopeless(self, encoded: Encoded, free: str, near: dict[tuple[str, ...], float], language: str | None) -> bool:
         """Whether the sentences nearest by their letters are so unlike the sound that no hint will help."""
@@ -245,6 +320,10 @@ class SteeredWhisper(WhisperRecognizer):
 
         The model's own end of text is no part of it: ``align`` gives it no probability.
         """
+        return [float(tokens.sum()) for tokens in self._token_scores(encoded, texts, language)]
+
+    def _token_scores(self, encoded: Encoded, texts: list[str], language: str | None) -> list[Any]:
+        """Log probability of each piece of each text."""
         import ctranslate2
 
         tokenizer = self.tokenizer(language)
@@ -259,7 +338,7 @@ class SteeredWhisper(WhisperRecognizer):
         features: Any = np.repeat(np.asarray(encoded.features)[:, :spoken], len(pieces), axis=0)
         storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
         results = self.engine.align(storage, list(tokenizer.sot_sequence), pieces, features.shape[1] * 2)
-        return [float(np.log(np.maximum(result.text_token_probs, 1e-12)).sum()) for result in results]
+        return [np.log(np.maximum(result.text_token_probs, 1e-12)) for result in results]
 
 
 def _is_refusal(meaning: Interpretation) -> bool:

@@ -80,3 +80,31 @@ def test_all_that_is_found_are_utterances_and_few_steps_are_taken(engine, heard)
             assert state is not None
         assert graph.accepting(state)
         assert cost >= 0
+
+
+def test_a_word_that_is_known_in_a_free_slot_is_found_in_what_sounds_like_it(engine):
+    found = [
+        " ".join(words) for words, _ in nearest_utterances(engine.matcher().likely, ["bring", "me", "the", "battle"])
+    ]
+    assert found[0] == "bring me the bottle"
+    assert "bring me the battle" in found, "any other word may be said as well"
+
+
+def test_a_known_word_is_never_put_in_where_nothing_was_heard(engine):
+    for words, _ in nearest_utterances(engine.matcher().likely, ["pick", "up", "the"]):
+        assert words[:3] != ("pick", "up", "the") or len(words) == 3
+
+
+@pytest.mark.parametrize("heard", ["dry forward six inches", "tern left", "goat to the kitchen"])
+def test_sounds_that_fit_anywhere_stand_for_no_other_word(engine, heard):
+    fillers = {words[0] for words in engine.matcher().grammar.fillers if len(words) == 1}
+    for words, _ in nearest_utterances(engine.matcher().likely, heard.split(), 5):
+        assert words[0] not in fillers
+
+
+def test_a_word_that_changes_everything_is_no_noise(engine):
+    heard = ["when", "will", "you", "go", "to", "the", "dock"]
+    lightly = dict(nearest_utterances(engine.matcher().likely, heard))
+    weightily = dict(nearest_utterances(engine.matcher().likely, heard, weighty={"when"}))
+    without = ("will", "you", "go", "to", "the", "dock")
+    assert weightily.get(without, float("inf")) > 2 * lightly[without]

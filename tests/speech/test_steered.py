@@ -1,0 +1,111 @@
+"""What the grammar makes of what was nearly heard, and what it leaves undone because it was not heard clearly."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from speech_stage import framed
+
+from intent_engine.interpretation import Status
+from intent_engine.language.approximate import FreeWord
+from intent_engine.runtime import HeardKind
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.recognizer import Transcript
+
+
+@pytest.fixture
+def hears(whisper, monkeypatch):
+    """The real model, but its free words are given: what it thinks of the grammar's sentences is its own."""
+
+    def hear(words: str, score: float = -0.3):
+        monkeypatch.setattr(whisper, "greedy", lambda *_args, **_options: (words, score, False))
+        return whisper
+
+    return hear
+
+
+@pytest.fixture
+def spoken(go_forward) -> np.ndarray:
+    return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+
+
+@pytest.mark.parametrize("misheard", ["Go for word two meters.", "Goat forward 2 meters", "Oh forward to me does"])
+def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, misheard):
+    found = hears(misheard).transcribe(spoken)
+    assert engine.parse(found.text).actions == engine.parse("go forward two meters").actions
+    assert found.gap == 0
+    assert found.unclear == ()
+    assert found.free_text == misheard
+
+
+def test_a_word_that_nobody_knows_must_be_heard_clearly(hears, spoken):
+    found = hears("Grab the florble.").transcribe(spoken)
+    assert "florble" in found.unclear or found.gap is None or found.gap > 4
+
+
+def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
+    encoded = whisper.encode(spoken)
+    words = ["turn", "left", "fifteen", "degrees"]
+    for margin, unclear in ((0.1, ("fifteen",)), (3.0, ())):
+        monkeypatch.setattr(
+            whisper,
+            "score",
+            lambda _encoded, texts, _language=None, margin=margin: [
+                -1.0 if "fifteen" in text.lower() or "15" in text else -1.0 - margin for text in texts
+            ],
+        )
+        assert whisper._rivalled(encoded, words, "en") == unclear
+    assert whisper._rivalled(encoded, ["go", "to", "the", "kitchen"], "en") == ()
+
+
+def test_the_probability_of_a_word_is_that_of_its_own_pieces(whisper, spoken):
+    encoded = whisper.encode(spoken)
+    tokenizer = whisper.tokenizer("en")
+    text = "go forward two screwdrivers"
+    (pieces,) = whisper._token_scores(encoded, [text], "en")
+    counts = [len(tokenizer.encode(" " + word)) for word in text.split()]
+    assert sum(counts) + 1 == len(pieces), "and one for the full stop"
+    said = float(np.mean(pieces[: sum(counts[:3])]))
+    not_said = float(np.mean(pieces[sum(counts[:3]) : sum(counts)]))
+    assert said > math.log(0.3) > not_said
+
+
+class Says:
+    """A recogniser that heard this."""
+
+    def __init__(self, transcript: Transcript) -> None:
+        self.transcript = transcript
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        return self.transcript
+
+    def close(self) -> None: ...
+
+
+@pytest.mark.parametrize(
+    ("text", "unclear", "done"),
+    [
+        ("turn left fifteen degrees", (), True),
+        ("turn left fifteen degrees", ("fifteen",), False),
+        ("pick up the florble", ("florble",), False),
+        ("stop fifteen", ("fifteen",), False),
+    ],
+)
+def test_what_was_not_heard_clearly_is_asked_back_and_not_done(listen, go_forward, text, unclear, done):
+    found = listen(framed(go_forward), Says(Transcript(text, -0.2, text, 0.0, unclear=unclear)))
+    assert bool(found.goals) is done
+    (told,) = found.of(HeardKind.INTERPRETATION)
+    assert (told.interpretation.status is Status.ACCEPTED) is done
+    if unclear and "stop" not in text:
+        assert repr(unclear[0]) in told.interpretation.reason
+
+
+def test_a_stop_is_taken_however_unclear(listen, go_forward):
+    found = listen(framed(go_forward), Says(Transcript("stop", -2.0, "stop", 0.0, unclear=("stop",))))
+    assert found.summary.accepted == 1
+
+
+def test_free_words_are_words():
+    assert FreeWord("cup") == "cup"
