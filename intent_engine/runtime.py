@@ -39,7 +39,9 @@ MAX_GAP = 1.5
 MUMBLED_SCORE = -1.2
 """Score of a transcript below which the sound is hardly speech: then every sentence explains it as badly as the free
 words do, and the gap must be next to nothing. A stop is taken from any sound that is like one."""
-MUMBLED_GAP = 0.3
+MUMBLED_GAP = 0.1
+SEVERAL_GAP = 0.3
+"""Gap beyond which several commands at once are not taken: "hunting and reese" is no "hundred and freeze"."""
 REFLEX_FRAMES = 11
 """Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
 word."""
@@ -420,7 +422,7 @@ class Runtime:
                 reason=f"{words} was not heard clearly; say it again",
                 alternatives=(transcript.text,),
             )
-        if meaning.status is Status.ACCEPTED and _too_far(transcript, stopping=_stops(meaning)):
+        if meaning.status is Status.ACCEPTED and _too_far(transcript, meaning):
             free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=self._last)
             if free.actions != meaning.actions:
                 return Interpretation(
@@ -503,9 +505,14 @@ class Runtime:
             self._on_event(Heard(kind, time, **details))
 
 
-def _too_far(transcript: Transcript, *, stopping: bool = False) -> bool:
+def _too_far(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
     """Whether the nearest sentence of the grammar is too unlike the sound to have been said."""
-    most = MUMBLED_GAP if transcript.score < MUMBLED_SCORE and not stopping else MAX_GAP
+    most = MAX_GAP
+    if meaning is None or not _stops(meaning):
+        if meaning is not None and len(meaning.actions) > 1:
+            most = SEVERAL_GAP
+        if transcript.score < MUMBLED_SCORE:
+            most = MUMBLED_GAP
     return transcript.gap is not None and transcript.gap > most
 
 

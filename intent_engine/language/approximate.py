@@ -56,7 +56,7 @@ class Graph(Protocol):
 
     def step(self, state: Any, word: str) -> Any | None: ...
 
-    def next_words(self, state: Any, *, fillers: bool = True) -> Collection[str]: ...
+    def next_words(self, state: Any, *, sounds: bool = True) -> Collection[str]: ...
 
     def accepting(self, state: Any) -> bool: ...
 
@@ -116,7 +116,7 @@ def nearest_utterances(
     def words_after(state: Any) -> list[str]:
         found = following.get(state)
         if found is None:
-            words = graph.next_words(state, fillers=False)
+            words = graph.next_words(state, sounds=False)
             found = following[state] = [word for word in words if word and word[0].isalnum()]
         return found
 

@@ -19,7 +19,7 @@ from typing import Any
 from intent_engine.errors import ConfigError
 from intent_engine.language.network import Edge, Networks, State
 
-__all__ = ["FILLER", "Automaton", "Trace", "WordState"]
+__all__ = ["SOUND", "Automaton", "Trace", "WordState"]
 
 MAX_MEMBERS = 20_000
 """Members of one set. Shipped grammars need hundreds; a grammar beyond this doubles at every optional."""
@@ -29,8 +29,8 @@ MAX_KEPT = 30_000
 MAX_OTHER_WORDS = 2_000
 """Steps of one set beyond which words that no arc names are looked up by their kind each time."""
 
-FILLER = ("filler",)
-"""Mark of a call to what may be said anywhere."""
+SOUND = ("sound",)
+"""Mark of a call to sounds that may be made anywhere."""
 
 Mark = tuple[Any, ...]
 Trace = list[tuple[int, Mark]]
@@ -284,16 +284,16 @@ class Automaton:
 
     # -- looking ahead ----------------------------------------------------------------------------------------
 
-    def next_words(self, state: WordState, *, fillers: bool = True) -> set[str]:
+    def next_words(self, state: WordState, *, sounds: bool = True) -> set[str]:
         """The words that may follow, without numerals and without what a free slot would take.
 
         Args:
             state: after the words so far.
-            fillers: with those that belong to fillers only.
+            sounds: with those that may be made anywhere, as "uh".
         """
         words: set[str] = set()
         for place, stack in state.members:
-            if fillers or stack.call_mark is not FILLER:
+            if sounds or stack.call_mark is not SOUND:
                 words.update(place.arcs)
         return words
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
-from intent_engine.language.automaton import FILLER, Automaton, Trace, WordState
+from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
@@ -35,6 +35,8 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
 _COUNTED = frozenset(QUANTITY_KINDS)
+SOUND_LETTERS = 4
+"""Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +173,9 @@ class Matcher:
         begin, middle, end = State(), State(), State()
         end.final = True
         fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
-        self.networks.add_names("fillers", [(words, "") for words in fillers])
+        sounds = [words for words in fillers if len("".join(words)) <= SOUND_LETTERS]
+        self.networks.add_names("sounds", [(words, "") for words in sounds])
+        self.networks.add_names("fillers", [(words, "") for words in fillers if words not in sounds])
         self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
         self.networks.add_names("stop", [(words, "") for words in self.grammar.operators.stop])
         # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
@@ -183,8 +187,9 @@ class Matcher:
         begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
         begin.edges.append(Edge(middle))
         if fillers:
-            begin.edges.append(Edge(begin, call=Call("fillers", mark=FILLER, apart=True)))
-            end.edges.append(Edge(end, call=Call("fillers", mark=FILLER, apart=True)))
+            for place in (begin, end):
+                place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
+                place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
         if stop_anywhere:

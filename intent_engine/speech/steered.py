@@ -202,7 +202,7 @@ class SteeredWhisper(WhisperRecognizer):
         return differ
 
     def _words(self, draft: str, language: str | None) -> list[str]:
-        words = Utterance.of(draft).words
+        words = Utterance.of(draft, language or "en").words
         return in_words(words) if language in (None, "en") else words
 
     def _nearest(self, graph: Any, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:

@@ -97,7 +97,7 @@ def test_a_known_word_is_never_put_in_where_nothing_was_heard(engine):
 
 @pytest.mark.parametrize("heard", ["dry forward six inches", "tern left", "goat to the kitchen"])
 def test_sounds_that_fit_anywhere_stand_for_no_other_word(engine, heard):
-    fillers = {words[0] for words in engine.matcher().grammar.fillers if len(words) == 1}
+    fillers = {words[0] for words in engine.matcher().grammar.fillers if len("".join(words)) <= 4}
     for words, _ in nearest_utterances(engine.matcher().likely, heard.split(), 5):
         assert words[0] not in fillers
 
