@@ -36,6 +36,7 @@ class World:
         self.deaf = deaf
         """How many cancels the server refuses."""
         self.reachable = True
+        self.told_by = frozenset({b"first"})
         self.takes_goals = True
         self.cancels = 0
         self.numbers = itertools.count(1)
@@ -45,6 +46,9 @@ class World:
 
     def unavailable(self) -> str:
         return "" if self.reachable else "no server"
+
+    def servers(self) -> frozenset[bytes]:
+        return self.told_by
 
     def send(self, goal: Pose, uuid: bytes) -> None:
         self.travel("goal", lambda: self.take(uuid if self.names_goals else uuids.uuid4().bytes, goal.x))
@@ -225,6 +229,20 @@ def test_a_server_that_goes_away(names_goals):
     assert (again.state, again.reason) == (TaskState.FAILED, "no server")
     world.stop()
     assert world.keeper.quiet
+
+
+@WAYS
+def test_a_server_that_was_started_anew_and_says_nothing_is_noticed(names_goals):
+    """States are told when they change; and the middleware believes for long in a server that was killed."""
+    world = World(names_goals)
+    task = world.navigate()
+    world.run(1.0)
+    assert task.state is TaskState.RUNNING
+    world.states.clear()
+    world.told_by = frozenset({b"first", b"second"})
+    world.run(GoalKeeper.GONE + 0.5)
+    assert task.state is TaskState.FAILED
+    assert "anew" in task.reason
 
 
 @WAYS

@@ -36,6 +36,10 @@ class GoalLink(Protocol):
         """Why no goal can be given now; empty if one can."""
         ...
 
+    def servers(self) -> frozenset[bytes]:
+        """Who tells the states of goals; a server that is started anew is another one."""
+        ...
+
     def send(self, goal: Pose, uuid: bytes) -> None: ...
 
     def cancel(self, uuid: bytes | None, number: int) -> bool:
@@ -60,8 +64,10 @@ class _Sent:
     """The server has it."""
     cancelling: float | None = None
     """Since when it must end."""
+    servers: frozenset[bytes] = frozenset()
+    """Who was there when the server first named it; nobody: it has not yet."""
     missing: float | None = None
-    """Since when the server, which had it, does not name it any more."""
+    """Since when the server, which had it, does not name it any more, or another server has come."""
     gone: float | None = None
     """Since when there is no server."""
     aborted: float | None = None
@@ -151,6 +157,7 @@ class GoalKeeper:
             code = statuses.get(sent.uuid) if sent.uuid is not None else None
             if code is not None:
                 sent.taken, sent.missing = True, None
+                sent.servers = sent.servers or self._link.servers()
                 self._heard_state(sent, code, now)
             elif sent.taken and sent.missing is None:
                 sent.missing = now
@@ -265,6 +272,9 @@ class GoalKeeper:
     def _look(self, sent: _Sent, now: float) -> None:
         """What only time tells."""
         sent.gone = None if not self._link.unavailable() else now if sent.gone is None else sent.gone
+        if sent.missing is None and sent.servers and self._link.servers() - sent.servers:
+            # A server tells states only when they change, and the middleware believes for long in one that was killed.
+            sent.missing = now
         if not sent.taken:
             if sent.cancelling is None and now - sent.at >= self.APPEAR:
                 # It may still come: then it is ended.

@@ -126,6 +126,10 @@ class _Link:
             return f"the action server {self._name} takes no goals; is the navigation active?"
         return ""
 
+    def servers(self) -> frozenset[bytes]:
+        there = self._node.get_publishers_info_by_topic(f"{self._name}/_action/status")
+        return frozenset(bytes(each.endpoint_gid) for each in there)
+
     def send(self, goal: Pose, uuid: bytes) -> None:
         stamped = self._pose_stamped()
         stamped.header.frame_id = goal.frame
