@@ -61,7 +61,7 @@ RIVALS = {
     if short != "four"
 } | {"fourteen": "forty", "forty": "fourteen"}
 """Numbers that even people ask back about."""
-RIVAL_MARGIN = 1.0
+RIVAL_MARGIN = 3.0
 """nats by which such a number must be likelier than its like."""
 GLANCE = 3
 """Utterances that are scored first, to see whether it is worth to look further."""
