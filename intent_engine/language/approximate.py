@@ -7,13 +7,12 @@ missed, and each word heard may be noise. What that costs is counted in letters 
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any, Protocol, TypeAlias
 
 from intent_engine.language.likeness import sound
 
-__all__ = ["FreeWord", "Graph", "nearest_utterances"]
+__all__ = ["FreeWord", "Graph", "UtteranceSearch", "nearest_utterances"]
 
 MAX_SPAN = 4
 """Words heard that one word of the grammar may stand for."""
@@ -31,8 +30,11 @@ WIDTH = 48
 PER_STATE = 3
 """Ways kept to reach one state of the grammar."""
 MANY_WORDS = 400
-"""Words that may follow, beyond which only those like the words heard are tried."""
+"""Words that may follow, beyond which none is taken for missed."""
 CLOSE_WORDS = 24
+"""Words that may stand for what was heard, the likest."""
+MAX_KEPT = 20_000
+"""States and things heard that are remembered, before all are forgotten."""
 MAX_HEARD = 40
 MOST_MOVES = 3 * WIDTH
 """Moves made towards one number of words heard: the cheapest, and their like."""
@@ -65,22 +67,145 @@ class Graph(Protocol):
     def known_words(self, state: Any) -> Collection[str]: ...
 
 
-@lru_cache(maxsize=200_000)
-def _differ(word: str, heard: str) -> float:
-    """Letters by which a word differs from what was heard, half of it by sound."""
-    from rapidfuzz.distance import Levenshtein
+class Likeness:
+    """How much words of a grammar differ from what was heard. The words that were asked about are kept, in one list, so
+    that each thing heard is compared to all of them at once."""
 
-    if word == heard:
-        return 0.0
-    spelled = Levenshtein.distance(word, heard)
-    key, other = sound(word), _sound_of(heard)
-    heard_apart = Levenshtein.distance(key, other) * max(len(word), 1) / max(len(key), 1)
-    return 0.55 * spelled + 0.45 * float(heard_apart)
+    def __init__(self) -> None:
+        self._place: dict[str, int] = {}
+        self._words: list[str] = []
+        self._sounds: list[str] = []
+        self._like: dict[str, tuple[int, list[tuple[float, str]]]] = {}
+
+    def learn(self, words: Iterable[str]) -> None:
+        """Words that will be asked about."""
+        for word in words:
+            if word not in self._place:
+                self._place[word] = len(self._words)
+                self._words.append(word)
+                self._sounds.append(sound(word))
+
+    def like(self, heard: str) -> list[tuple[float, str]]:
+        """(letters that differ, word) of the words like what was heard, the likest first."""
+        count, found = self._like.get(heard, (0, []))
+        if count < len(self._words):
+            if len(self._like) > MAX_KEPT:
+                self._like.clear()
+            found = sorted([*found, *self._compared(heard, count)])
+            self._like[heard] = (len(self._words), found)
+        return found
+
+    def _compared(self, heard: str, begin: int) -> Iterator[tuple[float, str]]:
+        """Words from a place of the list on that are like what was heard, half by their letters and half by sound."""
+        from rapidfuzz.distance import Levenshtein
+        from rapidfuzz.process import cdist
+
+        words, sounds = self._words[begin:], self._sounds[begin:]
+        spelled = cdist([heard], words, scorer=Levenshtein.distance)[0].tolist()
+        sounded = cdist([sound(heard)], sounds, scorer=Levenshtein.distance)[0].tolist()
+        for word, key, letters, heard_apart in zip(words, sounds, spelled, sounded, strict=True):
+            if not letters:
+                yield 0.0, word
+                continue
+            slack = len(word) - len(heard)
+            if slack > 3 + len(heard) // 2 or -slack > 3 + len(word) // 2:
+                continue
+            apart = 0.55 * letters + 0.45 * heard_apart * max(len(word), 1) / max(len(key), 1)
+            if apart <= 0.7 * max(len(word), len(heard)) + 0.5:
+                yield apart, word
 
 
-@lru_cache(maxsize=65_536)
-def _sound_of(text: str) -> str:
-    return sound(text)
+class UtteranceSearch:
+    """Finds the utterances of one grammar that are like words heard. What it learns of the grammar it keeps."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self._likeness = Likeness()
+        self._after: dict[Any, tuple[tuple[str, ...], frozenset[str], frozenset[str]]] = {}
+
+    def words_after(self, state: Any) -> tuple[tuple[str, ...], frozenset[str], frozenset[str]]:
+        """Words that may follow: those of sentences, these with the words known in free slots, and all with sounds."""
+        found = self._after.get(state)
+        if found is None:
+            if len(self._after) > MAX_KEPT:
+                self._after.clear()
+            words = self.graph.next_words(state, sounds=False)
+            proper = tuple(sorted(word for word in words if word and word[0].isalnum()))
+            likely = frozenset((*proper, *self.graph.known_words(state)))
+            found = self._after[state] = (proper, likely, likely.union(self.graph.next_words(state)))
+            self._likeness.learn(sorted(likely))
+        return found
+
+    def like(self, state: Any, span: str) -> Iterator[tuple[float, str]]:
+        """(letters that differ, word) of the words that may follow and are like what was heard."""
+        _, likely, all_words = self.words_after(state)
+        count = 0
+        # A sound that fits anywhere would explain every word that was misheard, so it must be heard as it is.
+        if span in all_words and span not in likely:
+            yield 0.0, span
+        for apart, word in self._likeness.like(span):
+            if word in likely:
+                yield apart, word
+                count += 1
+                if count == CLOSE_WORDS:
+                    return
+
+    def nearest(
+        self, heard: Sequence[str], most: int = 12, weighty: Collection[str] = ()
+    ) -> list[tuple[tuple[str, ...], float]]:
+        """As :func:`nearest_utterances`."""
+        graph = self.graph
+        heard = list(heard[:MAX_HEARD])
+        count = len(heard)
+        said_anywhere = set(heard)
+        spans = {
+            (begin, end): "".join(heard[begin:end])
+            for begin in range(count)
+            for end in range(begin + 1, min(begin + MAX_SPAN, count) + 1)
+            if end == begin + 1 or not said_anywhere.intersection(weighty, heard[begin:end])
+        }
+        # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
+        pending: list[list[_Move]] = [[] for _ in range(count + 1)]
+        pending[0].append((0.0, (), graph.start(), None))
+        states: _States = {}
+        for place in range(count + 1):
+            states = {}
+            _go(graph, states, pending[place])
+            for _ in range(2):
+                _go(graph, states, self._missed_words(states))
+            if place == count:
+                break
+            noise = EXTRA * len(heard[place]) * (WEIGHTY if heard[place] in weighty else 1.0)
+            for state, ways in states.items():
+                for cost, said in ways:
+                    pending[place + 1].append((cost + noise, said, state, None))
+                if graph.free(state):
+                    taken = FreeWord(heard[place])
+                    pending[place + 1].extend((cost + FREE, said, state, taken) for cost, said in ways)
+                for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
+                    span = spans.get((place, end))
+                    if span is not None:
+                        onward = pending[end]
+                        for apart, word in self.like(state, span):
+                            onward.extend((cost + apart, said, state, word) for cost, said in ways)
+        best: dict[tuple[str, ...], float] = {}
+        for state, ways in states.items():
+            if graph.accepting(state):
+                for cost, said in ways:
+                    if said and cost < best.get(said, float("inf")):
+                        best[said] = cost
+        return heapq.nsmallest(most, best.items(), key=lambda row: (row[1], row[0]))
+
+    def _missed_words(self, states: _States) -> Iterator[_Move]:
+        """Moves by a word of the grammar that was said, but not heard."""
+        for state, ways in heapq.nsmallest(WIDTH // 2, states.items(), key=lambda item: item[1][0]):
+            words, _, _ = self.words_after(state)
+            if len(words) > MANY_WORDS:
+                continue
+            cost, said = ways[0]
+            for word in words:
+                if len(word) <= 6:
+                    yield cost + MISSED_WORD + MISSED * len(word), said, state, word
 
 
 def nearest_utterances(
@@ -97,84 +222,7 @@ def nearest_utterances(
     Returns:
         (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
     """
-    heard = list(heard[:MAX_HEARD])
-    count = len(heard)
-    said_anywhere = set(heard)
-    spans = {
-        (begin, end): "".join(heard[begin:end])
-        for begin in range(count)
-        for end in range(begin + 1, min(begin + MAX_SPAN, count) + 1)
-        if end == begin + 1 or not said_anywhere.intersection(weighty, heard[begin:end])
-    }
-    # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
-    pending: list[list[_Move]] = [[] for _ in range(count + 1)]
-    pending[0].append((0.0, (), graph.start(), None))
-    following: dict[Any, list[str]] = {}
-    audible: dict[Any, list[str]] = {}
-    close: dict[tuple[Any, str], list[str]] = {}
-
-    def words_after(state: Any) -> list[str]:
-        found = following.get(state)
-        if found is None:
-            words = graph.next_words(state, sounds=False)
-            found = following[state] = [word for word in words if word and word[0].isalnum()]
-        return found
-
-    def heard_after(state: Any) -> list[str]:
-        found = audible.get(state)
-        if found is None:
-            # A sound that fits anywhere would explain every word that was misheard, so it must be heard as it is.
-            as_heard = said_anywhere.intersection(graph.next_words(state))
-            found = audible[state] = list({*words_after(state), *graph.known_words(state), *as_heard})
-        return found
-
-    def candidates(state: Any, span: str) -> list[str]:
-        words = heard_after(state)
-        if len(words) <= MANY_WORDS:
-            return words
-        found = close.get((state, span))
-        if found is None:
-            from rapidfuzz import fuzz, process
-
-            best = process.extract(span, words, scorer=fuzz.ratio, limit=CLOSE_WORDS, score_cutoff=40)
-            found = close[(state, span)] = [word for word, _, _ in best]
-        return found
-
-    states: _States = {}
-    for place in range(count + 1):
-        states = {}
-        _go(graph, states, pending[place])
-        for _ in range(2):
-            _go(graph, states, _missed_words(states, words_after))
-        if place == count:
-            break
-        noise = EXTRA * len(heard[place]) * (WEIGHTY if heard[place] in weighty else 1.0)
-        for state, ways in states.items():
-            for cost, said in ways:
-                pending[place + 1].append((cost + noise, said, state, None))
-            if graph.free(state):
-                taken = FreeWord(heard[place])
-                pending[place + 1].extend((cost + FREE, said, state, taken) for cost, said in ways)
-            for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
-                span = spans.get((place, end))
-                if span is None:
-                    continue
-                onward = pending[end]
-                for word in candidates(state, span):
-                    slack = len(word) - len(span)
-                    if slack > 3 + len(span) // 2 or -slack > 3 + len(word) // 2:
-                        continue
-                    apart = _differ(word, span)
-                    if apart > 0.7 * max(len(word), len(span)) + 0.5:
-                        continue
-                    onward.extend((cost + apart, said, state, word) for cost, said in ways)
-    best: dict[tuple[str, ...], float] = {}
-    for state, ways in states.items():
-        if graph.accepting(state):
-            for cost, said in ways:
-                if said and cost < best.get(said, float("inf")):
-                    best[said] = cost
-    return heapq.nsmallest(most, best.items(), key=lambda row: (row[1], row[0]))
+    return UtteranceSearch(graph).nearest(heard, most, weighty)
 
 
 def _go(graph: Graph, states: _States, moves: Iterable[_Move]) -> None:
@@ -209,18 +257,6 @@ def _dearest(states: _States) -> float:
     if len(states) < WIDTH:
         return float("inf")
     return heapq.nsmallest(WIDTH, (ways[0][0] for ways in states.values()))[-1]
-
-
-def _missed_words(states: _States, words_after: Callable[[Any], list[str]]) -> Iterator[_Move]:
-    """Moves by a word of the grammar that was said, but not heard."""
-    for state, ways in heapq.nsmallest(WIDTH // 2, states.items(), key=lambda item: item[1][0]):
-        words = words_after(state)
-        if len(words) > MANY_WORDS:
-            continue
-        cost, said = ways[0]
-        for word in words:
-            if len(word) <= 6:
-                yield cost + MISSED_WORD + MISSED * len(word), said, state, word
 
 
 def _push(states: _States, state: Any, way: tuple[float, tuple[str, ...]]) -> None:

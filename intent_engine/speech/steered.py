@@ -17,22 +17,26 @@ import numpy as np
 from rapidfuzz.distance import Levenshtein
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.approximate import FreeWord, nearest_utterances
+from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.vocabulary import vocabulary
+from intent_engine.speech.vocabulary import known_words, vocabulary
 from intent_engine.speech.whisper import RETRY_SECONDS, Encoded, WhisperRecognizer
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
+    from intent_engine.language.automaton import Automaton
     from intent_engine.language.matcher import Matcher
 
 __all__ = ["SteeredWhisper"]
 
 CANDIDATES = 12
 """Utterances of the grammar that are scored against the sound."""
+SCORED = 16
+"""The most of them, from all drafts."""
 SEARCHES = 64
 """Searches whose results are kept."""
 FAR = 0.5
@@ -128,7 +132,10 @@ class SteeredWhisper(WhisperRecognizer):
         super().__init__(model, device=device, compute_type=compute_type, language=language, threads=threads)
         self._engine = engine
         self._hinted: tuple[Any, str] | None = None
-        self._searched: tuple[Any, dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]]] = (None, {})
+        self._known: tuple[Any, frozenset[str]] | None = None
+        self._scored: tuple[Any, dict[str, float]] = (None, {})
+        self._search: UtteranceSearch | None = None
+        self._searched: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = {}
 
     def _hint(self, language: str | None) -> str:
         """The grammar's vocabulary, for a second draft."""
@@ -169,14 +176,16 @@ class SteeredWhisper(WhisperRecognizer):
                 if mean > POOR_SCORE:
                     break
                 continue
-            hints += [] if exact else self._second_draft(encoded, free, language)
             ranked = self._ranked(encoded, drafts, hints, language)
+            gap = self._gap(encoded, drafts, ranked, language)
+            if gap >= RETRY_GAP and not exact:
+                hints += self._second_draft(encoded, free, language)
+                ranked = self._ranked(encoded, drafts, hints, language)
+                gap = self._gap(encoded, drafts, ranked, language)
             if not ranked:
                 found = found or Transcript(free, mean, free, None, language=language)
                 continue
             best = ranked[0]
-            free_score = max(self.score(encoded, list(dict.fromkeys(drafts)), language))
-            gap = max(free_score - best.score, 0.0) / (1 + self._telling(best.words, language))
             if best.rank > best_rank:
                 others = tuple(" ".join(one.words) for one in ranked[1:4])
                 unclear = self._unclear(encoded, best, language)
@@ -205,13 +214,15 @@ class SteeredWhisper(WhisperRecognizer):
         words = Utterance.of(draft, language or "en").words
         return in_words(words) if language in (None, "en") else words
 
-    def _nearest(self, graph: Any, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:
-        """As :func:`nearest_utterances`; the drafts of one utterance are asked for again and again."""
-        if self._searched[0] is not graph or len(self._searched[1]) > SEARCHES:
-            self._searched = (graph, {})
-        found = self._searched[1].get(heard)
+    def _nearest(self, graph: Automaton, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:
+        """The utterances like some words; the drafts of one utterance are asked for again and again."""
+        if self._search is None or self._search.graph is not graph:
+            self._search, self._searched = UtteranceSearch(graph), {}
+        if len(self._searched) > SEARCHES:
+            self._searched.clear()
+        found = self._searched.get(heard)
         if found is None:
-            found = self._searched[1][heard] = nearest_utterances(graph, heard, CANDIDATES, NARRATING)
+            found = self._searched[heard] = self._search.nearest(heard, CANDIDATES, NARRATING)
         return found
 
     def _telling(self, words: Sequence[str], language: str | None) -> int:
@@ -236,8 +247,13 @@ class SteeredWhisper(WhisperRecognizer):
 
     def _unknown(self, words: Sequence[str], language: str | None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
+        matcher = self._matcher(language)
+        if self._known is None or self._known[0] is not matcher:
+            self._known = (matcher, known_words(matcher))
+        if self._known[1].issuperset(word for word in words if not is_numeral(word)):
+            return False
         heard = tuple(words)
-        as_heard = next((said for said, _ in self._nearest(self._matcher(language).likely, heard) if said == heard), ())
+        as_heard = next((said for said, _ in self._nearest(matcher.likely, heard) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
     def _unclear(self, encoded: Encoded, best: _Candidate, language: str | None) -> tuple[str, ...]:
@@ -295,14 +311,16 @@ class SteeredWhisper(WhisperRecognizer):
             row
             for row in sorted(found.items(), key=lambda row: (row[1], row[0]))
             if self._possible(" ".join(row[0]), language) and not self._mostly_noise(row[0], language)
-        ]
+        ][:SCORED]
         if not near:
             return []
         texts: list[str] = []
         owners: list[int] = []
+        # The model writes numbers in digits or in words, and is asked for them as it does.
+        figures = any(letter.isdigit() for draft in (*drafts, *hints) for letter in draft)
         for index, (words, _) in enumerate(near):
             digits = in_digits(words) if language in (None, "en") else words
-            for text in dict.fromkeys((" ".join(words), " ".join(digits))):
+            for text in dict.fromkeys([" ".join(digits)] if figures else [" ".join(words), " ".join(digits)]):
                 texts.append(text[:1].upper() + text[1:])
                 owners.append(index)
         scores = [(-math.inf, "")] * len(near)
@@ -310,6 +328,13 @@ class SteeredWhisper(WhisperRecognizer):
             scores[owner] = max(scores[owner], (score, text))
         ranked = [_Candidate(words, apart, *score) for (words, apart), score in zip(near, scores, strict=True)]
         return sorted(ranked, key=lambda one: -one.rank)
+
+    def _gap(self, encoded: Encoded, drafts: list[str], ranked: list[_Candidate], language: str | None) -> float:
+        """Gap between the free words and the likeliest utterance; infinite where there is none."""
+        if not ranked:
+            return math.inf
+        free = max(self.score(encoded, list(dict.fromkeys(drafts)), language))
+        return max(free - ranked[0].score, 0.0) / (1 + self._telling(ranked[0].words, language))
 
     def _possible(self, text: str, language: str | None) -> bool:
         meaning = self._parse(text, language)
@@ -320,7 +345,14 @@ class SteeredWhisper(WhisperRecognizer):
 
         The model's own end of text is no part of it: ``align`` gives it no probability.
         """
-        return [float(tokens.sum()) for tokens in self._token_scores(encoded, texts, language)]
+        if self._scored[0] is not encoded:
+            self._scored = (encoded, {})
+        scored = self._scored[1]
+        fresh = [text for text in dict.fromkeys(texts) if text not in scored]
+        if fresh:
+            tokens = self._token_scores(encoded, fresh, language)
+            scored.update((text, float(one.sum())) for text, one in zip(fresh, tokens, strict=True))
+        return [scored[text] for text in texts]
 
     def _token_scores(self, encoded: Encoded, texts: list[str], language: str | None) -> list[Any]:
         """Log probability of each piece of each text."""

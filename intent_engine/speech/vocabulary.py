@@ -9,12 +9,16 @@ from __future__ import annotations
 
 from itertools import islice
 
+from intent_engine.language.exploration import vocabulary as grammar_words
+from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.grammar import Slot
-from intent_engine.language.matcher import Matcher
+from intent_engine.language.matcher import Matcher, spoken_trees
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Sequence, Word
+from intent_engine.language.utterance import Utterance
 
-__all__ = ["vocabulary"]
+__all__ = ["known_words", "vocabulary"]
 
 MAX_NAMES = 60
 """Names of places; a map with thousands would crowd out everything else."""
@@ -40,6 +44,20 @@ def vocabulary(matcher: Matcher, most_letters: int = 700) -> str:
             break
         kept.append(text)
     return ", ".join(kept) + "." if kept else ""
+
+
+def known_words(matcher: Matcher) -> frozenset[str]:
+    """Every word that a list of the grammar has: those of sentences, values, quantities, places and free slots."""
+    grammar = matcher.grammar
+    found = set(NUMBER_WORDS) | set(grammar_words(grammar)) | ARTICLES
+    for node in spoken_trees(grammar.language).values():
+        found.update(_words(node))
+    for slot in grammar.slots.values():
+        found |= slot.known
+    found.update(word for words in (*grammar.fillers, *grammar.wake, *grammar.operators.sequence) for word in words)
+    for name in matcher.locations or ():
+        found.update(Utterance.of(name, grammar.language).words)
+    return frozenset(found)
 
 
 def _slot_texts(slot: Slot, matcher: Matcher) -> list[str]:
