@@ -241,7 +241,7 @@ class IntentEngine:
         if reached is None:
             return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
         status = _status(matcher, reached)
-        settled = status is PrefixStatus.COMPLETE or (status is PrefixStatus.EXTENDABLE and matcher.settled(words))
+        settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
         return Prefix(status, next_words(matcher, reached), count, settled)
 
 

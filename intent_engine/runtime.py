@@ -13,90 +13,31 @@ from collections import deque
 from collections.abc import Callable, Collection
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
 from typing import Any
 
 import numpy as np
 
-from intent_engine.actions import Action, Stop
-from intent_engine.engine import IntentEngine, PrefixStatus
+from intent_engine.actions import Action
+from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
-from intent_engine.execution.goal import Goal
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.heard import Heard, HeardKind, Summary
+from intent_engine.interpretation import Status
+from intent_engine.judgement import Judge, stops, too_far
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples
 from intent_engine.speech.decoding import DecodeThread
-from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
+from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
-MAX_GAP = 1.5
-"""Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
-
-MUMBLED_SCORE = -1.2
-"""Score of a transcript below which the sound is hardly speech: then every sentence explains it as badly as the free
-words do, and the gap must be next to nothing. A stop is taken from any sound that is like one."""
-MUMBLED_GAP = 0.1
-SEVERAL_GAP = 0.3
-"""Gap beyond which several commands at once are not taken: "hunting and reese" is no "hundred and freeze"."""
 REFLEX_FRAMES = 11
 """Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
 word."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
-
-
-class HeardKind(StrEnum):
-    """What a runtime tells."""
-
-    SPEECH = "speech"
-    """Somebody began to speak."""
-    PARTIAL = "partial"
-    """What was said so far, at a pause; may still change."""
-    TRANSCRIPT = "transcript"
-    """What was said."""
-    INTERPRETATION = "interpretation"
-    """What it was understood to mean."""
-    SUBMITTED = "submitted"
-    """Goals were given to the executor."""
-    HOLD = "hold"
-    """The reflex heard a stop word: the robot is held."""
-    RELEASE = "release"
-    """It was none: the robot goes on."""
-    LOST = "lost"
-    """Sound was lost while somebody spoke: what was being said is not acted on."""
-    ERROR = "error"
-    """Something failed; the robot was stopped and listening goes on."""
-
-
-@dataclass(frozen=True, slots=True)
-class Heard:
-    """One event of a runtime."""
-
-    kind: HeardKind
-    time: float
-    """s since the source began: of the sound that caused it."""
-    transcript: Transcript | None = None
-    interpretation: Interpretation | None = None
-    goals: tuple[Goal, ...] = ()
-    outlook: Outlook = Outlook.UNKNOWN
-    speech_ended: float | None = None
-    """s: the last frame of speech."""
-    detail: str = ""
-
-
-@dataclass(slots=True)
-class Summary:
-    """What a run of a runtime came to."""
-
-    seconds: float = 0.0
-    """Length of the sound."""
-    utterances: int = 0
-    accepted: int = 0
-    errors: int = 0
 
 
 @dataclass(slots=True)
@@ -147,6 +88,7 @@ class Runtime:
     ) -> None:
         self.engine = engine
         self.executor = executor
+        self._judgement = Judge(engine)
         if recognizer is None:
             from intent_engine.speech.steered import SteeredWhisper
 
@@ -381,7 +323,7 @@ class Runtime:
 
     def _judge(self, utterance: _Utterance, time: float) -> None:
         assert utterance.result is not None
-        meaning, outlook = self._outlook(utterance.result)
+        meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
         self._endpoint.judge(outlook)
         self._tell(
             HeardKind.PARTIAL,
@@ -391,47 +333,6 @@ class Runtime:
             outlook=outlook,
             speech_ended=utterance.last_voice,
         )
-
-    def _outlook(self, transcript: Transcript) -> tuple[Interpretation | None, Outlook]:
-        """What the words so far mean, and whether more can be expected."""
-        if not transcript.text:
-            return None, Outlook.OTHER
-        meaning = self._meaning(transcript)
-        if meaning.status is Status.REJECTED and _too_far(transcript):
-            return meaning, Outlook.OTHER
-        prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
-        if meaning.status is Status.ACCEPTED:
-            if _stops(meaning) or prefix.status is PrefixStatus.COMPLETE:
-                return meaning, Outlook.COMPLETE
-            return meaning, Outlook.SETTLED if prefix.settled else Outlook.EXTENDABLE
-        return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
-
-    def _language(self, transcript: Transcript) -> str | None:
-        """The grammar for a transcript: that of the language spoken, where there is one."""
-        return transcript.language if transcript.language in self.engine.languages else None
-
-    def _meaning(self, transcript: Transcript) -> Interpretation:
-        """What a transcript means; nothing, where it is too unlike what was heard."""
-        state, language = self._state(), self._language(transcript)
-        meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=self._last)
-        if meaning.status is Status.ACCEPTED and transcript.unclear and not _stops(meaning):
-            words = " and ".join(repr(word) for word in transcript.unclear)
-            return Interpretation(
-                transcript.text,
-                Status.REJECTED,
-                reason=f"{words} was not heard clearly; say it again",
-                alternatives=(transcript.text,),
-            )
-        if meaning.status is Status.ACCEPTED and _too_far(transcript, meaning):
-            free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=self._last)
-            if free.actions != meaning.actions:
-                return Interpretation(
-                    transcript.free_text,
-                    Status.REJECTED,
-                    reason="it sounded too different from the nearest command",
-                    alternatives=(transcript.text,),
-                )
-        return meaning
 
     # -- acting ------------------------------------------------------------------------------------
 
@@ -447,8 +348,8 @@ class Runtime:
                 self._release(time, "nothing was said")
             return
         self._summary.utterances += 1
-        meaning = self._meaning(transcript)
-        if meaning.status is not Status.ACCEPTED and _too_far(transcript):
+        meaning = self._judgement.meaning(transcript, self._state(), self._last)
+        if meaning.status is not Status.ACCEPTED and too_far(transcript):
             transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
         self._tell(
@@ -458,7 +359,7 @@ class Runtime:
             interpretation=meaning,
             speech_ended=utterance.last_voice,
         )
-        stopping = _stops(meaning)
+        stopping = stops(meaning)
         if stopping:
             self._held = False
             self._last = ()
@@ -503,18 +404,3 @@ class Runtime:
     def _tell(self, kind: HeardKind, time: float, **details: Any) -> None:
         if self._on_event is not None:
             self._on_event(Heard(kind, time, **details))
-
-
-def _too_far(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
-    """Whether the nearest sentence of the grammar is too unlike the sound to have been said."""
-    most = MAX_GAP
-    if meaning is None or not _stops(meaning):
-        if meaning is not None and len(meaning.actions) > 1:
-            most = SEVERAL_GAP
-        if transcript.score < MUMBLED_SCORE:
-            most = MUMBLED_GAP
-    return transcript.gap is not None and transcript.gap > most
-
-
-def _stops(meaning: Interpretation) -> bool:
-    return any(isinstance(action, Stop) for action in meaning.actions)

@@ -12,11 +12,11 @@ from intent_engine.interpretation import Status
 from intent_engine.language.exploration import Exploration, Meeting, explore
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence
 from intent_engine.language.grammar_figures import Size, grammar_size
-from intent_engine.language.matcher import Reading
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.nearest import Nearest
+from intent_engine.language.reading import Reading
 from intent_engine.language.spellings import spellings
 
 if TYPE_CHECKING:

@@ -12,11 +12,11 @@ from typing import Any
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.explanation import Candidate, Explanation, Noticed, Step, Word
-from intent_engine.language.matcher import Reading
 from intent_engine.language.meaning import MAX_CHARACTERS, Clause, Interpreter
 from intent_engine.language.meaning.command import forbidden
 from intent_engine.language.meaning.steps import Kind
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.reading import Reading
 from intent_engine.language.sources import candidate, sources
 from intent_engine.language.utterance import PhraseSet, Utterance
 

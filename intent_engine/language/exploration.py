@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
-from intent_engine.language.matcher import Matcher, Reading, spoken_trees
+from intent_engine.language.matcher import Matcher, spoken_trees
+from intent_engine.language.reading import Reading
 from intent_engine.language.template import (
     AnyOrder,
     Choice,

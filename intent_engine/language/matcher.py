@@ -18,13 +18,14 @@ from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import numbers_otherwise
+from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["Matcher", "Reading", "SlotReading"]
+__all__ = ["Matcher"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
@@ -37,71 +38,6 @@ FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",
 _COUNTED = frozenset(QUANTITY_KINDS)
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
-
-
-@dataclass(frozen=True, slots=True)
-class SlotReading:
-    """What was heard for one slot."""
-
-    label: str
-    slot: Slot
-    start: int
-    """First word."""
-    end: int
-    """Word after the last."""
-    value: Any
-    """SI float, canonical name, text; None if the words have no value."""
-    score: float = 1.0
-    """1: exactly said."""
-    rivals: tuple[tuple[str, float], ...] = ()
-    """Fuzzy names: the nearest, best first."""
-    status: str = "exact"
-    """``exact``, ``fuzzy``, ``ambiguous``, ``unknown``, ``unfinished`` or ``limit``."""
-    problem: str = ""
-    """Why there is no value."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """One way to understand all the words."""
-
-    intent: Intent
-    sentence: Sentence
-    slots: tuple[SlotReading, ...]
-    words: tuple[str, ...]
-    """The words as understood, with sound-alikes replaced."""
-    alikes: int
-    """Words that were replaced."""
-    free_words: int
-    """Words swallowed by text slots."""
-
-    @property
-    def problem(self) -> str:
-        for slot in self.slots:
-            if slot.problem:
-                return slot.problem
-        return ""
-
-    @property
-    def heard_exactly(self) -> int:
-        """Words that are not only like a name. Sound-alikes count: nobody can tell them apart by ear."""
-        compared = sum(slot.end - slot.start for slot in self.slots if slot.status == "fuzzy")
-        return len(self.words) - compared
-
-    @property
-    def score(self) -> float:
-        """1 for exact words; each fuzzy slot and sound-alike lowers it."""
-        score = 1.0
-        for slot in self.slots:
-            score *= slot.score
-        return score * 0.97**self.alikes
-
-    def values(self) -> dict[str, Any]:
-        """Slot label to value, with the sentence's own slots."""
-        found = dict(self.sentence.fixed)
-        for slot in self.slots:
-            found[slot.label] = slot.value
-        return found
 
 
 class Matcher:
@@ -159,11 +95,28 @@ class Matcher:
         return Continuations(self.networks, {slot.name: slot.type for slot in self.grammar.slots.values()})
 
     def settled(self, words: Sequence[str]) -> bool:
-        """Whether what may follow a whole command is no more than the manner of it."""
-        last, language = words[-1], self.grammar.language
-        if last in NUMBER_WORDS or quantities.is_numeral(last) or quantities.is_number_word(last, language):
+        """Whether what may follow a whole command is no more than the manner of it.
+
+        Fillers at the end say nothing about that: "go forward for me" may be heard of "go forward four meters".
+        """
+        while (short := self._without_filler(words)) is not None:
+            words = short
+        rest = self.ahead(words) - {Continuation.NOTHING}
+        last, language = (words[-1] if words else ""), self.grammar.language
+        if rest and (last in NUMBER_WORDS or quantities.is_numeral(last) or quantities.is_number_word(last, language)):
             return False  # "one hundred" may go on to "and twenty"
-        return self.ahead(words) <= {Continuation.NOTHING, Continuation.MANNER}
+        return rest <= {Continuation.MANNER}
+
+    def _without_filler(self, words: Sequence[str]) -> Sequence[str] | None:
+        """Words without the filler at their end; None: there is none."""
+        for count in range(min(len(words) - 1, self._longest_filler), 0, -1):
+            if tuple(words[-count:]) in self.grammar.fillers:
+                return words[:-count]
+        return None
+
+    @cached_property
+    def _longest_filler(self) -> int:
+        return max(map(len, self.grammar.fillers), default=0)
 
     def ahead(self, words: Sequence[str]) -> frozenset[Continuation]:
         """What may still be said after the beginning of an utterance."""

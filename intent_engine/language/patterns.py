@@ -20,7 +20,8 @@ from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
-    from intent_engine.language.matcher import Matcher, Reading
+    from intent_engine.language.matcher import Matcher
+    from intent_engine.language.reading import Reading
 
 __all__ = ["Patterns", "pattern_problems"]
 
@@ -208,7 +209,7 @@ class Patterns:
         words: list[str],
         matcher: Matcher,
     ) -> Reading:
-        from intent_engine.language.matcher import Reading
+        from intent_engine.language.reading import Reading
 
         slots = []
         free = 0

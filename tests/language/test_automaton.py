@@ -13,7 +13,8 @@ from reference_matcher import ReferenceMatcher, Slots, TooManyWaysError
 from intent_engine.language import automaton as automaton_module
 from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
-from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.reading import Reading
 from intent_engine.language.template import (
     AnyOrder,
     Choice,

@@ -21,8 +21,12 @@ SETTLED = [
     "drive backward for ten seconds",
     "go to the kitchen",
     "please go to the kitchen",
+    "go to the kitchen please",
+    "turn left ninety degrees for me",
 ]
 OPEN = [
+    "go forward for me",
+    "turn left please",
     "turn left",
     "go forward",
     "stop turning and go forward",

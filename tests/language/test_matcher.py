@@ -10,8 +10,9 @@ import pytest
 
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Status
-from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.nearest import Nearest
+from intent_engine.language.reading import Reading
 
 GRAMMAR = """
 language: en

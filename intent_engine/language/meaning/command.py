@@ -10,10 +10,11 @@ from typing import Any
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
-from intent_engine.language.matcher import Matcher, Reading
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative
+from intent_engine.language.reading import Reading
 
 __all__ = ["LEAST_WORDS", "Clause", "Commands", "forbidden", "slot_values"]
 

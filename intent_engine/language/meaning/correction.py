@@ -8,11 +8,11 @@ from dataclasses import replace
 from typing import Any
 
 from intent_engine.language.grammar import QUANTITY_KINDS
-from intent_engine.language.matcher import Reading, SlotReading
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.quantities import evaluate
+from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Corrections"]

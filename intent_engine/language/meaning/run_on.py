@@ -12,11 +12,11 @@ from itertools import pairwise
 
 from intent_engine.actions import Custom, Stop
 from intent_engine.language.free_text import ARTICLES, FREE_KINDS
-from intent_engine.language.matcher import Reading, SlotReading
 from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands
 from intent_engine.language.meaning.compound import MAX_PARTS
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.references import AGAIN
 from intent_engine.language.utterance import Utterance
 

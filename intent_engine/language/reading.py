@@ -1,0 +1,75 @@
+"""One way to understand some words: which sentence they are, and what its slots hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from intent_engine.language.grammar import Intent, Sentence, Slot
+
+__all__ = ["Reading", "SlotReading"]
+
+
+@dataclass(frozen=True, slots=True)
+class SlotReading:
+    """What was heard for one slot."""
+
+    label: str
+    slot: Slot
+    start: int
+    """First word."""
+    end: int
+    """Word after the last."""
+    value: Any
+    """SI float, canonical name, text; None if the words have no value."""
+    score: float = 1.0
+    """1: exactly said."""
+    rivals: tuple[tuple[str, float], ...] = ()
+    """Fuzzy names: the nearest, best first."""
+    status: str = "exact"
+    """``exact``, ``fuzzy``, ``ambiguous``, ``unknown``, ``unfinished`` or ``limit``."""
+    problem: str = ""
+    """Why there is no value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to understand all the words."""
+
+    intent: Intent
+    sentence: Sentence
+    slots: tuple[SlotReading, ...]
+    words: tuple[str, ...]
+    """The words as understood, with sound-alikes replaced."""
+    alikes: int
+    """Words that were replaced."""
+    free_words: int
+    """Words swallowed by text slots."""
+
+    @property
+    def problem(self) -> str:
+        for slot in self.slots:
+            if slot.problem:
+                return slot.problem
+        return ""
+
+    @property
+    def heard_exactly(self) -> int:
+        """Words that are not only like a name. Sound-alikes count: nobody can tell them apart by ear."""
+        compared = sum(slot.end - slot.start for slot in self.slots if slot.status == "fuzzy")
+        return len(self.words) - compared
+
+    @property
+    def score(self) -> float:
+        """1 for exact words; each fuzzy slot and sound-alike lowers it."""
+        score = 1.0
+        for slot in self.slots:
+            score *= slot.score
+        return score * 0.97**self.alikes
+
+    def values(self) -> dict[str, Any]:
+        """Slot label to value, with the sentence's own slots."""
+        found = dict(self.sentence.fixed)
+        for slot in self.slots:
+            found[slot.label] = slot.value
+        return found
