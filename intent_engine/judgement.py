@@ -19,6 +19,8 @@ __all__ = ["Judge", "stops", "too_far"]
 MAX_GAP = 1.5
 """Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
 
+NOISE_SCORE = -2.0
+"""Score of a transcript below which only what was heard as it is counts: a fan may be like a sentence too."""
 MUMBLED_SCORE = -1.2
 """Score of a transcript below which the sound is hardly speech: then every sentence explains it as badly as the free
 words do, and the gap must be next to nothing. A stop is taken from any sound that is like one."""
@@ -59,14 +61,8 @@ class Judge:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         language = self._language(transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
-        if meaning.status is Status.ACCEPTED and transcript.unclear and not stops(meaning):
-            words = " and ".join(repr(word) for word in transcript.unclear)
-            return Interpretation(
-                transcript.text,
-                Status.REJECTED,
-                reason=f"{words} was not heard clearly; say it again",
-                alternatives=(transcript.text,),
-            )
+        if meaning.status is Status.ACCEPTED and not stops(meaning) and (why := _unheard(transcript)):
+            return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
         if meaning.status is Status.ACCEPTED and too_far(transcript, meaning):
             free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=last)
             if free.actions != meaning.actions:
@@ -79,6 +75,12 @@ class Judge:
         return meaning
 
 
+def _unheard(transcript: Transcript) -> str:
+    """Why words that are a command may not have been said; empty: they may be taken."""
+    words = " and ".join(repr(word) for word in transcript.unclear)
+    return f"{words} was not heard clearly; say it again" if words else ""
+
+
 def too_far(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
     """Whether the nearest sentence of the grammar is too unlike the sound to have been said."""
     most = MAX_GAP
@@ -86,7 +88,7 @@ def too_far(transcript: Transcript, meaning: Interpretation | None = None) -> bo
         if meaning is not None and len(meaning.actions) > 1:
             most = SEVERAL_GAP
         if transcript.score < MUMBLED_SCORE:
-            most = MUMBLED_GAP
+            most = MUMBLED_GAP if transcript.score > NOISE_SCORE else 0.0
     return transcript.gap is not None and transcript.gap > most
 
 
