@@ -250,7 +250,7 @@ def _hassil_grammar(templates: Mapping[str, list[str]], lists: Mapping[str, Any]
 
 def cliffs(quick: bool) -> Iterator[list[dict[str, Any]]]:
     """Three grammars that a person may well write and that cost a backtracking matcher dearly."""
-    yield _wildcard(1_000 if quick else 10_000)
+    yield _wildcard(1_000 if quick else 5_000)
     yield _numbers(10_000 if quick else 100_000)
     yield _optionals(12 if quick else 18)
 
