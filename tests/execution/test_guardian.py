@@ -264,12 +264,16 @@ def test_a_loop_that_has_neither_program_nor_robot_ends():
 
 PARENT = textwrap.dedent(
     """
+    import ctypes
+    import sys
     import time
     from intent_engine.actions import Move
     from intent_engine.execution.executor import Executor
     from intent_engine.execution.guardian import Guardian
     from intent_engine.execution.robots.jsonl import JsonLinesRobot
 
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(1, 9)  # PR_SET_PDEATHSIG: no test that is broken off leaves a program behind
     guardian = Guardian({sink!r}, {{"out": {write}}}, pass_fds=({write},))
     executor = Executor(JsonLinesRobot({write}), loop=guardian)
     (goal,) = executor.submit(Move(0.5, 50.0, 100.0))
