@@ -67,6 +67,41 @@ def test_listen_to_a_pipe_in_real_time(intent_engine, go_forward):
     assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
 
 
+def driven(lines: Path) -> tuple[float, list[dict]]:
+    """How far the written velocities drive, in m, and all that was written."""
+    written = [json.loads(line) for line in lines.read_text().splitlines()]
+    times = [one["time"] for one in written]
+    speeds = [one.get("velocity", {"linear": 0.0})["linear"] for one in written]
+    return sum(v * (b - a) for v, a, b in zip(speeds, times, times[1:], strict=False)), written
+
+
+@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+def test_listen_drives_another_process(intent_engine, tmp_path, go_forward, options):
+    lines = tmp_path / "commands.jsonl"
+    done = intent_engine(
+        "listen", "--pcm", "-", "--json", "--no-reflex", "--drive", str(lines), *options, stdin=raw(go_forward)
+    )
+    assert done.returncode == 0, done.stderr
+    assert [event["state"] for event in events(done) if event["event"] == "goal"][-1] == "succeeded"
+    far, written = driven(lines)
+    assert far == pytest.approx(2.0, abs=0.1)
+    last = written[-1].get("velocity", {"linear": 0.0, "angular": 0.0})
+    assert (last["linear"], last["angular"]) == (0.0, 0.0)
+
+
+def test_only_a_simulated_robot_is_drawn(intent_engine, tmp_path):
+    done = intent_engine("listen", "--drive", str(tmp_path / "out"), "--map")
+    assert done.returncode == 2
+    assert "--map" in done.stderr
+
+
+def test_nowhere_to_drive(intent_engine, tmp_path, go_forward):
+    done = intent_engine("listen", "--pcm", "-", "--drive", str(tmp_path / "no" / "pipe"), stdin=raw(go_forward))
+    assert done.returncode not in (0, 1)
+    assert "no such file" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
 def test_with_a_wake_word_other_commands_are_not_meant(intent_engine, go_forward):
     done = intent_engine("run", "-", "--wake-word", "computer", "--no-reflex", stdin=raw(go_forward))
     assert done.returncode == 1

@@ -83,11 +83,22 @@ def listen(
     pcm: Annotated[
         str | None, typer.Option(help="Raw samples from this file or pipe instead; - is standard input.")
     ] = None,
+    drive: Annotated[
+        Path | None,
+        typer.Option(help="Drive no simulated robot: write its commands, a line of JSON each, into this file or pipe."),
+    ] = None,
+    in_process: Annotated[
+        bool, typer.Option("--in-process", help="With --drive: no process of its own for the velocities.")
+    ] = False,
     samples: RawSamples,
     hearing: Hearing,
     telling: Telling,
 ) -> int:
-    """Listen to a microphone and drive a simulated robot, until Ctrl-C. Speak: "go forward two meters"."""
+    """Listen to a microphone and drive a robot, until Ctrl-C. Speak: "go forward two meters".
+
+    The robot is simulated, or, with --drive, whatever reads the lines. Their velocities are written by a process of its
+    own, which stops the robot within 0.3 s if this one dies or hangs.
+    """
     from intent_engine.execution.clock import MonotonicClock
 
     if list_devices:
@@ -98,7 +109,12 @@ def listen(
         from intent_engine.cli.keys import check_terminal
 
         check_terminal()
+    if drive is not None and (telling.plot or telling.draw or telling.live):
+        raise ConfigError(
+            Problem("only a simulated robot has a way to draw", hint="leave out --plot, --map and --live")
+        )
     made = session(hearing, telling, MonotonicClock())
+    made.drive, made.in_process = drive, in_process
     source: AudioSource
     if pcm is not None:
         source, name = _pcm(pcm, samples, live=True, session=made), pcm.replace("-", "standard input")

@@ -1,8 +1,9 @@
-"""A simulated robot that listens: what ``run`` and ``listen`` have in common."""
+"""A robot that listens: what ``run`` and ``listen`` have in common."""
 
 from __future__ import annotations
 
 import contextlib
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.execution.clock import Clock
     from intent_engine.execution.executor import Executor
+    from intent_engine.execution.guardian import Guardian
+    from intent_engine.execution.robots.robot import Robot
     from intent_engine.execution.robots.robot_file import RobotFile
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.runtime import Runtime, Summary
@@ -36,7 +39,7 @@ class Ended:
 
 @dataclass
 class Session:
-    """A simulated robot that listens to one source. Life cycle: made -> ``play``, once."""
+    """A robot that listens to one source: simulated, or a process that reads its commands. Made -> ``play``, once."""
 
     engine: IntentEngine
     robot: RobotFile
@@ -52,6 +55,10 @@ class Session:
     live: bool = False
     """Draw the way of the robot while it goes, on a terminal."""
     journal: Path | None = None
+    drive: Path | None = None
+    """Where the commands for another process go; None: the robot is simulated."""
+    in_process: bool = False
+    """Write the velocities for another process from this one, without a guardian."""
     controls: Callable[[Runtime, Executor], contextlib.AbstractContextManager[object]] | None = None
     """Keys and whatever else a person has in hand while it listens."""
     reporter: Reporter | None = None
@@ -79,20 +86,28 @@ class Session:
             reflex = self._reflex()
             if reflex is not None:
                 stack.enter_context(contextlib.closing(reflex))
-            robot = self.robot.simulated(self.clock, places)
+            robot: Robot
+            loop: Guardian | None = None
+            if self.drive is None:
+                robot = simulated = self.robot.simulated(self.clock, places)
+            else:
+                robot, loop = self._driven(stack, self.drive)
+                simulated = None
             self.reporter = reporter = Reporter(robot, as_json=self.as_json)
             options = self.robot.executor_options()
             if self.journal is not None:
                 from intent_engine.execution.journal import Journal
 
                 options["journal"] = Journal(self.journal)
-            executor = stack.enter_context(Executor(robot, clock=self.clock, on_event=reporter.executed, **options))
+            executor = stack.enter_context(
+                Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options)
+            )
             runtime = Runtime(self.engine, executor, recognizer, reflex=reflex, on_event=reporter.heard)
             reporter.start = self.clock.now()
-            if self.live and not self.as_json:
+            if self.live and simulated is not None and not self.as_json:
                 from intent_engine.execution.robots.path_view import LiveView
 
-                stack.enter_context(redrawn(LiveView(robot)))
+                stack.enter_context(redrawn(LiveView(simulated)))
             if self.controls is not None:
                 stack.enter_context(self.controls(runtime, executor))
                 reporter.start = self.clock.now()
@@ -100,7 +115,7 @@ class Session:
                 summary = runtime.run(source)
             except KeyboardInterrupt:
                 executor.stop()
-                self._draw(robot)
+                self._draw(simulated)
                 raise
             finally:
                 reporter.mute_stops()
@@ -108,7 +123,7 @@ class Session:
                 check(summary)
             executor.wait()
             reporter.end(summary, self.clock.now())
-        self._draw(robot)
+        self._draw(simulated)
         return Ended(summary, reporter.failed)
 
     def report(self, report: Report) -> None:
@@ -116,7 +131,33 @@ class Session:
         if self.reporter is not None:
             self.reporter.source(report)
 
-    def _draw(self, robot: SimulatedRobot) -> None:
+    def _driven(self, stack: contextlib.ExitStack, target: Path) -> tuple[Robot, Guardian | None]:
+        """A robot behind a file or pipe, and the process that writes its velocities.
+
+        Raises:
+            RobotError: nothing can be written there.
+        """
+        from intent_engine.errors import RobotError
+        from intent_engine.execution.guardian import Guardian
+        from intent_engine.execution.robots.jsonl import JSONL_SINK, JsonLinesRobot
+
+        try:
+            out = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+        except OSError as error:
+            raise RobotError(
+                f"{target}: {(error.strerror or str(error)).lower()}\n"
+                "    give a file or a pipe that the robot's program reads: listen --drive >(python robot.py)"
+            ) from None
+        stack.callback(os.close, out)
+        robot = JsonLinesRobot(out, capabilities=self.robot.capabilities)
+        if self.in_process:
+            return robot, None
+        limits, rates = self.robot.limits, self.robot.rates
+        return robot, Guardian(JSONL_SINK, {"out": out}, limits=limits, rates=rates, pass_fds=(out,))
+
+    def _draw(self, robot: SimulatedRobot | None) -> None:
+        if robot is None:
+            return
         if self.draw and not self.as_json:
             from intent_engine.execution.robots.path_view import path_text
 

@@ -51,6 +51,7 @@ VERBS = {
             "intent-engine listen --push-to-talk --no-reflex",
             "intent-engine listen --list-devices",
             "arecord -f S16_LE -r 16000 -t raw | intent-engine listen --pcm -",
+            "intent-engine listen --drive >(python robot.py)",
         ),
     ),
     "parse": Verb(

@@ -22,12 +22,10 @@ from intent_engine.execution.goal import Reason
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Rates
-from intent_engine.execution.robots.jsonl import JsonLinesRobot
+from intent_engine.execution.robots.jsonl import JSONL_SINK, JsonLinesRobot
 from intent_engine.execution.robots.robot_file import RobotFile
 
 __all__ = ["drive_until_killed", "loop_killed", "program_lost"]
-
-JSONL_SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
 
 
 class _Wire:

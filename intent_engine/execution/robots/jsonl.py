@@ -37,9 +37,12 @@ from intent_engine.errors import RobotError
 from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
 
-__all__ = ["JsonLinesRobot"]
+__all__ = ["JSONL_SINK", "JsonLinesRobot"]
 
 log = logging.getLogger(__name__)
+
+JSONL_SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
+"""For ``Guardian(JSONL_SINK, {"out": file_descriptor}, pass_fds=(file_descriptor,))``."""
 
 
 class JsonLinesRobot:
