@@ -272,11 +272,15 @@ class SteeredWhisper(WhisperRecognizer):
         return tuple(unclear)
 
     def _rivalled(self, encoded: Encoded, words: Sequence[str], language: str | None) -> tuple[str, ...]:
-        """Numbers that sound like others, where the sound does not decide for them: "fifteen" and "fifty"."""
+        """Numbers that sound like others, where the sound does not decide for them: "fifteen" and "fifty". Where the
+        grammar has only one of them ("sixteen ounce") there is nothing to decide."""
         if language not in (None, "en"):
             return ()
         rivals = {
-            word: [*words[:at], RIVALS[word], *words[at + 1 :]] for at, word in enumerate(words) if word in RIVALS
+            word: other
+            for at, word in enumerate(words)
+            if word in RIVALS
+            and self._possible(" ".join(other := [*words[:at], RIVALS[word], *words[at + 1 :]]), language)
         }
         if not rivals:
             return ()

@@ -221,7 +221,8 @@ def fold_loop(text: str) -> str:
     """A sentence said over and over, as Whisper does with short input, once.
 
     Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
-    sentences ("Right. Right."); of a few words with no full stop between them it is something people say.
+    sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
+    sentence that begins again is one as well.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
@@ -233,6 +234,9 @@ def fold_loop(text: str) -> str:
         rest = plain[repeats * length :]
         whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
         if repeats >= (2 if whole else 3) and _begins(unit, rest):
+            return " ".join(words[:length])
+    for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
+        if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
     return text
 

@@ -58,6 +58,9 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
         )
         assert whisper._rivalled(encoded, words, "en") == unclear
     assert whisper._rivalled(encoded, ["go", "to", "the", "kitchen"], "en") == ()
+    monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [-1.0] * len(texts))
+    assert whisper._rivalled(encoded, words, "en") == ("fifteen",)
+    assert whisper._rivalled(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
 
 
 def test_the_probability_of_a_word_is_that_of_its_own_pieces(whisper, spoken):

@@ -20,6 +20,11 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
         ("Go to the kitchen. Go to the kitchen. Go to the kitchen.", "Go to the kitchen."),
         ("grasp the bottle now, grasp the bottle now, gr", "grasp the bottle now,"),
         ("stop stop stop st", "stop"),
+        (
+            "Give me a large latte with milk and sugar. Give me a large latte wi",
+            "Give me a large latte with milk and sugar.",
+        ),
+        ("Go forward two meters slowly. Go forward two", "Go forward two meters slowly. Go forward two"),
         ("Right. Right.", "Right."),
         ("Turn left. Turn left.", "Turn left."),
         ("turn left, turn left", "turn left, turn left"),
