@@ -13,6 +13,7 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.steered import _Candidate
 
 
 @pytest.fixture
@@ -40,9 +41,17 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     assert found.free_text == misheard
 
 
-def test_a_word_that_nobody_knows_must_be_heard_clearly(hears, spoken):
-    found = hears("Grab the florble.").transcribe(spoken)
-    assert "florble" in found.unclear or found.gap is None or found.gap > 4
+@pytest.mark.parametrize(
+    ("words", "unclear"),
+    [
+        (("grab", "the", FreeWord("florble")), ("florble",)),
+        (("go", "forward", "two", FreeWord("meters")), ()),
+        (("go", FreeWord("forward"), "two", FreeWord("screwdrivers")), ("screwdrivers",)),
+    ],
+)
+def test_a_word_that_nobody_knows_must_be_heard_clearly(whisper, spoken, words, unclear):
+    candidate = _Candidate(words, 0.0, 0.0, "")
+    assert whisper._unclear(whisper.encode(spoken), candidate, "en") == unclear
 
 
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
