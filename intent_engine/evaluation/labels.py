@@ -27,7 +27,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import ACTION_PARAMETERS
-from intent_engine.language.template import references
+from intent_engine.language.template_tree import references
 from intent_engine.language.utterance import PhraseSet, Utterance
 
 __all__ = ["Expected", "Row", "Step", "evenly", "find_labels", "read_labels", "steps_of"]

@@ -12,7 +12,7 @@ from typing import Any, Protocol, TypeAlias
 
 from intent_engine.language.likeness import sound
 
-__all__ = ["FreeWord", "Graph", "UtteranceSearch", "nearest_utterances"]
+__all__ = ["FreeWord", "Graph", "UtteranceSearch"]
 
 MAX_SPAN = 4
 """Words heard that one word of the grammar may stand for."""
@@ -153,7 +153,16 @@ class UtteranceSearch:
     def nearest(
         self, heard: Sequence[str], most: int = 12, weighty: Collection[str] = ()
     ) -> list[tuple[tuple[str, ...], float]]:
-        """As :func:`nearest_utterances`."""
+        """Whole utterances nearest to the words heard.
+
+        Args:
+            heard: normalised words, numbers as words.
+            most: how many to give.
+            weighty: words that are hardly noise: "when", "not".
+
+        Returns:
+            (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
+        """
         graph = self.graph
         heard = list(heard[:MAX_HEARD])
         count = len(heard)
@@ -206,23 +215,6 @@ class UtteranceSearch:
             for word in words:
                 if len(word) <= 6:
                     yield cost + MISSED_WORD + MISSED * len(word), said, state, word
-
-
-def nearest_utterances(
-    graph: Graph, heard: Sequence[str], most: int = 12, weighty: Collection[str] = ()
-) -> list[tuple[tuple[str, ...], float]]:
-    """Whole utterances nearest to the words heard.
-
-    Args:
-        graph: the grammar.
-        heard: normalised words, numbers as words.
-        most: how many to give.
-        weighty: words that are hardly noise: "when", "not".
-
-    Returns:
-        (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
-    """
-    return UtteranceSearch(graph).nearest(heard, most, weighty)
 
 
 def _go(graph: Graph, states: _States, moves: Iterable[_Move]) -> None:

@@ -15,16 +15,7 @@ from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.reading import Reading
-from intent_engine.language.template import (
-    AnyOrder,
-    Choice,
-    Node,
-    Optional,
-    Reference,
-    Sequence,
-    Word,
-    WordClass,
-)
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from intent_engine.errors import Problem
-from intent_engine.language.template import Node
+from intent_engine.language.template_tree import Node
 
 __all__ = [
     "ACTION_PARAMETERS",

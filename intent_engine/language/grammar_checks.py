@@ -11,7 +11,7 @@ from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.patterns import pattern_problems
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, references
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, references
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.yaml_source import did_you_mean
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.quantities import MAX_WORDS
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -18,7 +18,7 @@ from intent_engine.language.grammar import (
     Slot,
 )
 from intent_engine.language.grammar_parts import PartReader
-from intent_engine.language.template import Node, references
+from intent_engine.language.template_tree import Node, references
 from intent_engine.language.yaml_source import YamlPath, did_you_mean
 
 __all__ = ["merged", "read_intent", "slot_of_parameter", "slots_by_label"]

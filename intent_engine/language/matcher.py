@@ -20,7 +20,8 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import numbers_otherwise
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template import Choice, Node, Reference, Word, parse_template, references
+from intent_engine.language.template import parse_template
+from intent_engine.language.template_tree import Choice, Node, Reference, Word, references
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import islice
 
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 __all__ = ["Nearest"]
 

@@ -11,16 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from intent_engine.language.template import (
-    AnyOrder,
-    Choice,
-    Node,
-    Optional,
-    Reference,
-    Sequence,
-    Word,
-    WordClass,
-)
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 __all__ = ["Call", "Edge", "Network", "Networks", "State"]
 

@@ -24,8 +24,8 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
-from intent_engine.language.template import Sequence as Parts
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
+from intent_engine.language.template_tree import Sequence as Parts
 from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
 __all__ = ["own_words", "spellings"]
 

@@ -22,27 +22,12 @@ from intent_engine.language.template_tree import (
     Sequence,
     Word,
     WordClass,
-    references,
-    template_text,
 )
 
 if TYPE_CHECKING:
     from lark import Lark
 
-__all__ = [
-    "AnyOrder",
-    "Choice",
-    "Node",
-    "Optional",
-    "Reference",
-    "Sequence",
-    "TemplateError",
-    "Word",
-    "WordClass",
-    "parse_template",
-    "references",
-    "template_text",
-]
+__all__ = ["TemplateError", "parse_template"]
 
 MAX_DEPTH = 40
 """Nesting of brackets; nobody speaks deeper, and it bounds every recursion over the tree."""

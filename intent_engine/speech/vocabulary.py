@@ -15,7 +15,7 @@ from intent_engine.language.grammar import Slot
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Sequence, Word
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["known_words", "vocabulary"]

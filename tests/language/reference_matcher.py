@@ -13,7 +13,7 @@ from typing import Any
 
 from intent_engine.language.free_text import ALONE, ARTICLES, UNFINISHED
 from intent_engine.language.grammar import Grammar, Slot
-from intent_engine.language.template import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 MOST = 3_000
 """Ways to say one sentence that are still looked through."""

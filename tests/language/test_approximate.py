@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
-from intent_engine.language.approximate import MOST_MOVES, nearest_utterances
+from intent_engine.language.approximate import MOST_MOVES, UtteranceSearch
 
 SENTENCES = (
     "go forward two meters",
@@ -41,7 +41,7 @@ class Counting:
 
 @pytest.mark.parametrize("sentence", SENTENCES)
 def test_what_was_heard_exactly_comes_first_and_costs_nothing(engine, sentence):
-    found = nearest_utterances(engine.matcher().likely, sentence.split())
+    found = UtteranceSearch(engine.matcher().likely).nearest(sentence.split())
     assert found[0] == (tuple(sentence.split()), 0.0)
     assert [cost for _, cost in found] == sorted(cost for _, cost in found)
 
@@ -55,7 +55,7 @@ def test_what_was_heard_exactly_comes_first_and_costs_nothing(engine, sentence):
     ],
 )
 def test_missed_and_misheard_words(engine, heard, meant):
-    found = nearest_utterances(engine.matcher().likely, heard.split())
+    found = UtteranceSearch(engine.matcher().likely).nearest(heard.split())
     assert " ".join(found[0][0]) == meant
 
 
@@ -68,7 +68,7 @@ def test_missed_and_misheard_words(engine, heard, meant):
 )
 def test_all_that_is_found_are_utterances_and_few_steps_are_taken(engine, heard):
     graph = Counting(engine.matcher().likely)
-    found = nearest_utterances(graph, heard, 5)
+    found = UtteranceSearch(graph).nearest(heard, 5)
     # Three rounds for each number of words heard; steps that lead nowhere count as well.
     assert graph.steps <= 2 * 3 * MOST_MOVES * (len(heard) + 1)
     assert len(found) <= 5
@@ -84,27 +84,28 @@ def test_all_that_is_found_are_utterances_and_few_steps_are_taken(engine, heard)
 
 def test_a_word_that_is_known_in_a_free_slot_is_found_in_what_sounds_like_it(engine):
     found = [
-        " ".join(words) for words, _ in nearest_utterances(engine.matcher().likely, ["bring", "me", "the", "battle"])
+        " ".join(words)
+        for words, _ in UtteranceSearch(engine.matcher().likely).nearest(["bring", "me", "the", "battle"])
     ]
     assert found[0] == "bring me the bottle"
     assert "bring me the battle" in found, "any other word may be said as well"
 
 
 def test_a_known_word_is_never_put_in_where_nothing_was_heard(engine):
-    for words, _ in nearest_utterances(engine.matcher().likely, ["pick", "up", "the"]):
+    for words, _ in UtteranceSearch(engine.matcher().likely).nearest(["pick", "up", "the"]):
         assert words[:3] != ("pick", "up", "the") or len(words) == 3
 
 
 @pytest.mark.parametrize("heard", ["dry forward six inches", "tern left", "goat to the kitchen"])
 def test_sounds_that_fit_anywhere_stand_for_no_other_word(engine, heard):
     fillers = {words[0] for words in engine.matcher().grammar.fillers if len("".join(words)) <= 4}
-    for words, _ in nearest_utterances(engine.matcher().likely, heard.split(), 5):
+    for words, _ in UtteranceSearch(engine.matcher().likely).nearest(heard.split(), 5):
         assert words[0] not in fillers
 
 
 def test_a_word_that_changes_everything_is_no_noise(engine):
     heard = ["when", "will", "you", "go", "to", "the", "dock"]
-    lightly = dict(nearest_utterances(engine.matcher().likely, heard))
-    weightily = dict(nearest_utterances(engine.matcher().likely, heard, weighty={"when"}))
+    lightly = dict(UtteranceSearch(engine.matcher().likely).nearest(heard))
+    weightily = dict(UtteranceSearch(engine.matcher().likely).nearest(heard, weighty={"when"}))
     without = ("will", "you", "go", "to", "the", "dock")
     assert weightily.get(without, float("inf")) > 2 * lightly[without]

@@ -15,17 +15,8 @@ from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.reading import Reading
-from intent_engine.language.template import (
-    AnyOrder,
-    Choice,
-    Node,
-    Optional,
-    Reference,
-    Sequence,
-    Word,
-    WordClass,
-    parse_template,
-)
+from intent_engine.language.template import parse_template
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 NAMED = ["ant", "bee", "cat", "the"]
 CLOSED = frozenset(("not", "if"))

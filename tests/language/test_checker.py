@@ -17,7 +17,7 @@ from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence
 from intent_engine.language.grammar_figures import grammar_size
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template import template_text
+from intent_engine.language.template_tree import template_text
 
 
 @pytest.fixture(scope="module")

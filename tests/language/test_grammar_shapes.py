@@ -15,7 +15,7 @@ from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template import Choice, Node, Optional, Reference, Sequence, Word, references
+from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Sequence, Word, references
 
 PHRASES: dict[str, Node] = {
     "p": Choice((Word("x"), Sequence((Word("y"), Optional(Word("z")))))),

@@ -9,22 +9,20 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from templates import trees
 
-from intent_engine.language.template import (
+from intent_engine.language.template import TemplateError, parse_template, parsed_by_lark
+from intent_engine.language.template_reader import read_template
+from intent_engine.language.template_tree import (
     AnyOrder,
     Choice,
     Node,
     Optional,
     Reference,
     Sequence,
-    TemplateError,
     Word,
     WordClass,
-    parse_template,
-    parsed_by_lark,
     references,
     template_text,
 )
-from intent_engine.language.template_reader import read_template
 
 A, B, C = Word("a"), Word("b"), Word("c")
 
