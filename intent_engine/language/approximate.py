@@ -27,7 +27,7 @@ FREE = 1.5
 """Cost of a word that a free slot takes as it was heard."""
 WIDTH = 48
 """Partial sentences kept for each number of words heard."""
-PER_STATE = 8
+PER_STATE = 3
 """Ways kept to reach one state of the grammar."""
 MANY_WORDS = 400
 """Words that may follow, beyond which none is taken for missed."""
