@@ -14,19 +14,12 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "stops", "too_far"]
+__all__ = ["Judge", "stops", "unsure"]
 
-MAX_GAP = 1.5
-"""Gap of a transcript beyond which something else was said. Measured on commands and other speech: docs/speech.md."""
-
-NOISE_SCORE = -2.0
-"""Score of a transcript below which only what was heard as it is counts: a fan may be like a sentence too."""
-MUMBLED_SCORE = -1.2
-"""Score of a transcript below which the sound is hardly speech: then every sentence explains it as badly as the free
-words do, and the gap must be next to nothing. A stop is taken from any sound that is like one."""
-MUMBLED_GAP = 0.1
-SEVERAL_GAP = 0.3
-"""Gap beyond which several commands at once are not taken: "hunting and reese" is no "hundred and freeze"."""
+SURE_ENOUGH = 0.7
+"""Confidence of a transcript from which it is acted on. Measured on commands and other speech: docs/speech.md."""
+SURE_ENOUGH_TO_STOP = 0.4
+"""The same for a stop: to stop for nothing is the lesser harm."""
 
 
 class Judge:
@@ -42,8 +35,9 @@ class Judge:
         if not transcript.text:
             return None, Outlook.OTHER
         meaning = self.meaning(transcript, state, last)
-        if meaning.status is Status.REJECTED and too_far(transcript):
-            return meaning, Outlook.OTHER
+        if meaning.status is Status.REJECTED and unsure(transcript):
+            begun = self.engine.prefix(transcript.free_text, language=self._language(transcript))
+            return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
         prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
         if meaning.status is Status.ACCEPTED:
             if stops(meaning):
@@ -63,15 +57,13 @@ class Judge:
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
         if meaning.status is Status.ACCEPTED and not stops(meaning) and (why := _unheard(transcript)):
             return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
-        if meaning.status is Status.ACCEPTED and too_far(transcript, meaning):
-            free = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=last)
-            if free.actions != meaning.actions:
-                return Interpretation(
-                    transcript.free_text,
-                    Status.REJECTED,
-                    reason="it sounded too different from the nearest command",
-                    alternatives=(transcript.text,),
-                )
+        if meaning.status is Status.ACCEPTED and unsure(transcript, meaning):
+            return Interpretation(
+                transcript.free_text,
+                Status.REJECTED,
+                reason="it sounded too different from the nearest command",
+                alternatives=(transcript.text,),
+            )
         return meaning
 
 
@@ -81,15 +73,10 @@ def _unheard(transcript: Transcript) -> str:
     return f"{words} was not heard clearly; say it again" if words else ""
 
 
-def too_far(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
-    """Whether the nearest sentence of the grammar is too unlike the sound to have been said."""
-    most = MAX_GAP
-    if meaning is None or not stops(meaning):
-        if meaning is not None and len(meaning.actions) > 1:
-            most = SEVERAL_GAP
-        if transcript.score < MUMBLED_SCORE:
-            most = MUMBLED_GAP if transcript.score > NOISE_SCORE else 0.0
-    return transcript.gap is not None and transcript.gap > most
+def unsure(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
+    """Whether the sentence of the grammar that was found is too unlikely to have been said."""
+    enough = SURE_ENOUGH_TO_STOP if meaning is not None and stops(meaning) else SURE_ENOUGH
+    return transcript.confidence is not None and transcript.confidence < enough
 
 
 def stops(meaning: Interpretation) -> bool:

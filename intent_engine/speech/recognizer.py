@@ -30,6 +30,9 @@ class Transcript:
     """Words on which the meaning hangs and that were not heard clearly: names that no list has, and numbers that sound
     like others."""
     language: str | None = None
+    confidence: float | None = None
+    """0 to 1: how likely it is that the words were said, where they are those of the grammar and not those that were
+    heard freely; None if not steered, or if nothing of the grammar was near."""
     decode_seconds: float = 0.0
     """Time that recognition took."""
 

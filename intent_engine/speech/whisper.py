@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import time
 import warnings
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.pieces import mended
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
@@ -32,8 +34,8 @@ MIN_SCORE = -1.0
 """Mean log probability below which a decode is tried again with a longer input (faster-whisper's own threshold)."""
 LONG_SENTENCE = 4
 """Words of a sentence that nobody says twice in one breath."""
-MAX_HINT = 200
-"""Tokens of a hint; Whisper takes at most 223."""
+SHORT_SENTENCE = 3
+"""Words of a sentence that nobody says three times in one breath."""
 TOKENS_PER_SECOND = 7
 """More than anybody speaks; bounds a decode that runs away."""
 
@@ -89,6 +91,7 @@ class WhisperRecognizer:
 
         key = (language or self.language or "en") if self.multilingual else "en"
         if key not in self._tokenizers:
+            self._model.hf_tokenizer = mended(self._model.hf_tokenizer)
             self._tokenizers[key] = Tokenizer(
                 self._model.hf_tokenizer, self.multilingual, task="transcribe", language=key
             )
@@ -156,28 +159,17 @@ class WhisperRecognizer:
         self._model, self.device = _load(self.weights, "cpu", None, self._threads)
         self._tokenizers.clear()
 
-    def greedy(self, encoded: Encoded, language: str | None = None, *, hint: str = "") -> tuple[str, float, bool]:
-        """The likeliest words: (text, mean log probability, whether it went round in a loop).
-
-        Args:
-            encoded: the speech.
-            language: of the speech.
-            hint: text that the model takes for what was said before; it leans towards its words.
-        """
+    def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
+        """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
         tokenizer = self.tokenizer(language)
-        tokens, score = self.greedy_tokens(encoded, language, hint=hint)
+        tokens, score = self.greedy_tokens(encoded, language)
         text = tokenizer.decode([token for token in tokens if token < tokenizer.eot]).strip()
         folded = fold_loop(text)
         return folded, score, folded != text
 
-    def greedy_tokens(
-        self, encoded: Encoded, language: str | None = None, *, hint: str = ""
-    ) -> tuple[list[int], float]:
+    def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
         """The likeliest tokens, with their mean log probability."""
         prompt = self.prompt(language)
-        if hint:
-            tokenizer = self.tokenizer(language)
-            prompt = [tokenizer.sot_prev, *tokenizer.encode(" " + hint)[:MAX_HINT], *prompt]
         limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
         # CTranslate2 gives at most half of max_length, as OpenAI's code does, and no more than the prompt leaves of it.
         result = self._model.model.generate(
@@ -188,6 +180,44 @@ class WhisperRecognizer:
             return_scores=True,
         )[0]
         return list(result.sequences_ids[0]), float(result.scores[0])
+
+    def next_pieces(
+        self, features: Any, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
+    ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        """How likely every next piece is after some beginnings of a text, and after what the model would go on with.
+
+        Args:
+            features: encoded sound, ``(1, n, width)``.
+            beginnings: tokens that the text begins with; they may differ in length.
+            length: tokens up to which the model goes on.
+            language: of the speech.
+
+        Yields:
+            (beginning, ``(vocabulary,)`` log probabilities).
+        """
+        import ctranslate2
+
+        prompt = self.prompt(language)
+        longest = max(length, 1 + max(map(len, beginnings)))
+        storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(np.repeat(features, len(beginnings), axis=0)))
+        results = self._model.model.generate(
+            storage,
+            [[*prompt, *beginning] for beginning in beginnings],
+            beam_size=1,
+            max_length=min(max(2 * longest, len(prompt) + longest), 448),  # see greedy_tokens
+            return_logits_vocab=True,
+            suppress_blank=False,
+            suppress_tokens=None,
+        )
+        for beginning, result in zip(beginnings, results, strict=True):
+            # What is given back leaves out the beginning's last piece or so, which is known.
+            tokens = (*beginning, *result.sequences_ids[0][len(beginning) :])
+            for place, logits in enumerate(result.logits[0]):
+                if place > len(tokens):
+                    break
+                row = np.asarray(logits).ravel()
+                top = row.max()
+                yield tokens[:place], row - (top + np.log(np.exp(row - top).sum()))
 
     def close(self) -> None:
         unload = getattr(self._model.model, "unload_model", None)
@@ -222,7 +252,9 @@ def fold_loop(text: str) -> str:
 
     Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
     sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
-    sentence that begins again is one as well.
+    sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
+    the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
+    is what was said.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
@@ -235,10 +267,18 @@ def fold_loop(text: str) -> str:
         whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
         if repeats >= (2 if whole else 3) and _begins(unit, rest):
             return " ".join(words[:length])
+        again = plain[length : 2 * length]
+        if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
+            return " ".join(words[:length])
     for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
     return text
+
+
+def _changed(unit: list[str], again: list[str]) -> int:
+    """Words that differ between two sentences of the same length."""
+    return sum(one != other for one, other in zip(unit, again, strict=True))
 
 
 def _begins(unit: list[str], rest: list[str]) -> bool:

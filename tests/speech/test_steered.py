@@ -12,8 +12,9 @@ from intent_engine.interpretation import Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.evidence import Evidence
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.steered import _Candidate
+from intent_engine.speech.steered import Reading
 
 
 @pytest.fixture
@@ -50,8 +51,8 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     ],
 )
 def test_a_word_that_nobody_knows_must_be_heard_clearly(whisper, spoken, words, unclear):
-    candidate = _Candidate(words, 0.0, 0.0, "")
-    assert whisper._unclear(whisper.encode(spoken), candidate, "en") == unclear
+    reading = Reading(words, 0.0, 0.0, Evidence(0.0, 0.0, 0.0, 0.0))
+    assert whisper._unclear(whisper.encode(spoken), reading, "en") == unclear
 
 
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):

@@ -1,0 +1,313 @@
+"""The sentences of a grammar that the model itself finds likeliest, searched piece by piece along the automaton.
+
+Words that were heard wrongly lead to the wrong sentences: "real water stop" is like "get water", not like "robot stop".
+Here the grammar says which words may come next and the model says how likely each of them is, given the sound.
+
+CTranslate2 takes no such advice while it decodes, but it can be made to begin with given pieces, and tells how likely
+every piece is at each place: along those it was given, and along those that it then adds freely. So a few calls, each
+for a handful of beginnings at once, tell nearly all that the search asks.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.speech.writing import written
+
+__all__ = ["GuidedSearch", "NextPieces"]
+
+BATCH = 8
+"""Beginnings that the model is asked about in one call."""
+AHEAD = 3
+"""Pieces that the model adds freely to the longest of them."""
+CALLS = 4
+"""Calls of the model in one search."""
+LENGTH_BONUS = 1.0
+"""nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
+PER_STATE = 2
+"""Ways kept to each place of the grammar."""
+BEHIND = 4.0
+"""nats by which a beginning may be behind the best whole sentence."""
+GIVEN_UP = 1.5
+"""nats for each word, and four more, by which a beginning may be behind what was heard freely."""
+UNLIKELY = -9.0
+"""Log probability of a piece that is not looked at any more, and of digits, of which there are so many."""
+UNLIKELY_DIGITS = -7.0
+STEPS = 600
+"""Beginnings looked at in one search."""
+FOUND = 12
+"""Sentences given."""
+LONG_FILLER = 5
+"""Letters of a word that may be said anywhere ("robot", "please"), from which the sound tells it from a mishearing."""
+MANY_WORDS = 1500
+"""Words that may follow, beyond which only those like what was heard are asked about: names of a very large map."""
+MAX_TRIES = 4000
+"""Places of the grammar whose words are kept in pieces."""
+
+Row: TypeAlias = npt.NDArray[np.float32]
+NextPieces: TypeAlias = Callable[[Sequence[tuple[int, ...]], int], Iterable[tuple[tuple[int, ...], Row]]]
+"""What the model says of some beginnings: asked with the beginnings and the pieces that a sentence may have, it gives
+(beginning, log probability of every next piece), also of beginnings that begin with these."""
+
+
+@dataclass(slots=True)
+class _Pieces:
+    """Words as a tree of pieces: which pieces may come next, and which words end here."""
+
+    after: dict[int, _Pieces] = field(default_factory=dict)
+    words: list[str] = field(default_factory=list)
+    numbers: bool = False
+    ids: npt.NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    branches: list[_Pieces] = field(default_factory=list)
+
+    def seal(self) -> None:
+        self.ids = np.fromiter(self.after, np.int64, len(self.after))
+        self.branches = list(self.after.values())
+        for branch in self.branches:
+            branch.seal()
+
+
+@dataclass(frozen=True, slots=True)
+class _Path:
+    """A beginning of a sentence."""
+
+    score: float
+    tokens: tuple[int, ...] = ()
+    words: tuple[str, ...] = ()
+    state: Any = None
+    inside: _Pieces | None = None
+    """Within a word: the pieces that it may go on with."""
+    digits: str = ""
+    """Within a number in digits: those so far."""
+
+    @property
+    def place(self) -> tuple[Any, ...]:
+        """What may follow hangs on this alone."""
+        return (self.state, id(self.inside), self.digits)
+
+
+class GuidedSearch:
+    """Searches one grammar with one model's pieces.
+
+    Args:
+        search: of the grammar, which knows the words after each of its states.
+        tokenizer: faster-whisper's, of the language.
+        language: of the grammar.
+    """
+
+    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None) -> None:
+        self._search = search
+        self._graph = search.graph
+        self._tokenizer = tokenizer
+        self._language = language
+        self._encoded: dict[str, list[int]] = {}
+        self._tries: dict[tuple[Any, bool], _Pieces] = {}
+        (self._stop,) = tokenizer.encode(".")
+        (self._comma,) = tokenizer.encode(",")
+        digits = {
+            number: piece.replace("\u0120", " ")
+            for piece, number in tokenizer.tokenizer.get_vocab().items()
+            if piece.lstrip("\u0120").isascii() and piece.lstrip("\u0120").isdigit()
+        }
+        self._first_digits = [(number, piece.strip()) for number, piece in digits.items() if piece[0] == " "]
+        self._more_digits = [(number, piece) for number, piece in digits.items() if piece[0] != " "]
+        self._first_ids = np.array([number for number, _ in self._first_digits])
+        self._more_ids = np.array([number for number, _ in self._more_digits])
+
+    def likeliest(
+        self, ask: NextPieces, heard: Sequence[str], free: str, free_score: float, drafts: Sequence[str] = ()
+    ) -> list[tuple[tuple[str, ...], float]]:
+        """Sentences of the grammar that explain the sound best.
+
+        Args:
+            ask: the model.
+            heard: the words heard freely, normalised.
+            free: the same as the model wrote them.
+            free_score: their log probability.
+            drafts: sentences of the grammar that may be meant; they cost no further call.
+
+        Returns:
+            (words, log probability with a full stop) pairs, likeliest first, at most :data:`FOUND`.
+        """
+        rows: dict[tuple[int, ...], Row] = {}
+        pieces = tuple(self._tokenizer.encode(" " + free.strip()))
+        seeds = [pieces, *(tuple(self._tokenizer.encode(" " + draft)) for draft in drafts)]
+        length = max(map(len, seeds)) + 2
+        rows.update(ask(list(dict.fromkeys(seeds)), length))
+        found: dict[tuple[str, ...], float] = {}
+        kept: dict[tuple[Any, ...], list[float]] = {}
+        order = itertools.count()
+        queue: list[tuple[float, int, _Path]] = []
+        waiting: list[tuple[float, int, _Path]] = []
+
+        def push(path: _Path) -> None:
+            if path.score < free_score - GIVEN_UP * (4 + len(path.words)):
+                return
+            scores = kept.setdefault(path.place, [])
+            if len(scores) >= PER_STATE and path.score <= scores[-1]:
+                return
+            scores.append(path.score)
+            scores.sort(reverse=True)
+            del scores[PER_STATE:]
+            heapq.heappush(queue, (-path.score - LENGTH_BONUS * len(path.tokens), next(order), path))
+
+        push(_Path(0.0, state=self._graph.start()))
+        calls = steps = 0
+        while queue and steps < STEPS:
+            best = max(found.values(), default=-math.inf)
+            while queue and steps < STEPS:
+                item = heapq.heappop(queue)
+                path = item[2]
+                if path.score < best - BEHIND:
+                    continue
+                row = rows.get(path.tokens)
+                if row is None:
+                    waiting.append(item)
+                    continue
+                steps += 1
+                for further in self._further(path, row, heard, found):
+                    push(further)
+                best = max(found.values(), default=-math.inf)
+            waiting = sorted(item for item in waiting if item[2].score >= best - BEHIND)
+            if not waiting or calls == CALLS - 1:
+                break
+            asked = list(dict.fromkeys(item[2].tokens for item in waiting[:BATCH]))
+            length = AHEAD + max(map(len, asked))
+            for beginning, row in ask(asked, length):
+                rows.setdefault(beginning, row)
+            calls += 1
+            queue, waiting = waiting, []
+        return sorted(found.items(), key=lambda item: -item[1])[:FOUND]
+
+    def _further(
+        self, path: _Path, row: Row, heard: Sequence[str], found: dict[tuple[str, ...], float]
+    ) -> Iterable[_Path]:
+        """A beginning with one piece more, in every way that the grammar has; whole sentences go to ``found``."""
+        if path.digits:
+            for at in np.flatnonzero(row[self._more_ids] > UNLIKELY_DIGITS):
+                number, digits = self._more_digits[at]
+                yield self._on(path, row, number, digits=path.digits + digits)
+            if "." not in path.digits:
+                yield self._on(path, row, self._stop, digits=path.digits + ".")
+            if not path.digits.endswith("."):
+                spelled = in_words([path.digits]) if self._language in (None, "en") else [path.digits]
+                yield from self._after(path, row, spelled, heard, found)
+        elif path.inside is not None:
+            yield from self._into(path, row, path.inside, path.words, path.state)
+            for word in path.inside.words:
+                yield from self._after(path, row, [word], heard, found)
+        else:
+            yield from self._between(path, row, path.words, path.state, heard, found)
+
+    def _after(
+        self, path: _Path, row: Row, said: Sequence[str], heard: Sequence[str], found: dict[tuple[str, ...], float]
+    ) -> Iterable[_Path]:
+        """What may follow the words that a path ends with, if the grammar has them there."""
+        state = path.state
+        for word in said:
+            state = self._graph.step(state, word)
+            if state is None:
+                return
+        yield from self._between(path, row, (*path.words, *said), state, heard, found)
+
+    def _between(
+        self,
+        path: _Path,
+        row: Row,
+        words: tuple[str, ...],
+        state: Any,
+        heard: Sequence[str],
+        found: dict[tuple[str, ...], float],
+    ) -> Iterable[_Path]:
+        """Between two words: the sentence is over, or the next word begins."""
+        if words and self._graph.accepting(state):
+            score = path.score + float(row[self._stop])
+            found[words] = max(score, found.get(words, -math.inf))
+        pieces = self._words_after(state, not path.tokens, heard)
+        yield from self._into(path, row, pieces, words, state)
+        if pieces.numbers:
+            for at in np.flatnonzero(row[self._first_ids] > UNLIKELY_DIGITS):
+                number, digits = self._first_digits[at]
+                yield self._on(path, row, number, words=words, state=state, digits=digits)
+        if path.tokens and path.tokens[-1] != self._comma:
+            yield self._on(path, row, self._comma, words=words, state=state)
+
+    def _into(self, path: _Path, row: Row, pieces: _Pieces, words: tuple[str, ...], state: Any) -> Iterable[_Path]:
+        """One piece further into a word."""
+        for at in np.flatnonzero(row[pieces.ids] > UNLIKELY):
+            number = int(pieces.ids[at])
+            yield self._on(path, row, number, words=words, state=state, inside=pieces.branches[at])
+
+    def _on(
+        self,
+        path: _Path,
+        row: Row,
+        number: int,
+        *,
+        words: tuple[str, ...] | None = None,
+        state: Any = None,
+        inside: _Pieces | None = None,
+        digits: str = "",
+    ) -> _Path:
+        return _Path(
+            path.score + float(row[number]),
+            (*path.tokens, number),
+            path.words if words is None else words,
+            path.state if state is None else state,
+            inside,
+            digits,
+        )
+
+    def _words_after(self, state: Any, first: bool, heard: Sequence[str]) -> _Pieces:
+        """The words that may follow, in pieces."""
+        pieces = self._tries.get((state, first))
+        if pieces is not None:
+            return pieces
+        _, likely, sounds = self._search.words_after(state)
+        words = set(likely)
+        many = len(words) > MANY_WORDS
+        if many:
+            words = {word for span in _spans(heard) for _, word in self._search.like(state, span)}
+        # A short sound that fits anywhere ("so") would explain whatever was misheard.
+        words.update(word for word in sounds if word[:1].isalnum() and (len(word) >= LONG_FILLER or not likely))
+        pieces = _Pieces(numbers=not NUMBER_WORDS.isdisjoint(likely))
+        if self._language not in (None, "en"):
+            pieces.numbers = True
+        for word in words:
+            at = pieces
+            for number in self._in_pieces(word, first):
+                at = at.after.setdefault(number, _Pieces())
+            at.words.append(word)
+        pieces.seal()
+        if not many:
+            if len(self._tries) >= MAX_TRIES:
+                self._tries.clear()
+            self._tries[state, first] = pieces
+        return pieces
+
+    def _in_pieces(self, word: str, first: bool) -> list[int]:
+        text = " " + written([word], self._language, sentence=first)
+        pieces = self._encoded.get(text)
+        if pieces is None:
+            pieces = self._encoded[text] = self._tokenizer.encode(text)
+        return pieces
+
+
+def _spans(heard: Sequence[str]) -> set[str]:
+    """The words heard, and what up to four of them are together."""
+    return {
+        "".join(heard[begin:end])
+        for begin in range(len(heard))
+        for end in range(begin + 1, min(begin + 4, len(heard)) + 1)
+    }

@@ -1,0 +1,140 @@
+"""The search that the model leads along the grammar: with a model that is made up, whose wish is known, and the real one."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.speech import guided
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.writing import written
+
+VOCABULARY = 51864
+SENTENCES = [
+    ("go forward two meters", "Go forward two meters"),
+    ("go forward two meters", "Go forward 2 meters"),
+    ("turn left one hundred twenty degrees", "Turn left 120 degrees"),
+    ("turn right ninety degrees", "Turn right, 90 degrees"),
+    ("drive ahead zero point five meters", "Drive ahead 0.5 meters"),
+    ("robot stop", "Robot, stop"),
+    ("thats enough", "That's enough"),
+    ("go to the charging dock", "Go to the charging dock"),
+    ("pick up the cup", "Pick up the cup"),
+]
+
+
+class Wishes:
+    """A model that wants to say one text: its next piece has the probability of a good guess, all others share the rest,
+    unevenly."""
+
+    def __init__(self, tokens: Sequence[int], stop: int, wish: float = -0.1) -> None:
+        self.tokens = (*tokens, stop)
+        self.wish = wish
+        self.calls = 0
+
+    def row(self, beginning: tuple[int, ...]) -> np.ndarray:
+        chance = np.random.default_rng(zlib.crc32(repr(beginning).encode()))
+        row = chance.uniform(-14, -10, VOCABULARY).astype(np.float32)
+        if beginning == self.tokens[: len(beginning)] and len(beginning) < len(self.tokens):
+            row[self.tokens[len(beginning)]] = self.wish
+        return row
+
+    def __call__(self, beginnings, length):
+        self.calls += 1
+        for beginning in beginnings:
+            for place in range(len(beginning) + 1):
+                yield beginning[:place], self.row(beginning[:place])
+            while len(beginning) < length:
+                beginning = (*beginning, int(np.argmax(self.row(beginning))))
+                yield beginning, self.row(beginning)
+
+
+@pytest.fixture(scope="module")
+def search(engine, whisper) -> GuidedSearch:
+    return GuidedSearch(UtteranceSearch(engine.matcher().likely), whisper.tokenizer("en"), "en")
+
+
+@pytest.mark.parametrize(("words", "text"), SENTENCES)
+def test_it_finds_what_the_model_wants_to_say(search, whisper, words, text):
+    tokenizer = whisper.tokenizer("en")
+    model = Wishes(tokenizer.encode(" " + text), *tokenizer.encode("."))
+    found = search.likeliest(model, ["what", "ever"], "Whatever.", -8.0)
+    assert found[0][0] == tuple(words.split())
+    assert found[0][1] == pytest.approx(model.wish * len(model.tokens), abs=1e-4), "every piece and the full stop"
+    assert model.calls <= guided.CALLS
+
+
+@settings(max_examples=30, deadline=None)
+@given(seed=st.integers(0, 10_000))
+def test_whatever_the_model_wants_only_sentences_of_the_grammar_come_out(search, engine, seed):
+    chance = np.random.default_rng(seed)
+
+    def anything(beginnings, length):
+        for beginning in beginnings:
+            yield beginning, chance.uniform(-6, 0, VOCABULARY).astype(np.float32)
+
+    graph = engine.matcher().likely
+    found = search.likeliest(anything, ["go"], "Go.", -3.0)
+    scores = [score for _, score in found]
+    assert scores == sorted(scores, reverse=True)
+    for words, _ in found:
+        read, state = graph.walk(words)
+        assert read == len(words)
+        assert graph.accepting(state)
+
+
+def test_what_is_far_behind_what_was_heard_is_given_up(search, whisper):
+    model = Wishes([], *whisper.tokenizer("en").encode("."))
+    assert search.likeliest(model, ["he", "was"], "He was not an ill disposed young man.", -3.0) == []
+    assert model.calls == 1
+
+
+def test_no_short_sound_stands_for_what_was_misheard(search, whisper):
+    tokenizer = whisper.tokenizer("en")
+    model = Wishes(tokenizer.encode(" So stop"), *tokenizer.encode("."))
+    assert ("so", "stop") not in dict(search.likeliest(model, ["so", "stop"], "So stop.", -1.0))
+
+
+def test_of_very_many_names_those_like_what_was_heard_are_asked_about(tmp_path, whisper, monkeypatch):
+    names = "".join(f"  room {number}: {{x: 1.0, y: 1.0}}\n" for number in range(40)) + "  veranda: {x: 1.0, y: 1.0}\n"
+    (tmp_path / "map.yaml").write_text("frame: map\nlocations:\n" + names)
+    root = guided.__file__.rsplit("intent_engine", 1)[0]
+    engine = IntentEngine.from_files(root + "grammars/en.yaml", locations=tmp_path / "map.yaml")
+    monkeypatch.setattr(guided, "MANY_WORDS", 10)
+    tokenizer = whisper.tokenizer("en")
+    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), tokenizer, "en")
+    model = Wishes(tokenizer.encode(" Go to the veranda"), *tokenizer.encode("."))
+    heard = ["go", "to", "the", "veronda"]
+    assert search.likeliest(model, heard, "Go to the Veronda.", -6.0)[0][0] == ("go", "to", "the", "veranda")
+
+
+def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
+    encoded = whisper.encode(go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)])
+    features = whisper._cut(encoded)
+    found = search.likeliest(
+        lambda beginnings, length: whisper.next_pieces(features, beginnings, length, "en"),
+        ["oh", "forward", "to", "me", "does"],
+        "Oh forward to me does.",
+        whisper.score(encoded, ["Oh forward to me does."], "en")[0],
+    )
+    assert found[0][0] == ("go", "forward", "two", "meters")
+    words, score = found[0]
+    assert score == pytest.approx(whisper._best_score(encoded, words, "en"), abs=0.3), "as teacher forcing finds it"
+
+
+def test_the_real_model_tells_every_next_piece(whisper, go_forward):
+    encoded = whisper.encode(go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)])
+    tokens = tuple(whisper.tokenizer("en").encode(" " + written(["go", "forward"], "en")))
+    rows = dict(whisper.next_pieces(whisper._cut(encoded), [tokens, tokens[:1]], 6, "en"))
+    assert {(), tokens[:1], tokens} <= set(rows)
+    for row in rows.values():
+        assert row.shape == (VOCABULARY,)
+        assert np.exp(row).sum() == pytest.approx(1.0, abs=1e-3)
