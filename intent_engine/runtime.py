@@ -159,6 +159,7 @@ class Runtime:
                 if frame.lost or frame.deaf:
                     self._gap(frame, recent, utterance, waiting)
                     utterance = None
+                self._collect(frame.time, utterance, waiting)  # the endpoint decides by what is known now
                 if not frame.deaf:
                     self._deaf = False
                     utterance = self._frame(frame, recent, utterance, waiting)

@@ -161,8 +161,6 @@ class _Notes:
         if event.kind is HeardKind.PARTIAL and event.transcript is not None:
             self._decoded(event.transcript, event.time)
             self._partial = event.transcript
-            # The endpoint learns of it at the frame at which it is ready, and can end the utterance one frame later.
-            self._ready += FRAME_SECONDS
         elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
             if event.transcript is not self._partial:
                 self._decoded(event.transcript, event.time)

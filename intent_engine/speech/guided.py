@@ -31,7 +31,7 @@ BATCH = 8
 """Beginnings that the model is asked about in one call."""
 AHEAD = 3
 """Pieces that the model adds freely to the longest of them."""
-CALLS = 4
+CALLS = 3
 """Calls of the model in one search."""
 LENGTH_BONUS = 1.0
 """nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Reading", "SteeredWhisper"]
 
-CANDIDATES = 12
+CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are scored against the sound."""
 SEARCHES = 64
 """Searches whose results are kept."""

@@ -1,4 +1,4 @@
-"""The search that the model leads along the grammar: with a model that is made up, whose wish is known, and the real one."""
+"""The search that the model leads along the grammar: with a made-up one, whose wish is known, and the real one."""
 
 from __future__ import annotations
 
@@ -32,8 +32,7 @@ SENTENCES = [
 
 
 class Wishes:
-    """A model that wants to say one text: its next piece has the probability of a good guess, all others share the rest,
-    unevenly."""
+    """A model that wants to say one text: its next piece is likely, all others are unlikely, some more than others."""
 
     def __init__(self, tokens: Sequence[int], stop: int, wish: float = -0.1) -> None:
         self.tokens = (*tokens, stop)
