@@ -27,11 +27,11 @@ from intent_engine.speech.writing import written
 
 __all__ = ["GuidedSearch", "NextPieces"]
 
-BATCH = 8
+BATCH = 4
 """Beginnings that the model is asked about in one call."""
 AHEAD = 3
 """Pieces that the model adds freely to the longest of them."""
-CALLS = 3
+CALLS = 6
 """Calls of the model in one search."""
 LENGTH_BONUS = 1.0
 """nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
@@ -183,7 +183,7 @@ class GuidedSearch:
             if not waiting or calls == CALLS - 1:
                 break
             asked = list(dict.fromkeys(item[2].tokens for item in waiting[:BATCH]))
-            length = AHEAD + max(map(len, asked))
+            length = max(length, AHEAD + max(map(len, asked)))
             for beginning, row in ask(asked, length):
                 rows.setdefault(beginning, row)
             calls += 1
