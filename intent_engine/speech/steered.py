@@ -56,7 +56,7 @@ WORD = 0.3
 UNKNOWN_WORD = 4.0
 """nats by which a word that no list has is less likely than those that are."""
 CLEAR = 0.6
-"""Geometric mean of the probabilities of an unknown word's pieces, from which it is taken."""
+"""Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
     | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
@@ -185,7 +185,8 @@ class SteeredWhisper(WhisperRecognizer):
             language: of the speech.
         """
         heard = self._words(free, language)
-        near = [words for words in self._near(heard, language) if self._possible(words, heard, language)]
+        story = self._story(encoded, free, language)
+        near = [words for words in self._near(heard, language) if self._possible(words, story, language)]
         found = dict(zip(near, self._scores(encoded, near, language), strict=True))
         readings = self._ranked(encoded, free, heard, found, language)
         if readings and readings[0].evidence.confidence >= SURE:
@@ -200,7 +201,7 @@ class SteeredWhisper(WhisperRecognizer):
             drafts,
         )
         for words, score in guided:
-            if words in found or self._possible(words, heard, language):
+            if words in found or self._possible(words, story, language):
                 found[words] = max(score, found.get(words, score))
         return self._ranked(encoded, free, heard, found, language)
 
@@ -240,11 +241,27 @@ class SteeredWhisper(WhisperRecognizer):
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
         return [words for words, apart in self._nearest(self._matcher(language).likely, tuple(heard)) if apart <= most]
 
-    def _possible(self, words: Sequence[str], heard: Sequence[str], language: str | None) -> bool:
-        """Whether an utterance may be meant by what was heard: what would not be accepted was not said, except that
-        something shall not be done; nobody says hardly anything but "oh", "now" and "so"; and who tells a story
-        gives no command."""
-        if any(word in NARRATING and not _stands_for(word, words) for word in heard):
+    def _story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
+        """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
+        spoken = free.split()
+        words = [Utterance.of(word, language or "en").words for word in spoken]
+        if all(NARRATING.isdisjoint(said) for said in words):
+            return []
+        tokenizer = self.tokenizer(language)
+        (tokens,) = self._token_scores(encoded, [free], language)
+        found: list[str] = []
+        at = 0
+        for word, said in zip(spoken, words, strict=True):
+            count = len(tokenizer.encode(" " + word))
+            if float(np.mean(tokens[at : at + count])) > math.log(CLEAR):
+                found.extend(NARRATING.intersection(said))
+            at += count
+        return found
+
+    def _possible(self, words: Sequence[str], story: Sequence[str], language: str | None) -> bool:
+        """Whether an utterance may be meant: what would not be accepted was not said, except that something shall not
+        be done; nobody says hardly anything but "oh", "now" and "so"; and who tells a story gives no command."""
+        if any(not _stands_for(word, words) for word in story):
             return False
         meaning = self._parse(" ".join(words), language)
         known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or _is_refusal(meaning)
