@@ -18,6 +18,8 @@ __all__ = ["Judge", "stops", "unsure"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on. Measured on commands and other speech: docs/speech.md."""
+SURE_ENOUGH_OF_SEVERAL = 0.9
+"""The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
 SURE_ENOUGH_TO_STOP = 0.4
 """The same for a stop: to stop for nothing is the lesser harm."""
 
@@ -75,7 +77,11 @@ def _unheard(transcript: Transcript) -> str:
 
 def unsure(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
     """Whether the sentence of the grammar that was found is too unlikely to have been said."""
-    enough = SURE_ENOUGH_TO_STOP if meaning is not None and stops(meaning) else SURE_ENOUGH
+    enough = SURE_ENOUGH
+    if meaning is not None and stops(meaning):
+        enough = SURE_ENOUGH_TO_STOP
+    elif meaning is not None and len(meaning.actions) > 1:
+        enough = SURE_ENOUGH_OF_SEVERAL
     return transcript.confidence is not None and transcript.confidence < enough
 
 

@@ -27,7 +27,7 @@ from intent_engine.speech.audio import Samples
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, letters_apart
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.vocabulary import known_words
+from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
 from intent_engine.speech.whisper import RETRY_SECONDS, Encoded, WhisperRecognizer
 from intent_engine.speech.writing import written
 
@@ -128,7 +128,7 @@ class SteeredWhisper(WhisperRecognizer):
             language = engine.languages[0]
         super().__init__(model, device=device, compute_type=compute_type, language=language, threads=threads)
         self._engine = engine
-        self._known: tuple[Any, frozenset[str]] | None = None
+        self._known: tuple[Any, frozenset[str], frozenset[str]] | None = None
         self._scored: tuple[Any, dict[str, float]] = (None, {})
         self._search: UtteranceSearch | None = None
         self._guided: dict[str | None, GuidedSearch] = {}
@@ -153,7 +153,7 @@ class SteeredWhisper(WhisperRecognizer):
                 return Transcript(free, mean, free, language=language)
             words = self._words(free, language)
             exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
-            if exact and mean > DOUBTFUL_SCORE and not self._unknown(words, language):
+            if exact and mean > DOUBTFUL_SCORE and not self._unknown(words, meaning, language):
                 unclear = self._rivalled(encoded, words, language)
                 return Transcript(free, mean, free, 0.0, unclear=unclear, language=language, confidence=1.0)
             found = self._read(encoded, free, mean, language)
@@ -305,12 +305,15 @@ class SteeredWhisper(WhisperRecognizer):
 
     # -- what was not heard clearly ----------------------------------------------------------------
 
-    def _unknown(self, words: Sequence[str], language: str | None) -> bool:
+    def _unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
         matcher = self._matcher(language)
         if self._known is None or self._known[0] is not matcher:
-            self._known = (matcher, known_words(matcher))
-        if self._known[1].issuperset(word for word in words if not is_numeral(word)):
+            self._known = (matcher, known_words(matcher), known_in_slots(matcher))
+        _, known, in_slots = self._known
+        if known.issuperset(word for word in words if not is_numeral(word)) and in_slots.issuperset(
+            said_in_slots(meaning.slots)
+        ):
             return False
         heard = tuple(words)
         as_heard = next((said for said, _ in self._nearest(matcher.likely, heard) if said == heard), ())

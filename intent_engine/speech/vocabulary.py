@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from typing import Any
+
 from intent_engine.language.exploration import vocabulary as grammar_words
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.matcher import Matcher, spoken_trees
@@ -9,7 +12,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["known_words"]
+__all__ = ["known_in_slots", "known_words", "said_in_slots"]
 
 
 def known_words(matcher: Matcher) -> frozenset[str]:
@@ -24,6 +27,30 @@ def known_words(matcher: Matcher) -> frozenset[str]:
     for name in matcher.locations or ():
         found.update(Utterance.of(name, grammar.language).words)
     return frozenset(found)
+
+
+def known_in_slots(matcher: Matcher) -> frozenset[str]:
+    """Words that the value of a slot may have, where they are what a list says: "meter" is a word, but no thing."""
+    grammar = matcher.grammar
+    found = set(ARTICLES)
+    for slot in grammar.slots.values():
+        found |= slot.known
+        found.update(word for value, _ in slot.values for word in str(value).split())
+    for name in matcher.locations or ():
+        found.update(Utterance.of(name, grammar.language).words)
+    return frozenset(found)
+
+
+def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:
+    """The words of all slots that hold words, those of several commands too."""
+    for value in slots.values():
+        if isinstance(value, str):
+            yield from value.split()
+        elif isinstance(value, Mapping):
+            yield from said_in_slots(value)
+        elif isinstance(value, list):
+            for step in value:
+                yield from said_in_slots(step) if isinstance(step, Mapping) else ()
 
 
 def _words(node: Node) -> list[str]:

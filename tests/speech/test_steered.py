@@ -122,3 +122,20 @@ def test_a_stop_is_taken_however_unclear(listen, go_forward):
 
 def test_free_words_are_words():
     assert FreeWord("cup") == "cup"
+
+
+@pytest.mark.parametrize(
+    ("text", "unknown"),
+    [
+        ("take the cup", False),
+        ("put the cup on the table", False),
+        ("go to the kitchen and pick up the bottle", False),
+        ("take meter the living room", True),
+        ("pick up the florble", True),
+        ("go to the kitchen and pick up the meter", True),
+    ],
+)
+def test_a_word_of_the_grammar_is_no_thing_that_it_knows(engine, whisper, text, unknown):
+    meaning = engine.parse(text)
+    assert meaning.status is Status.ACCEPTED
+    assert whisper._unknown(text.split(), meaning, "en") is unknown

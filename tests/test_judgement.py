@@ -1,0 +1,62 @@
+"""What a transcript may move: nothing, where it is not sure that it was said; a stop, from less."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from intent_engine import IntentEngine, Status
+from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_OF_SEVERAL, SURE_ENOUGH_TO_STOP, Judge
+from intent_engine.speech.endpoint import Outlook
+from intent_engine.speech.recognizer import Transcript
+
+ROOT = Path(__file__).resolve().parent.parent
+ONE, SEVERAL, STOP = "go forward two meters", "go forward two meters and turn left", "stop"
+
+
+@pytest.fixture(scope="module")
+def judge() -> Judge:
+    return Judge(IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml"))
+
+
+def heard(text: str, confidence: float | None, free: str = "oh forward to me does") -> Transcript:
+    return Transcript(text, free_text=free, gap=1.0, confidence=confidence)
+
+
+@pytest.mark.parametrize(
+    ("text", "enough"), [(ONE, SURE_ENOUGH), (SEVERAL, SURE_ENOUGH_OF_SEVERAL), (STOP, SURE_ENOUGH_TO_STOP)]
+)
+def test_it_is_done_from_this_confidence_on(judge, text, enough):
+    assert judge.meaning(heard(text, enough), (), ()).status is Status.ACCEPTED
+    refused = judge.meaning(heard(text, enough - 0.01), (), ())
+    assert refused.status is Status.REJECTED
+    assert refused.actions == ()
+    assert refused.text == "oh forward to me does", "what was heard, not what was looked for"
+    assert refused.alternatives == (text,)
+    assert "too different" in refused.reason
+
+
+def test_less_is_asked_of_a_stop_and_more_of_several_commands():
+    assert SURE_ENOUGH_TO_STOP < SURE_ENOUGH < SURE_ENOUGH_OF_SEVERAL
+
+
+@pytest.mark.parametrize("text", [ONE, SEVERAL, STOP])
+def test_a_recogniser_that_is_not_steered_is_believed(judge, text):
+    assert judge.meaning(heard(text, None, text), (), ()).status is Status.ACCEPTED
+
+
+def test_an_unsure_sentence_is_waited_for_by_the_words_that_were_heard(judge):
+    meaning, outlook = judge.outlook(heard("go to the dock", 0.2, "go to the"), (), ())
+    assert meaning is not None
+    assert meaning.actions == ()
+    assert outlook is Outlook.INCOMPLETE
+    _, outlook = judge.outlook(heard("go to the dock", 0.2, "goats eat a dog"), (), ())
+    assert outlook is Outlook.OTHER
+
+
+@pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])
+def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
+    meaning = judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=("fifteen",)), (), ())
+    assert (meaning.status is Status.ACCEPTED) is done
+    assert done or "say it again" in meaning.reason
