@@ -14,21 +14,21 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from rapidfuzz.distance import Levenshtein
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.spelled import in_digits, in_words
+from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, letters_apart
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.scoring import ScoringWhisper
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
-from intent_engine.speech.whisper import RETRY_SECONDS, Encoded, WhisperRecognizer
+from intent_engine.speech.whisper import RETRY_SECONDS, Encoded
 from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
@@ -77,10 +77,6 @@ SURE = 0.9
 """Confidence from which no other sentence is looked for."""
 RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
-SCORED_MARGIN = 0.5
-"""s of silence after the speech that texts are scored against."""
-ENCODED_PER_SECOND = 50
-"""Vectors of Whisper's encoder."""
 RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
 DOUBTFUL_SCORE = -0.6
@@ -105,7 +101,7 @@ class Reading:
         return sum(isinstance(word, FreeWord) for word in self.words)
 
 
-class SteeredWhisper(WhisperRecognizer):
+class SteeredWhisper(ScoringWhisper):
     """A recogniser for one engine's grammar.
 
     Args:
@@ -129,7 +125,6 @@ class SteeredWhisper(WhisperRecognizer):
         super().__init__(model, device=device, compute_type=compute_type, language=language, threads=threads)
         self._engine = engine
         self._known: tuple[Any, frozenset[str], frozenset[str]] | None = None
-        self._scored: tuple[Any, dict[str, float]] = (None, {})
         self._search: UtteranceSearch | None = None
         self._guided: dict[str | None, GuidedSearch] = {}
         self._searched: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = {}
@@ -187,14 +182,13 @@ class SteeredWhisper(WhisperRecognizer):
         heard = self._words(free, language)
         story = self._story(encoded, free, language)
         near = [words for words in self._near(heard, language) if self._possible(words, story, language)]
-        found = dict(zip(near, self._scores(encoded, near, language), strict=True))
+        found = dict(zip(near, self.score_words(encoded, near, language), strict=True))
         readings = self._ranked(encoded, free, heard, found, language)
         if readings and readings[0].evidence.confidence >= SURE:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
-        sound = self._cut(encoded)
         guided = self._guide(language).likeliest(
-            lambda beginnings, length: self.next_pieces(sound, beginnings, length, language),
+            lambda beginnings, length: self.next_pieces(encoded, beginnings, length, language),
             heard,
             free,
             self.score(encoded, [free], language)[0],
@@ -243,20 +237,11 @@ class SteeredWhisper(WhisperRecognizer):
 
     def _story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
-        spoken = free.split()
-        words = [Utterance.of(word, language or "en").words for word in spoken]
-        if all(NARRATING.isdisjoint(said) for said in words):
+        words = [NARRATING.intersection(Utterance.of(word, language or "en").words) for word in free.split()]
+        if not any(words):
             return []
-        tokenizer = self.tokenizer(language)
-        (tokens,) = self._token_scores(encoded, [free], language)
-        found: list[str] = []
-        at = 0
-        for word, said in zip(spoken, words, strict=True):
-            count = len(tokenizer.encode(" " + word))
-            if float(np.mean(tokens[at : at + count])) > math.log(CLEAR):
-                found.extend(NARRATING.intersection(said))
-            at += count
-        return found
+        heard = self.word_scores(encoded, free, language)
+        return [word for said, (_, score) in zip(words, heard, strict=True) if score > math.log(CLEAR) for word in said]
 
     def _possible(self, words: Sequence[str], story: Sequence[str], language: str | None) -> bool:
         """Whether an utterance may be meant: what would not be accepted was not said, except that something shall not
@@ -323,16 +308,12 @@ class SteeredWhisper(WhisperRecognizer):
         """Words of an utterance on which its meaning hangs, and that the sound does not tell from others."""
         if not best.unknown:
             return self._rivalled(encoded, best.words, language)
-        tokenizer = self.tokenizer(language)
-        (tokens,) = self._token_scores(encoded, [" ".join(best.words)], language)
-        unclear = []
-        at = 0
-        for word in best.words:
-            count = len(tokenizer.encode(" " + word))
-            if isinstance(word, FreeWord) and float(np.mean(tokens[at : at + count])) < math.log(CLEAR):
-                unclear.append(str(word))
-            at += count
-        return tuple(unclear)
+        heard = self.word_scores(encoded, " ".join(best.words), language)
+        return tuple(
+            text
+            for word, (text, score) in zip(best.words, heard, strict=True)
+            if isinstance(word, FreeWord) and score < math.log(CLEAR)
+        )
 
     def _rivalled(self, encoded: Encoded, words: Sequence[str], language: str | None) -> tuple[str, ...]:
         """Numbers that sound like others, where the sound does not decide for them: "fifteen" and "fifty". Where the
@@ -346,61 +327,8 @@ class SteeredWhisper(WhisperRecognizer):
         }
         if not rivals:
             return ()
-        said, *others = (self._best_score(encoded, one, language) for one in (words, *rivals.values()))
+        said, *others = self.score_words(encoded, [words, *rivals.values()], language)
         return tuple(word for word, other in zip(rivals, others, strict=True) if said - other < RIVAL_MARGIN)
-
-    def _best_score(self, encoded: Encoded, words: Sequence[str], language: str | None) -> float:
-        """Log probability of words, written in words or in digits."""
-        return max(self.score(encoded, self._spellings(words, language), language))
-
-    # -- scores --------------------------------------------------------------------------------------
-
-    def _scores(self, encoded: Encoded, near: list[tuple[str, ...]], language: str | None) -> list[float]:
-        """Log probability of utterances, each in the likelier of its spellings: with numbers in words or in digits."""
-        texts = [self._spellings(words, language) for words in near]
-        known = self.score(encoded, [text for spelled in texts for text in spelled], language)
-        scores = iter(known)
-        return [max(next(scores) for _ in spelled) for spelled in texts]
-
-    def _spellings(self, words: Sequence[str], language: str | None) -> list[str]:
-        numbers = (words, in_digits(words)) if language in (None, "en") else (words,)
-        return list(dict.fromkeys(written(one, language) for one in numbers))
-
-    def score(self, encoded: Encoded, texts: list[str], language: str | None = None) -> list[float]:
-        """Log probability of each text given the sound, with the full stop that ends it.
-
-        The model's own end of text is no part of it: ``align`` gives it no probability.
-        """
-        if self._scored[0] is not encoded:
-            self._scored = (encoded, {})
-        scored = self._scored[1]
-        fresh = [text for text in dict.fromkeys(texts) if text not in scored]
-        if fresh:
-            tokens = self._token_scores(encoded, fresh, language)
-            scored.update((text, float(one.sum())) for text, one in zip(fresh, tokens, strict=True))
-        return [scored[text] for text in texts]
-
-    def _token_scores(self, encoded: Encoded, texts: list[str], language: str | None) -> list[Any]:
-        """Log probability of each piece of each text."""
-        import ctranslate2
-
-        tokenizer = self.tokenizer(language)
-        stop = tokenizer.encode(".")
-        pieces = []
-        for text in texts:
-            plain = tokenizer.encode(" " + text.strip())
-            pieces.append(plain if text.strip()[-1:] in ".!?" else [*plain, *stop])
-        # Every text gets a copy of the sound.
-        features = np.repeat(self._cut(encoded), len(pieces), axis=0)
-        storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
-        results = self.engine.align(storage, list(tokenizer.sot_sequence), pieces, features.shape[1] * 2)
-        return [np.log(np.maximum(result.text_token_probs, 1e-12)) for result in results]
-
-    def _cut(self, encoded: Encoded) -> Any:
-        """The encoded sound without the silence that the encoder wanted: the likeliest stays the likeliest (40 of 40
-        compared) and a quarter of the recogniser's time is saved."""
-        spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)
-        return np.asarray(encoded.features)[:, :spoken]
 
 
 def _stands_for(heard: str, words: Sequence[str]) -> bool:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import time
 import warnings
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -183,44 +182,6 @@ class WhisperRecognizer:
             return_scores=True,
         )[0]
         return list(result.sequences_ids[0]), float(result.scores[0])
-
-    def next_pieces(
-        self, features: Any, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
-    ) -> Iterator[tuple[tuple[int, ...], Any]]:
-        """How likely every next piece is after some beginnings of a text, and after what the model would go on with.
-
-        Args:
-            features: encoded sound, ``(1, n, width)``.
-            beginnings: tokens that the text begins with; they may differ in length.
-            length: tokens up to which the model goes on.
-            language: of the speech.
-
-        Yields:
-            (beginning, ``(vocabulary,)`` log probabilities).
-        """
-        import ctranslate2
-
-        prompt = self.prompt(language)
-        longest = max(length, 1 + max(map(len, beginnings)))
-        storage = ctranslate2.StorageView.from_array(np.ascontiguousarray(np.repeat(features, len(beginnings), axis=0)))
-        results = self._model.model.generate(
-            storage,
-            [[*prompt, *beginning] for beginning in beginnings],
-            beam_size=1,
-            max_length=min(max(2 * longest, len(prompt) + longest), 448),  # see greedy_tokens
-            return_logits_vocab=True,
-            suppress_blank=False,
-            suppress_tokens=None,
-        )
-        for beginning, result in zip(beginnings, results, strict=True):
-            # What is given back leaves out the beginning's last piece or so, which is known.
-            tokens = (*beginning, *result.sequences_ids[0][len(beginning) :])
-            for place, logits in enumerate(result.logits[0]):
-                if place > len(tokens):
-                    break
-                row = np.asarray(logits).ravel()
-                top = row.max()
-                yield tokens[:place], row - (top + np.log(np.exp(row - top).sum()))
 
     def close(self) -> None:
         unload = getattr(self._model.model, "unload_model", None)
