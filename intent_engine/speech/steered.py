@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
@@ -245,12 +245,14 @@ class SteeredWhisper(ScoringWhisper):
 
     def _possible(self, words: Sequence[str], story: Sequence[str], language: str | None) -> bool:
         """Whether an utterance may be meant: what would not be accepted was not said, except that something shall not
-        be done; nobody says hardly anything but "oh", "now" and "so"; and who tells a story gives no command."""
+        be done; nobody says hardly anything but "oh", "now" and "so", except to stop ("halt" is such a word in German);
+        and who tells a story gives no command."""
         if any(not _stands_for(word, words) for word in story):
             return False
         meaning = self._parse(" ".join(words), language)
         known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or _is_refusal(meaning)
-        return known and not self._mostly_noise(words, language)
+        stop = any(isinstance(action, Stop) for action in meaning.actions)
+        return known and (stop or not self._mostly_noise(words, language))
 
     def _words(self, draft: str, language: str | None) -> list[str]:
         words = Utterance.of(draft, language or "en").words

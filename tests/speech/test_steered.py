@@ -125,3 +125,10 @@ def test_a_word_of_the_grammar_is_no_thing_that_it_knows(engine, whisper, text, 
     meaning = engine.parse(text)
     assert meaning.status is Status.ACCEPTED
     assert whisper._unknown(text.split(), meaning, "en") is unknown
+
+
+def test_a_stop_of_words_that_may_stand_anywhere(whisper, monkeypatch):
+    """German "halt an": both are said anywhere too."""
+    monkeypatch.setattr(whisper, "_telling", lambda _words, _language: 0)
+    assert whisper._possible(("stop", "now"), (), "en")
+    assert not whisper._possible(("go", "now"), (), "en")
