@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from rapidfuzz.distance import Levenshtein
@@ -33,7 +33,6 @@ from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
-    from intent_engine.language.automaton import Automaton
     from intent_engine.language.matcher import Matcher
 
 __all__ = ["Reading", "SteeredWhisper"]
@@ -101,6 +100,15 @@ class Reading:
         return sum(isinstance(word, FreeWord) for word in self.words)
 
 
+@dataclass(slots=True)
+class _Searches:
+    """The two ways to find sentences of one grammar, and what the first has found."""
+
+    near: UtteranceSearch
+    guided: GuidedSearch
+    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
+
+
 class SteeredWhisper(ScoringWhisper):
     """A recogniser for one engine's grammar.
 
@@ -125,9 +133,7 @@ class SteeredWhisper(ScoringWhisper):
         super().__init__(model, device=device, compute_type=compute_type, language=language, threads=threads)
         self._engine = engine
         self._known: tuple[Any, frozenset[str], frozenset[str]] | None = None
-        self._search: UtteranceSearch | None = None
-        self._guided: dict[str | None, GuidedSearch] = {}
-        self._searched: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = {}
+        self._searches: dict[str | None, _Searches] = {}
 
     def _matcher(self, language: str | None) -> Matcher:
         return self._engine.matcher(language if language in self._engine.languages else None)
@@ -187,7 +193,7 @@ class SteeredWhisper(ScoringWhisper):
         if readings and readings[0].evidence.confidence >= SURE:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
-        guided = self._guide(language).likeliest(
+        guided = self._search(language).guided.likeliest(
             lambda beginnings, length: self.next_pieces(encoded, beginnings, length, language),
             heard,
             free,
@@ -233,7 +239,7 @@ class SteeredWhisper(ScoringWhisper):
     def _near(self, heard: list[str], language: str | None) -> list[tuple[str, ...]]:
         """Utterances of the grammar like the words heard, the likest first."""
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-        return [words for words, apart in self._nearest(self._matcher(language).likely, tuple(heard)) if apart <= most]
+        return [words for words, apart in self._nearest(tuple(heard), language) if apart <= most]
 
     def _story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
@@ -258,27 +264,26 @@ class SteeredWhisper(ScoringWhisper):
         words = Utterance.of(draft, language or "en").words
         return in_words(words) if language in (None, "en") else words
 
-    def _nearest(self, graph: Automaton, heard: tuple[str, ...]) -> list[tuple[tuple[str, ...], float]]:
-        """The utterances like some words; the drafts of one utterance are asked for again and again."""
-        search = self._utterances(graph)
-        if len(self._searched) > SEARCHES:
-            self._searched.clear()
-        found = self._searched.get(heard)
+    def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
+        """The utterances like some words; those of one utterance are asked for again and again."""
+        searches = self._search(language)
+        if len(searches.found) > SEARCHES:
+            searches.found.clear()
+        found = searches.found.get(heard)
         if found is None:
-            found = self._searched[heard] = search.nearest(heard, CANDIDATES, NARRATING)
+            found = searches.found[heard] = searches.near.nearest(heard, CANDIDATES, NARRATING)
         return found
 
-    def _guide(self, language: str | None) -> GuidedSearch:
-        """The search that is led by the model; what it has learned of the grammar is kept until that is reloaded."""
-        search = self._utterances(self._matcher(language).likely)
-        if language not in self._guided:
-            self._guided[language] = GuidedSearch(search, self.tokenizer(language), language)
-        return self._guided[language]
-
-    def _utterances(self, graph: Automaton) -> UtteranceSearch:
-        if self._search is None or self._search.graph is not graph:
-            self._search, self._searched, self._guided = UtteranceSearch(graph), {}, {}
-        return self._search
+    def _search(self, language: str | None) -> _Searches:
+        """The searches in the grammar of a language; what they learn of it is kept until it is reloaded."""
+        graph = self._matcher(language).likely
+        searches = self._searches.get(language)
+        if searches is None or searches.near.graph is not graph:
+            near = UtteranceSearch(graph)
+            searches = self._searches[language] = _Searches(
+                near, GuidedSearch(near, self.tokenizer(language), language)
+            )
+        return searches
 
     def _telling(self, words: Sequence[str], language: str | None) -> int:
         """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
@@ -303,7 +308,7 @@ class SteeredWhisper(ScoringWhisper):
         ):
             return False
         heard = tuple(words)
-        as_heard = next((said for said, _ in self._nearest(matcher.likely, heard) if said == heard), ())
+        as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
     def _unclear(self, encoded: Encoded, best: Reading, language: str | None) -> tuple[str, ...]:
