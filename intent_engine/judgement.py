@@ -20,6 +20,8 @@ SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on. Measured on commands and other speech: docs/speech.md."""
 SURE_ENOUGH_OF_SEVERAL = 0.9
 """The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
+WORTH_ASKING = 0.4
+"""Confidence from which it is told what it may have been."""
 SURE_ENOUGH_TO_STOP = 0.4
 """The same for a stop: to stop for nothing is the lesser harm."""
 
@@ -63,7 +65,7 @@ class Judge:
             return Interpretation(
                 transcript.free_text,
                 Status.REJECTED,
-                reason="it sounded too different from the nearest command",
+                reason=_why_unsure(transcript),
                 alternatives=(transcript.text,),
             )
         return meaning
@@ -73,6 +75,12 @@ def _unheard(transcript: Transcript) -> str:
     """Why words that are a command may not have been said; empty: they may be taken."""
     words = " and ".join(repr(word) for word in transcript.unclear)
     return f"{words} was not heard clearly; say it again" if words else ""
+
+
+def _why_unsure(transcript: Transcript) -> str:
+    if (transcript.confidence or 0.0) >= WORTH_ASKING:
+        return f"perhaps {transcript.text!r}, but that was not heard clearly; say it again"
+    return "it sounded too different from the nearest command"
 
 
 def unsure(transcript: Transcript, meaning: Interpretation | None = None) -> bool:

@@ -34,7 +34,12 @@ def test_it_is_done_from_this_confidence_on(judge, text, enough):
     assert refused.actions == ()
     assert refused.text == "oh forward to me does", "what was heard, not what was looked for"
     assert refused.alternatives == (text,)
-    assert "too different" in refused.reason
+    assert refused.reason
+
+
+@pytest.mark.parametrize(("confidence", "reason"), [(0.5, "perhaps 'go forward two meters'"), (0.1, "too different")])
+def test_what_it_may_have_been_is_told_if_that_is_worth_it(judge, confidence, reason):
+    assert reason in judge.meaning(heard(ONE, confidence), (), ()).reason
 
 
 def test_less_is_asked_of_a_stop_and_more_of_several_commands():
