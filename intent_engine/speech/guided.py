@@ -55,10 +55,13 @@ MANY_WORDS = 1500
 MAX_TRIES = 4000
 """Places of the grammar whose words are kept in pieces."""
 
-Row: TypeAlias = npt.NDArray[np.float32]
-NextPieces: TypeAlias = Callable[[Sequence[tuple[int, ...]], int], Iterable[tuple[tuple[int, ...], Row]]]
+NextPieces: TypeAlias = Callable[
+    [Sequence[tuple[int, ...]], int], Iterable[tuple[tuple[int, ...], npt.NDArray[np.float32]]]
+]
 """What the model says of some beginnings: asked with the beginnings and the pieces that a sentence may have, it gives
 (beginning, log probability of every next piece), also of beginnings that begin with these."""
+_Row: TypeAlias = dict[int, float]
+"""The pieces that are likely enough, with their log probabilities: a few hundred of fifty thousand."""
 
 
 @dataclass(slots=True)
@@ -68,14 +71,7 @@ class _Pieces:
     after: dict[int, _Pieces] = field(default_factory=dict)
     words: list[str] = field(default_factory=list)
     numbers: bool = False
-    ids: npt.NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
-    branches: list[_Pieces] = field(default_factory=list)
-
-    def seal(self) -> None:
-        self.ids = np.fromiter(self.after, np.int64, len(self.after))
-        self.branches = list(self.after.values())
-        for branch in self.branches:
-            branch.seal()
+    """Whether a number in digits may come as well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,10 +116,8 @@ class GuidedSearch:
             for piece, number in tokenizer.tokenizer.get_vocab().items()
             if piece.lstrip("\u0120").isascii() and piece.lstrip("\u0120").isdigit()
         }
-        self._first_digits = [(number, piece.strip()) for number, piece in digits.items() if piece[0] == " "]
-        self._more_digits = [(number, piece) for number, piece in digits.items() if piece[0] != " "]
-        self._first_ids = np.array([number for number, _ in self._first_digits])
-        self._more_ids = np.array([number for number, _ in self._more_digits])
+        self._first_digits = {number: piece.strip() for number, piece in digits.items() if piece[0] == " "}
+        self._more_digits = {number: piece for number, piece in digits.items() if piece[0] != " "}
 
     def likeliest(
         self, ask: NextPieces, heard: Sequence[str], free: str, free_score: float, drafts: Sequence[str] = ()
@@ -140,11 +134,11 @@ class GuidedSearch:
         Returns:
             (words, log probability with a full stop) pairs, likeliest first, at most :data:`FOUND`.
         """
-        rows: dict[tuple[int, ...], Row] = {}
+        rows: dict[tuple[int, ...], _Row] = {}
         pieces = tuple(self._tokenizer.encode(" " + free.strip()))
         seeds = [pieces, *(tuple(self._tokenizer.encode(" " + draft)) for draft in drafts)]
         length = max(map(len, seeds)) + 2
-        rows.update(ask(list(dict.fromkeys(seeds)), length))
+        rows.update((beginning, self._likely(row)) for beginning, row in ask(list(dict.fromkeys(seeds)), length))
         found: dict[tuple[str, ...], float] = {}
         kept: dict[tuple[Any, ...], list[float]] = {}
         order = itertools.count()
@@ -184,20 +178,28 @@ class GuidedSearch:
                 break
             asked = list(dict.fromkeys(item[2].tokens for item in waiting[:BATCH]))
             length = max(length, AHEAD + max(map(len, asked)))
-            for beginning, row in ask(asked, length):
-                rows.setdefault(beginning, row)
+            for beginning, chances in ask(asked, length):
+                if beginning not in rows:
+                    rows[beginning] = self._likely(chances)
             calls += 1
             queue, waiting = waiting, []
         return sorted(found.items(), key=lambda item: -item[1])[:FOUND]
 
+    def _likely(self, row: npt.NDArray[np.float32]) -> _Row:
+        """A row without what is not looked at; with the signs between words, however unlikely."""
+        numbers = np.flatnonzero(row > UNLIKELY)
+        likely = dict(zip(numbers.tolist(), row[numbers].tolist(), strict=True))
+        likely.update((number, float(row[number])) for number in (self._stop, self._comma))
+        return likely
+
     def _further(
-        self, path: _Path, row: Row, heard: Sequence[str], found: dict[tuple[str, ...], float]
+        self, path: _Path, row: _Row, heard: Sequence[str], found: dict[tuple[str, ...], float]
     ) -> Iterable[_Path]:
         """A beginning with one piece more, in every way that the grammar has; whole sentences go to ``found``."""
         if path.digits:
-            for at in np.flatnonzero(row[self._more_ids] > UNLIKELY_DIGITS):
-                number, digits = self._more_digits[at]
-                yield self._on(path, row, number, digits=path.digits + digits)
+            for number in self._more_digits.keys() & row.keys():
+                if row[number] > UNLIKELY_DIGITS:
+                    yield self._on(path, row, number, digits=path.digits + self._more_digits[number])
             if "." not in path.digits:
                 yield self._on(path, row, self._stop, digits=path.digits + ".")
             if not path.digits.endswith("."):
@@ -211,7 +213,7 @@ class GuidedSearch:
             yield from self._between(path, row, path.words, path.state, heard, found)
 
     def _after(
-        self, path: _Path, row: Row, said: Sequence[str], heard: Sequence[str], found: dict[tuple[str, ...], float]
+        self, path: _Path, row: _Row, said: Sequence[str], heard: Sequence[str], found: dict[tuple[str, ...], float]
     ) -> Iterable[_Path]:
         """What may follow the words that a path ends with, if the grammar has them there."""
         state = path.state
@@ -224,7 +226,7 @@ class GuidedSearch:
     def _between(
         self,
         path: _Path,
-        row: Row,
+        row: _Row,
         words: tuple[str, ...],
         state: Any,
         heard: Sequence[str],
@@ -232,27 +234,26 @@ class GuidedSearch:
     ) -> Iterable[_Path]:
         """Between two words: the sentence is over, or the next word begins."""
         if words and self._graph.accepting(state):
-            score = path.score + float(row[self._stop])
+            score = path.score + row[self._stop]
             found[words] = max(score, found.get(words, -math.inf))
         pieces = self._words_after(state, not path.tokens, heard)
         yield from self._into(path, row, pieces, words, state)
         if pieces.numbers:
-            for at in np.flatnonzero(row[self._first_ids] > UNLIKELY_DIGITS):
-                number, digits = self._first_digits[at]
-                yield self._on(path, row, number, words=words, state=state, digits=digits)
+            for number in self._first_digits.keys() & row.keys():
+                if row[number] > UNLIKELY_DIGITS:
+                    yield self._on(path, row, number, words=words, state=state, digits=self._first_digits[number])
         if path.tokens and path.tokens[-1] != self._comma:
             yield self._on(path, row, self._comma, words=words, state=state)
 
-    def _into(self, path: _Path, row: Row, pieces: _Pieces, words: tuple[str, ...], state: Any) -> Iterable[_Path]:
+    def _into(self, path: _Path, row: _Row, pieces: _Pieces, words: tuple[str, ...], state: Any) -> Iterable[_Path]:
         """One piece further into a word."""
-        for at in np.flatnonzero(row[pieces.ids] > UNLIKELY):
-            number = int(pieces.ids[at])
-            yield self._on(path, row, number, words=words, state=state, inside=pieces.branches[at])
+        for number in pieces.after.keys() & row.keys():
+            yield self._on(path, row, number, words=words, state=state, inside=pieces.after[number])
 
     def _on(
         self,
         path: _Path,
-        row: Row,
+        row: _Row,
         number: int,
         *,
         words: tuple[str, ...] | None = None,
@@ -261,7 +262,7 @@ class GuidedSearch:
         digits: str = "",
     ) -> _Path:
         return _Path(
-            path.score + float(row[number]),
+            path.score + row[number],
             (*path.tokens, number),
             path.words if words is None else words,
             path.state if state is None else state,
@@ -289,7 +290,6 @@ class GuidedSearch:
             for number in self._in_pieces(word, first):
                 at = at.after.setdefault(number, _Pieces())
             at.words.append(word)
-        pieces.seal()
         if not many:
             if len(self._tries) >= MAX_TRIES:
                 self._tries.clear()
