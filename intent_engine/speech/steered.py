@@ -73,7 +73,9 @@ RIVALS = {
 RIVAL_MARGIN = 3.0
 """nats by which such a number must be likelier than its like."""
 SURE = 0.9
-"""Confidence from which no other sentence is looked for."""
+"""Confidence from which no other sentence is looked for,"""
+CLOSE_GAP = 0.3
+"""unless the free words are likelier by this gap: then there may be one that was not found yet."""
 RETRY_MARGIN = 2.0
 """s of silence after the speech in a longer encoder input."""
 RETRY_SCORE = -1.0
@@ -190,7 +192,7 @@ class SteeredWhisper(ScoringWhisper):
         near = [words for words in self._near(heard, language) if self._possible(words, story, language)]
         found = dict(zip(near, self.score_words(encoded, near, language), strict=True))
         readings = self._ranked(encoded, free, heard, found, language)
-        if readings and readings[0].evidence.confidence >= SURE:
+        if readings and readings[0].evidence.confidence >= SURE and readings[0].evidence.gap < CLOSE_GAP:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
         guided = self._search(language).guided.likeliest(
