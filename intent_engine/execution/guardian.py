@@ -101,8 +101,7 @@ class Guardian:
         self._beat = self._rates.valid_for / 4.0
         """s between two signs of life"""
         self._beat_at = 0.0
-        self._ready = threading.Event()
-        self._process, self._line = self._launch()
+        self._launch()
 
     # -- for the executor --------------------------------------------------------------------------------------------
 
@@ -202,15 +201,18 @@ class Guardian:
         if not self._error:
             return
         self._line.close()
-        self._moving = self._lost = False
-        self._error = self._problem = ""
-        self._ended = None
-        self._answers.clear()
-        self._process, self._line = self._launch()
+        self._launch()
 
-    def _launch(self) -> tuple[subprocess.Popen[bytes], socket.socket]:
-        self._ready.clear()
+    def _launch(self) -> None:
         ours, theirs = socket.socketpair()
+        ready = threading.Event()
+        with self._heard:
+            # From here on nothing that the thread of an earlier process still hears counts.
+            self._line = ours
+            self._moving = self._lost = False
+            self._error = self._problem = ""
+            self._ended = None
+            self._answers.clear()
         settings = {
             "sink": self._sink,
             "options": self._options,
@@ -220,7 +222,7 @@ class Guardian:
             "rates": asdict(self._rates),
             "priority": self._priority,
         }
-        process = subprocess.Popen(
+        self._process = subprocess.Popen(
             [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
             stdin=subprocess.DEVNULL,
             pass_fds=(theirs.fileno(), *self._pass_fds),
@@ -228,19 +230,25 @@ class Guardian:
             process_group=0,
         )
         theirs.close()
-        threading.Thread(target=self._listen, args=(ours,), name="velocity-process", daemon=True).start()
+        threading.Thread(target=self._listen, args=(ours, ready), name="velocity-process", daemon=True).start()
         try:
-            self._ready.wait(self.START_TIMEOUT)
+            ready.wait(self.START_TIMEOUT)
         except BaseException:  # Ctrl-C meanwhile
-            _discard(process, ours)
+            self._discard()
             raise
-        if self._error or not self._ready.is_set():
-            _discard(process, ours)
+        if self._error or not ready.is_set():
+            self._discard()
             raise RobotError(
                 f"the velocity process did not start ({self._sink}); what it said is on standard error. "
                 "To drive without it, give the executor no loop"
             )
-        return process, ours
+
+    def _discard(self) -> None:
+        """End a process that nothing depends on yet."""
+        self._error = self._error or "the velocity process did not start"
+        self._process.kill()
+        self._process.wait()
+        self._line.close()
 
     def close(self) -> None:
         """Zero, and end the process. Idempotent."""
@@ -273,10 +281,11 @@ class Guardian:
             raise VelocityLoopError(self._error)
 
     def _order(self, **order: Any) -> None:
+        line = self._line
         try:
-            self._line.sendall(json.dumps(order).encode() + b"\n")
+            line.sendall(json.dumps(order).encode() + b"\n")
         except OSError:
-            self._dead("the velocity process is gone")
+            self._dead("the velocity process is gone", line)
 
     def _ask(self, what: str) -> Travel:
         """Give an order and wait for its answer; no answer is the end of the process."""
@@ -304,7 +313,7 @@ class Guardian:
             raise AssertionError
         return travel
 
-    def _listen(self, line: socket.socket) -> None:
+    def _listen(self, line: socket.socket, ready: threading.Event) -> None:
         received = b""
         while True:
             try:
@@ -312,25 +321,28 @@ class Guardian:
             except OSError:
                 data = b""
             if not data:
-                if not self._ready.is_set():
+                if ready.is_set():
+                    if not self._closed:
+                        self._dead("the velocity process ended", line)
+                else:
                     self._error = "the velocity process ended before it was ready"
-                    self._ready.set()
-                elif line is self._line and not self._closed:
-                    self._dead("the velocity process ended")
+                    ready.set()
                 return
             *lines, received = (received + data).split(b"\n")
             for text in lines:
-                self._hear(json.loads(text))
+                message = json.loads(text)
+                if "ready" in message:
+                    self._fifo = bool(message["fifo"])
+                    ready.set()
+                else:
+                    self._hear(message)
 
     def _hear(self, message: dict[str, Any]) -> None:
         poke = False
         with self._heard:
             self._heard_at = time.monotonic()
             travel = Travel(*message["travel"]) if "travel" in message else Travel()
-            if "ready" in message:
-                self._fifo = bool(message["fifo"])
-                self._ready.set()
-            elif "done" in message:
+            if "done" in message:
                 self._answers[message["done"]] = travel
                 if not travel.braking:
                     # The motion is now the brake, whose end comes under this number.
@@ -346,10 +358,10 @@ class Guardian:
         if poke:
             self._poke()
 
-    def _dead(self, why: str, kill: bool = False) -> None:
+    def _dead(self, why: str, line: socket.socket, kill: bool = False) -> None:
         """The process is gone, or must be: stop the robot by its own stop, from this very thread, and say so."""
         with self._heard:
-            if self._error:
+            if self._error or line is not self._line:
                 return
             code = self._process.poll()
             self._error = why if code is None else f"{why} ({_exit(code)})"
@@ -368,17 +380,10 @@ class Guardian:
         self._poke()
 
     def _give_up(self, why: str) -> None:
-        self._dead(why, kill=True)
+        self._dead(why, self._line, kill=True)
 
 
 _RAMPS = ("linear_acceleration", "linear_deceleration", "angular_acceleration", "angular_deceleration")
-
-
-def _discard(process: subprocess.Popen[bytes], line: socket.socket) -> None:
-    """End a process that nothing depends on yet."""
-    process.kill()
-    process.wait()
-    line.close()
 
 
 def _exit(code: int) -> str:

@@ -139,6 +139,41 @@ def test_a_lost_loop_is_noticed_and_the_robot_stopped_by_its_own_stop(guarded, w
     assert again.result(30.0).succeeded
 
 
+def test_the_end_of_an_old_process_heard_late_is_not_taken_for_the_end_of_the_new_one(request, wire, monkeypatch):
+    launches = 0
+    relaunched = threading.Event()
+
+    class HearsTheEndLate(socket.socket):
+        def recv(self, size: int) -> bytes:
+            try:
+                data = super().recv(size)
+            except OSError:
+                data = b""
+            if not data:
+                relaunched.wait(10.0)
+            return data
+
+    make_pair = socket.socketpair
+
+    def pair() -> tuple[socket.socket, socket.socket]:
+        nonlocal launches
+        launches += 1
+        if launches == 2:
+            relaunched.set()
+        ours, theirs = make_pair()
+        return HearsTheEndLate(fileno=ours.detach()), theirs
+
+    monkeypatch.setattr(socket, "socketpair", pair)
+    executor = request.getfixturevalue("guarded")
+    (goal,) = executor.submit(LONG)
+    until(wire.moving)
+    os.kill(executor.loop.pid, signal.SIGSTOP)
+    goal.result(30.0)
+    executor.reset()
+    (again,) = executor.submit(Move(0.5, 0.05, 0.1))
+    assert again.result(30.0).succeeded
+
+
 def test_stopping_a_frozen_loop_kills_it(guarded, wire):
     (goal,) = guarded.submit(LONG)
     until(wire.moving)
