@@ -78,7 +78,7 @@ class Ways:
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
         return cls(
             Listener(engine, ours, robot, reflex=reflex_for(engine, background=False) if reflex else None),
-            Listener(engine, peer, robot, settings=late, speculate=False),
+            Listener(engine, peer, robot, settings=late, speculate=False, noise_filter=None),
         )
 
 

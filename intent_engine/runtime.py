@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable, Collection
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
+from intent_engine.speech.rnnoise import FilteredSpeech, NoiseFilter, installed_filter
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
@@ -46,12 +47,19 @@ class _Utterance:
 
     frames: list[Samples] = field(default_factory=list)
     last_voice: float = 0.0
+    filtered: FilteredSpeech | None = None
     job: Future[Transcript] | None = None
-    job_frames: int = 0
-    job_final: bool = False
     ended: bool = False
     judged: bool = False
     result: Transcript | None = None
+
+    def take(self, samples: Samples) -> None:
+        self.frames.append(samples)
+        if self.filtered is not None:
+            self.filtered.add(samples)
+
+    def sound(self) -> Samples:
+        return self.filtered.sound() if self.filtered is not None else np.concatenate(self.frames)
 
 
 class Runtime:
@@ -68,6 +76,7 @@ class Runtime:
         voice: tells speech from silence; None: Silero.
         reflex: listens for stop words; None: no reflex.
         settings: waits of the endpoint.
+        noise_filter: takes noise out of what is recognised; "auto": RNNoise, where it is installed; None: nothing does.
         on_event: is told everything, in order; what it raises is not caught.
         speculate: decode at the first silent frame already.
         patience: s after which a recogniser counts as hung.
@@ -82,6 +91,7 @@ class Runtime:
         voice: VoiceDetector | None = None,
         reflex: Reflex | None = None,
         settings: Settings | None = None,
+        noise_filter: NoiseFilter | Literal["auto"] | None = "auto",
         on_event: Callable[[Heard], object] | None = None,
         speculate: bool = True,
         patience: float = 10.0,
@@ -96,6 +106,7 @@ class Runtime:
         self._decoding = DecodeThread(recognizer, patience)
         self._voice = voice if voice is not None else SileroVoice()
         self._reflex = reflex
+        self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._endpoint = Endpointer(settings)
         self._on_event = on_event
         self._speculate = speculate
@@ -197,6 +208,8 @@ class Runtime:
         recent.append(frame.samples)
         if signal is Signal.STARTED:
             utterance = _Utterance(list(recent), frame.time)
+            if self._noise_filter is not None:
+                utterance.filtered = self._noise_filter.begin(utterance.frames)
             if self._reflex is not None:
                 self._reflex.begin(utterance.frames[-REFLEX_FRAMES:-1])
                 self._listen(frame.samples, frame.time)
@@ -204,7 +217,7 @@ class Runtime:
             return utterance
         if utterance is None:
             return None
-        utterance.frames.append(frame.samples)
+        utterance.take(frame.samples)
         if signal is not Signal.DROPPED:
             self._listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
@@ -250,10 +263,8 @@ class Runtime:
             if not (self._stepped or self._decoding.hung):
                 return  # one decode at a time; what has ended is taken up by _collect
             self._decoding.give_up()
-        utterance.job_frames = len(utterance.frames)
-        utterance.job_final = final
         utterance.result = None
-        utterance.job = self._decoding.begin(np.concatenate(utterance.frames), final=final)
+        utterance.job = self._decoding.begin(utterance.sound(), final=final)
         if self._stepped:
             self._wait(utterance.job)
 

@@ -28,9 +28,10 @@ from intent_engine.evaluation.labels import Row, evenly, find_labels, read_label
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.evaluation.sound import Noise, load, mix
 from intent_engine.interpretation import Status
-from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.evidence import WEIGHTS
+from intent_engine.speech.rnnoise import installed_filter
 from intent_engine.speech.steered import DOUBTFUL_SCORE, SteeredWhisper
 from intent_engine.speech.voice import SileroVoice
 
@@ -68,8 +69,15 @@ def cut(samples: Samples) -> Samples | None:
             break
     if not pause:
         return None
-    pre_roll = int((PATIENT.pre_roll + 2 * FRAME / SAMPLE_RATE) * SAMPLE_RATE)
-    return samples[max(0, begin * FRAME - pre_roll) : pause * FRAME]
+    kept = int(PATIENT.pre_roll / FRAME_SECONDS) + 2
+    frames = [samples[number * FRAME : (number + 1) * FRAME] for number in range(max(0, begin - kept), pause)]
+    noise = installed_filter()
+    if noise is None:
+        return np.concatenate(frames)
+    filtered = noise.begin(frames[:kept])
+    for frame in frames[kept:]:
+        filtered.add(frame)
+    return filtered.sound()
 
 
 def examples(

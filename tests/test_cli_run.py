@@ -113,13 +113,14 @@ def test_a_person_drives_the_robot_ten_meters(intent_engine, clip):
         ([signal.SIGINT], 130, "interrupted"),
         ([signal.SIGTERM], 143, "terminated"),
         ([signal.SIGINT] * 4, 130, "interrupted"),
-        ([signal.SIGTERM, signal.SIGINT], 143, "terminated"),
+        ([signal.SIGTERM, signal.SIGINT], None, None),
     ],
 )
 def test_a_signal_stops_the_robot(numbers, code, word):
     """While the robot drives, in real time: it is told as canceled, and nothing is driven after it.
 
-    Whoever presses Ctrl-C twice does not interrupt what stops the robot.
+    Whoever presses Ctrl-C twice does not interrupt what stops the robot. Which of two kinds of signals comes first is
+    not told to a process that had no time between them.
     """
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "run", "--realtime", "--json", str(DEMO)]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
@@ -132,6 +133,8 @@ def test_a_signal_stops_the_robot(numbers, code, word):
                 break
         rest = [json.loads(line) for line in process.stdout]
         error = process.stderr.read()
+    if code is None:
+        code, word = (143, "terminated") if "terminated" in error else (130, "interrupted")
     assert process.returncode == code, error
     assert error.startswith(f"error: {word}; the robot is stopped")
     assert "Traceback" not in error

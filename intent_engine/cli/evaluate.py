@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.listening_options import NoReflex
+from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
@@ -49,6 +49,7 @@ def evaluate(
         bool, typer.Option("--free", help="Hear with each model without the help of the grammar too, to compare.")
     ] = False,
     no_reflex: NoReflex = False,
+    no_noise_filter: NoNoiseFilter = False,
     noise: Annotated[
         list[Path] | None, typer.Option("--noise", help="Recording of noise to mix in; may be repeated.")
     ] = None,
@@ -89,7 +90,8 @@ def evaluate(
     outcomes: list[Outcome] = []
     with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, language, free):
-            listener = _listener(engine, recognizer, robot, None if no_reflex else _reflex(engine, language))
+            reflex = None if no_reflex else _reflex(engine, language)
+            listener = _listener(engine, recognizer, robot, reflex, not no_noise_filter)
             for found in trial.hear(rows, listener, name):
                 outcomes += found
                 step()
@@ -159,11 +161,19 @@ def _reflex(engine: IntentEngine, language: str | None) -> Reflex:
     return reflex_for(engine, language=language, background=False)
 
 
-def _listener(engine: IntentEngine, recognizer: Recognizer, robot: str, reflex: Reflex | None) -> Listener:
+def _listener(
+    engine: IntentEngine, recognizer: Recognizer, robot: str, reflex: Reflex | None, noise_filter: bool
+) -> Listener:
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.execution.robots.robot_file import load_robot
 
-    return Listener(engine, recognizer, load_robot(find("robots", robot)), reflex=reflex)
+    return Listener(
+        engine,
+        recognizer,
+        load_robot(find("robots", robot)),
+        reflex=reflex,
+        noise_filter="auto" if noise_filter else None,
+    )
 
 
 def _tell(outcomes: list[Outcome]) -> None:

@@ -28,8 +28,10 @@ WakeWord = Annotated[
     typer.Option("--wake-word", help='A command must begin with it, "stop" never must; may be repeated.'),
 ]
 Denoise = Annotated[
-    bool, typer.Option("--denoise", help="Reduce noise before recognising; seldom better, see the docs on speech.")
+    bool,
+    typer.Option("--denoise", help="Take steady noise out by spectral gating instead; seldom better, see the docs."),
 ]
+NoNoiseFilter = Annotated[bool, typer.Option("--no-noise-filter", help="Recognise the sound as it is, noise and all.")]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
 Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
 Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in the terminal while it goes.")]
@@ -54,6 +56,7 @@ class Hearing:
     no_reflex: NoReflex = False
     wake_word: WakeWord = None
     denoise: Denoise = False
+    no_noise_filter: NoNoiseFilter = False
 
 
 @dataclass(frozen=True)
@@ -95,6 +98,7 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
         free=hearing.free,
         reflex=not hearing.no_reflex,
         denoise=hearing.denoise,
+        noise_filter=not (hearing.no_noise_filter or hearing.denoise),
         as_json=telling.as_json,
         plot=telling.plot,
         draw=telling.draw,

@@ -49,6 +49,7 @@ class Session:
     free: bool = False
     reflex: bool = True
     denoise: bool = False
+    noise_filter: bool = True
     as_json: bool = False
     plot: Path | None = None
     draw: bool = False
@@ -102,7 +103,14 @@ class Session:
             executor = stack.enter_context(
                 Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options)
             )
-            runtime = Runtime(self.engine, executor, recognizer, reflex=reflex, on_event=reporter.heard)
+            runtime = Runtime(
+                self.engine,
+                executor,
+                recognizer,
+                reflex=reflex,
+                noise_filter="auto" if self.noise_filter else None,
+                on_event=reporter.heard,
+            )
             reporter.start = self.clock.now()
             if self.live and simulated is not None and not self.as_json:
                 from intent_engine.execution.robots.path_view import LiveView

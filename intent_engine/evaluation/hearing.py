@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
@@ -19,6 +20,7 @@ from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
+from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Act", "Hearing", "Listener"]
@@ -70,6 +72,7 @@ class Listener:
         settings: waits of the endpoint; None: the runtime's own.
         speculate: decode at the first silent frame already.
         reflex: listens for stop words, in the thread that it is called from; None: no reflex.
+        noise_filter: as for :class:`~intent_engine.runtime.Runtime`.
     """
 
     def __init__(
@@ -82,6 +85,7 @@ class Listener:
         settings: Settings | None = None,
         speculate: bool = True,
         reflex: Reflex | None = None,
+        noise_filter: NoiseFilter | Literal["auto"] | None = "auto",
     ) -> None:
         self._engine = engine
         self._recognizer = recognizer
@@ -90,6 +94,7 @@ class Listener:
         self._settings = settings
         self._speculate = speculate
         self._reflex = _Timed(reflex) if reflex is not None else None
+        self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._places = {
             name: Pose(place.x, place.y, place.yaw, place.frame) for name, place in (engine.locations or {}).items()
         }
@@ -112,6 +117,7 @@ class Listener:
                 voice=self._voice,
                 reflex=self._reflex,
                 settings=self._settings,
+                noise_filter=self._noise_filter,
                 speculate=self._speculate,
                 on_event=notes.take,
             )

@@ -25,7 +25,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.speech.writing import written
 
-__all__ = ["GuidedSearch", "NextPieces"]
+__all__ = ["WORD", "GuidedSearch", "NextPieces"]
 
 BATCH = 4
 """Beginnings that the model is asked about in one call."""
@@ -35,6 +35,9 @@ CALLS = 6
 """Calls of the model in one search."""
 LENGTH_BONUS = 1.0
 """nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
+WORD = 2.0
+"""nats that a word more may cost: without it "right" would be likelier than "return to the starting point", of which only
+half was heard well."""
 PER_STATE = 2
 """Ways kept to each place of the grammar."""
 BEHIND = 4.0
@@ -86,6 +89,11 @@ class _Path:
     """Within a word: the pieces that it may go on with."""
     digits: str = ""
     """Within a number in digits: those so far."""
+
+    @property
+    def value(self) -> float:
+        """What it is compared by with others of other lengths."""
+        return self.score + WORD * len(self.words)
 
     @property
     def place(self) -> tuple[Any, ...]:
@@ -159,11 +167,11 @@ class GuidedSearch:
         push(_Path(0.0, state=self._graph.start()))
         calls = steps = 0
         while queue and steps < STEPS:
-            best = max(found.values(), default=-math.inf)
+            best = max(map(_value, found.items()), default=-math.inf)
             while queue and steps < STEPS:
                 item = heapq.heappop(queue)
                 path = item[2]
-                if path.score < best - BEHIND:
+                if path.value < best - BEHIND:
                     continue
                 row = rows.get(path.tokens)
                 if row is None:
@@ -172,8 +180,8 @@ class GuidedSearch:
                 steps += 1
                 for further in self._further(path, row, heard, found):
                     push(further)
-                best = max(found.values(), default=-math.inf)
-            waiting = sorted(item for item in waiting if item[2].score >= best - BEHIND)
+                best = max(map(_value, found.items()), default=-math.inf)
+            waiting = sorted(item for item in waiting if item[2].value >= best - BEHIND)
             if not waiting or calls == CALLS - 1:
                 break
             asked = list(dict.fromkeys(item[2].tokens for item in waiting[:BATCH]))
@@ -183,7 +191,7 @@ class GuidedSearch:
                     rows[beginning] = self._likely(chances)
             calls += 1
             queue, waiting = waiting, []
-        return sorted(found.items(), key=lambda item: -item[1])[:FOUND]
+        return sorted(found.items(), key=_value, reverse=True)[:FOUND]
 
     def _likely(self, row: npt.NDArray[np.float32]) -> _Row:
         """A row without what is not looked at; with the signs between words, however unlikely."""
@@ -302,6 +310,12 @@ class GuidedSearch:
         if pieces is None:
             pieces = self._encoded[text] = self._tokenizer.encode(text)
         return pieces
+
+
+def _value(found: tuple[tuple[str, ...], float]) -> float:
+    """What a sentence that was found is compared by with others of other lengths."""
+    words, score = found
+    return score + WORD * len(words)
 
 
 def _spans(heard: Sequence[str]) -> set[str]:

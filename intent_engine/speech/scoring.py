@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.speech.whisper import Encoded, WhisperRecognizer
+from intent_engine.speech.whisper import Encoded, WhisperRecognizer, max_length
 from intent_engine.speech.writing import written
 
 __all__ = ["ScoringWhisper"]
@@ -20,8 +20,6 @@ ENCODED_PER_SECOND = 50
 """Vectors of Whisper's encoder."""
 LEAST = 1e-12
 """Least probability of a piece."""
-MAX_LENGTH = 448
-"""Tokens that Whisper's decoder can hold."""
 
 
 class ScoringWhisper(WhisperRecognizer):
@@ -85,7 +83,7 @@ class ScoringWhisper(WhisperRecognizer):
             self._copies(encoded, len(beginnings)),
             [[*prompt, *beginning] for beginning in beginnings],
             beam_size=1,
-            max_length=min(max(2 * longest, len(prompt) + longest), MAX_LENGTH),  # see greedy_tokens
+            max_length=max_length(len(prompt), longest),
             return_logits_vocab=True,
             suppress_blank=False,
             suppress_tokens=None,

@@ -24,7 +24,7 @@ from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, letters_apart
-from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.guided import WORD, GuidedSearch
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.scoring import ScoringWhisper
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
@@ -50,8 +50,6 @@ FAR_LETTERS = 1.7
 LETTER = 0.5
 """nats that a letter of difference from the free words weighs beside the model's own score: the free words were heard
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
-WORD = 0.3
-"""nats that a word more may cost: short sentences are cheap."""
 UNKNOWN_WORD = 4.0
 """nats by which a word that no list has is less likely than those that are."""
 CLEAR = 0.6

@@ -20,7 +20,7 @@ from intent_engine.speech.pieces import mended
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
-__all__ = ["Encoded", "WhisperRecognizer", "fold_loop"]
+__all__ = ["Encoded", "WhisperRecognizer", "fold_loop", "max_length"]
 
 FRAMES_PER_SECOND = 100
 MIN_SECONDS = 5.0
@@ -40,6 +40,8 @@ SMALL_MODEL = 200_000_000
 one thread decoded "base" in 78 ms (median), two in 85, and in 0.11 s against 0.15 where it took longest."""
 TOKENS_PER_SECOND = 7
 """More than anybody speaks; bounds a decode that runs away."""
+MAX_LENGTH = 448
+"""Tokens that Whisper's decoder can hold."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,12 +175,11 @@ class WhisperRecognizer:
         """The likeliest tokens, with their mean log probability."""
         prompt = self.prompt(language)
         limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
-        # CTranslate2 gives at most half of max_length, as OpenAI's code does, and no more than the prompt leaves of it.
         result = self._model.model.generate(
             encoded.features,
             [prompt],
             beam_size=1,
-            max_length=min(max(2 * limit, len(prompt) + limit), 448),
+            max_length=max_length(len(prompt), limit),
             return_scores=True,
         )[0]
         return list(result.sequences_ids[0]), float(result.scores[0])
@@ -187,6 +188,12 @@ class WhisperRecognizer:
         unload = getattr(self._model.model, "unload_model", None)
         if unload is not None:
             unload()
+
+
+def max_length(prompt: int, wanted: int) -> int:
+    """CTranslate2's ``max_length`` for so many tokens after a prompt of so many: it gives at most half of it, as
+    OpenAI's code does, and no more than the prompt leaves of it."""
+    return min(max(2 * wanted, prompt + wanted), MAX_LENGTH)
 
 
 def _enough_threads(weights: Weights) -> int:
