@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from intent_engine.errors import AudioError, DeviceError, IntentEngineError, WeightsError
+from intent_engine.errors import AudioError, ConfigError, DeviceError, IntentEngineError, WeightsError
 from intent_engine.resources import shipped
 from intent_engine.speech.audio import SAMPLE_RATE, Report, Samples
 
@@ -95,6 +95,7 @@ def examine(
             if there.verdict is Verdict.OK:
                 yield _level(device, seconds, on_level)
     yield _voice()
+    yield _noise_filter()
     weights = _weights(model)
     yield weights
     yield _cuda()
@@ -210,6 +211,23 @@ def _voice() -> Check:
     if share > 0.5:
         return Check("voice detector", Verdict.WARNING, found, "end what keeps this machine busy")
     return Check("voice detector", Verdict.OK, found)
+
+
+def _noise_filter() -> Check:
+    from intent_engine.speech.rnnoise import RNNoise
+
+    hiss = np.random.default_rng(0).normal(0.0, 0.01, (60, 512)).astype(np.float32)
+    try:
+        speech = RNNoise().begin(hiss[:10])
+    except ConfigError as error:
+        problem = error.problems[0]
+        return Check("noise filter", Verdict.WARNING, problem.message, problem.hint or "")
+    began = time.perf_counter()
+    for frame in hiss[10:]:
+        speech.add(frame)
+    speech.sound()
+    share = (time.perf_counter() - began) / len(hiss) / 0.032
+    return Check("noise filter", Verdict.OK, f"RNNoise, {100 * share:.1f} % of a core while somebody speaks in noise")
 
 
 def _weights(model: str) -> Check:

@@ -18,8 +18,8 @@ __all__ = ["Evidence", "letters_apart"]
 
 FAR_AHEAD = 8.0
 """nats; a margin beyond it says no more."""
-BIAS = 2.0
-WEIGHTS = {"gap": -0.85, "margin": 1.15, "cost": -0.9, "apart": -0.6}
+BIAS = 0.72
+WEIGHTS = {"gap": -1.88, "margin": 1.7, "cost": -0.51, "apart": -0.85}
 """Logistic regression, by ``scripts/fit_confidence.py``: commands of 14 synthetic voices and coffee orders of 50 people
 in quiet and in noise, and both as other speech for the other's grammar."""
 UNKNOWN = -2.0

@@ -10,9 +10,11 @@ for a handful of beginnings at once, tell nearly all that the search asks.
 
 from __future__ import annotations
 
+import bisect
 import heapq
 import itertools
 import math
+import operator
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
@@ -33,13 +35,19 @@ AHEAD = 3
 """Pieces that the model adds freely to the longest of them."""
 CALLS = 6
 """Calls of the model in one search."""
-LENGTH_BONUS = 1.0
-"""nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
+LENGTH_BONUS = 3.0
+"""nats that a piece may be expected to cost, as far as there were pieces in what was heard: so much may a longer
+beginning be behind and still be looked at first."""
+SHORT = 6
+LONGER = 4
+"""Pieces that a sentence may have more than what was heard freely, or than so few."""
 WORD = 2.0
-"""nats that a word more may cost: without it "right" would be likelier than "return to the starting point", of which only
-half was heard well."""
+"""nats that a word more may cost: without it "right" would be likelier than a "return to the starting point" of which
+only half was heard well."""
 PER_STATE = 2
 """Ways kept to each place of the grammar."""
+BEAM = 10
+"""Beginnings of the same number of pieces that are followed."""
 BEHIND = 4.0
 """nats by which a beginning may be behind the best whole sentence."""
 GIVEN_UP = 1.5
@@ -47,6 +55,7 @@ GIVEN_UP = 1.5
 UNLIKELY = -9.0
 """Log probability of a piece that is not looked at any more, and of digits, of which there are so many."""
 UNLIKELY_DIGITS = -7.0
+UNLIKELY_COMMA = -2.0
 STEPS = 600
 """Beginnings looked at in one search."""
 FOUND = 12
@@ -101,6 +110,49 @@ class _Path:
         return (self.state, id(self.inside), self.digits)
 
 
+class _Frontier:
+    """The beginnings that are still followed in one search, the most promising first, and the sentences found."""
+
+    def __init__(self, free_score: float, heard: int) -> None:
+        self.found: dict[tuple[str, ...], float] = {}
+        self._free_score = free_score
+        self._heard = heard
+        self._longest = max(heard, SHORT) + LONGER
+        self._queue: list[tuple[float, int, _Path]] = []
+        self._order = itertools.count()
+        self._kept: dict[tuple[Any, ...], list[float]] = {}
+        self._beams: dict[int, list[float]] = {}
+
+    def push(self, path: _Path) -> None:
+        """Follow a beginning, unless there are better ones to the same place, or it is hopeless."""
+        if path.score < self._free_score - GIVEN_UP * (4 + len(path.words)) or len(path.tokens) > self._longest:
+            return
+        scores = self._kept.setdefault(path.place, [])
+        if len(scores) >= PER_STATE and path.score <= scores[-1]:
+            return
+        _keep(scores, path.score, PER_STATE)
+        _keep(self._beams.setdefault(len(path.tokens), []), path.value, BEAM)
+        self.put_back(path)
+
+    def put_back(self, path: _Path) -> None:
+        """Follow a beginning that was popped."""
+        bonus = LENGTH_BONUS * min(len(path.tokens), self._heard)
+        heapq.heappush(self._queue, (-path.score - bonus, next(self._order), path))
+
+    def pop(self) -> _Path | None:
+        """The most promising beginning; None if there is none."""
+        while self._queue:
+            path = heapq.heappop(self._queue)[2]
+            if not self.behind(path):
+                return path
+        return None
+
+    def behind(self, path: _Path) -> bool:
+        """Whether a whole sentence, or enough others of its length, are ahead of it by now."""
+        best = max(map(_value, self.found.items()), default=-math.inf)
+        return path.value < max(best - BEHIND, self._beams[len(path.tokens)][-1])
+
+
 class GuidedSearch:
     """Searches one grammar with one model's pieces.
 
@@ -142,56 +194,34 @@ class GuidedSearch:
         Returns:
             (words, log probability with a full stop) pairs, likeliest first, at most :data:`FOUND`.
         """
-        rows: dict[tuple[int, ...], _Row] = {}
         pieces = tuple(self._tokenizer.encode(" " + free.strip()))
         seeds = [pieces, *(tuple(self._tokenizer.encode(" " + draft)) for draft in drafts)]
         length = max(map(len, seeds)) + 2
-        rows.update((beginning, self._likely(row)) for beginning, row in ask(list(dict.fromkeys(seeds)), length))
-        found: dict[tuple[str, ...], float] = {}
-        kept: dict[tuple[Any, ...], list[float]] = {}
-        order = itertools.count()
-        queue: list[tuple[float, int, _Path]] = []
-        waiting: list[tuple[float, int, _Path]] = []
-
-        def push(path: _Path) -> None:
-            if path.score < free_score - GIVEN_UP * (4 + len(path.words)):
-                return
-            scores = kept.setdefault(path.place, [])
-            if len(scores) >= PER_STATE and path.score <= scores[-1]:
-                return
-            scores.append(path.score)
-            scores.sort(reverse=True)
-            del scores[PER_STATE:]
-            heapq.heappush(queue, (-path.score - LENGTH_BONUS * len(path.tokens), next(order), path))
-
-        push(_Path(0.0, state=self._graph.start()))
-        calls = steps = 0
-        while queue and steps < STEPS:
-            best = max(map(_value, found.items()), default=-math.inf)
-            while queue and steps < STEPS:
-                item = heapq.heappop(queue)
-                path = item[2]
-                if path.value < best - BEHIND:
-                    continue
+        rows = {beginning: self._likely(row) for beginning, row in ask(list(dict.fromkeys(seeds)), length)}
+        frontier = _Frontier(free_score, len(pieces))
+        frontier.push(_Path(0.0, state=self._graph.start()))
+        steps = 0
+        for call in range(CALLS):
+            waiting: list[_Path] = []
+            while steps < STEPS and (path := frontier.pop()) is not None:
                 row = rows.get(path.tokens)
                 if row is None:
-                    waiting.append(item)
+                    waiting.append(path)
                     continue
                 steps += 1
-                for further in self._further(path, row, heard, found):
-                    push(further)
-                best = max(map(_value, found.items()), default=-math.inf)
-            waiting = sorted(item for item in waiting if item[2].value >= best - BEHIND)
-            if not waiting or calls == CALLS - 1:
+                for further in self._further(path, row, heard, frontier.found):
+                    frontier.push(further)
+            waiting = [path for path in waiting if not frontier.behind(path)]
+            if not waiting or call == CALLS - 1:
                 break
-            asked = list(dict.fromkeys(item[2].tokens for item in waiting[:BATCH]))
+            asked = list(dict.fromkeys(path.tokens for path in waiting[:BATCH]))
             length = max(length, AHEAD + max(map(len, asked)))
             for beginning, chances in ask(asked, length):
                 if beginning not in rows:
                     rows[beginning] = self._likely(chances)
-            calls += 1
-            queue, waiting = waiting, []
-        return sorted(found.items(), key=_value, reverse=True)[:FOUND]
+            for path in waiting:
+                frontier.put_back(path)
+        return sorted(frontier.found.items(), key=_value, reverse=True)[:FOUND]
 
     def _likely(self, row: npt.NDArray[np.float32]) -> _Row:
         """A row without what is not looked at; with the signs between words, however unlikely."""
@@ -250,7 +280,7 @@ class GuidedSearch:
             for number in self._first_digits.keys() & row.keys():
                 if row[number] > UNLIKELY_DIGITS:
                     yield self._on(path, row, number, words=words, state=state, digits=self._first_digits[number])
-        if path.tokens and path.tokens[-1] != self._comma:
+        if path.tokens and path.tokens[-1] != self._comma and row[self._comma] > UNLIKELY_COMMA:
             yield self._on(path, row, self._comma, words=words, state=state)
 
     def _into(self, path: _Path, row: _Row, pieces: _Pieces, words: tuple[str, ...], state: Any) -> Iterable[_Path]:
@@ -310,6 +340,12 @@ class GuidedSearch:
         if pieces is None:
             pieces = self._encoded[text] = self._tokenizer.encode(text)
         return pieces
+
+
+def _keep(best: list[float], value: float, most: int) -> None:
+    """Put a value among the best, which are in falling order and no more than so many."""
+    bisect.insort(best, value, key=operator.neg)
+    del best[most:]
 
 
 def _value(found: tuple[tuple[str, ...], float]) -> float:

@@ -22,7 +22,7 @@ def machine(monkeypatch):
         monkeypatch.setitem(sys.modules, "sounddevice", FakePortAudio(time, *plugs))
         monkeypatch.setattr(live, "RealTime", lambda: time)
         monkeypatch.setattr(doctor.time, "monotonic", time.now)
-        for later in ("_voice", "_cuda"):
+        for later in ("_voice", "_noise_filter", "_cuda"):
             monkeypatch.setattr(doctor, later, lambda: doctor.Check("", Verdict.OK, ""))
         monkeypatch.setattr(doctor, "_weights", lambda _: doctor.Check("weights", Verdict.MISSING, ""))
         return {check.name: check for check in examine()}
@@ -97,6 +97,19 @@ def test_pythons(monkeypatch, version, verdict):
     check = next(examine(microphone=False))
     assert check.verdict is verdict
     assert bool(check.advice) is (verdict is Verdict.MISSING)
+
+
+def test_without_a_noise_filter_speech_works_but_not_as_well(monkeypatch):
+    from intent_engine.speech import rnnoise
+
+    monkeypatch.setattr(rnnoise, "find_spec", lambda name: None)
+    rnnoise._library.cache_clear()
+    try:
+        (check,) = (check for check in examine(microphone=False) if check.name == "noise filter")
+    finally:
+        rnnoise._library.cache_clear()
+    assert check.verdict is Verdict.WARNING
+    assert check.advice == "pip install 'intent-engine[noise]'"
 
 
 def test_weights_that_were_changed(monkeypatch, tmp_path):

@@ -81,12 +81,32 @@ def test_whatever_the_model_wants_only_sentences_of_the_grammar_come_out(search,
 
     graph = engine.matcher().likely
     found = search.likeliest(anything, ["go"], "Go.", -3.0)
-    scores = [score for _, score in found]
-    assert scores == sorted(scores, reverse=True)
+    values = [score + guided.WORD * len(words) for words, score in found]
+    assert values == sorted(values, reverse=True)
     for words, _ in found:
         read, state = graph.walk(words)
         assert read == len(words)
         assert graph.accepting(state)
+
+
+def test_a_long_sentence_is_found_though_a_short_one_of_its_beginning_is_likelier(search, whisper):
+    """In noise every word costs something, and whoever says less pays less."""
+    tokenizer = whisper.tokenizer("en")
+    said = tokenizer.encode(" Return to the starting point")
+    model = Wishes(said, *tokenizer.encode("."), wish=-1.4)
+    (right,) = tokenizer.encode(" Right")
+
+    def tempted(beginnings, length):
+        for beginning, row in model(beginnings, length):
+            if not beginning:
+                row[right] = -2.0
+            if beginning == (right,):
+                row[model.tokens[-1]] = -2.0
+            yield beginning, row
+
+    found = search.likeliest(tempted, ["return", "to", "this", "powder"], "Return to this powder.", -9.0)
+    assert found[0][0] == ("return", "to", "the", "starting", "point")
+    assert ("right",) in dict(found)
 
 
 def test_what_is_far_behind_what_was_heard_is_given_up(search, whisper):
