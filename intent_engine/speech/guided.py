@@ -17,6 +17,7 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -29,15 +30,17 @@ from intent_engine.speech.writing import written
 
 __all__ = ["WORD", "GuidedSearch", "NextPieces"]
 
-BATCH = 4
+BATCH = 6
 """Beginnings that the model is asked about in one call."""
 AHEAD = 3
 """Pieces that the model adds freely to the longest of them."""
 CALLS = 6
 """Calls of the model in one search."""
-LENGTH_BONUS = 3.0
-"""nats that a piece may be expected to cost, as far as there were pieces in what was heard: so much may a longer
-beginning be behind and still be looked at first."""
+PIECE = 1.0
+"""nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
+DEEPER = 1.5
+"""Of what is asked half stays near what is likeliest, and half goes deeper: there a piece may cost so many times what
+those that were heard freely cost, besides."""
 SHORT = 6
 LONGER = 4
 """Pieces that a sentence may have more than what was heard freely, or than so few."""
@@ -100,9 +103,14 @@ class _Path:
     """Within a number in digits: those so far."""
 
     @property
+    def begun(self) -> int:
+        """Words, with that which is being said."""
+        return word_count(self.words) + (self.inside is not None or bool(self.digits))
+
+    @property
     def value(self) -> float:
         """What it is compared by with others of other lengths."""
-        return self.score + WORD * len(self.words)
+        return self.score + WORD * self.begun
 
     @property
     def place(self) -> tuple[Any, ...]:
@@ -117,6 +125,7 @@ class _Frontier:
         self.found: dict[tuple[str, ...], float] = {}
         self._free_score = free_score
         self._heard = heard
+        self._bonuses = (PIECE - DEEPER * free_score / max(heard, 1), PIECE)
         self._longest = max(heard, SHORT) + LONGER
         self._queue: list[tuple[float, int, _Path]] = []
         self._order = itertools.count()
@@ -136,8 +145,15 @@ class _Frontier:
 
     def put_back(self, path: _Path) -> None:
         """Follow a beginning that was popped."""
-        bonus = LENGTH_BONUS * min(len(path.tokens), self._heard)
-        heapq.heappush(self._queue, (-path.score - bonus, next(self._order), path))
+        heapq.heappush(self._queue, (-self._promise(path, self._bonuses[0]), next(self._order), path))
+
+    def _promise(self, path: _Path, bonus: float) -> float:
+        return path.score + bonus * min(len(path.tokens), self._heard)
+
+    def choose(self, paths: Sequence[_Path], most: int) -> list[tuple[int, ...]]:
+        """Of beginnings that wait to be asked about, the most promising."""
+        ways = [sorted(paths, key=lambda path: -self._promise(path, bonus)) for bonus in self._bonuses]
+        return list(dict.fromkeys(path.tokens for turn in zip(*ways, strict=True) for path in turn))[:most]
 
     def pop(self) -> _Path | None:
         """The most promising beginning; None if there is none."""
@@ -149,8 +165,13 @@ class _Frontier:
 
     def behind(self, path: _Path) -> bool:
         """Whether a whole sentence, or enough others of its length, are ahead of it by now."""
-        best = max(map(_value, self.found.items()), default=-math.inf)
-        return path.value < max(best - BEHIND, self._beams[len(path.tokens)][-1])
+        if path.value < self._beams[len(path.tokens)][-1]:
+            return True
+        if not self.found:
+            return False
+        best = max(self.found.items(), key=_value)
+        # A beginning may still become as long as the sentence.
+        return path.score + WORD * max(path.begun, word_count(best[0])) < _value(best) - BEHIND
 
 
 class GuidedSearch:
@@ -214,7 +235,7 @@ class GuidedSearch:
             waiting = [path for path in waiting if not frontier.behind(path)]
             if not waiting or call == CALLS - 1:
                 break
-            asked = list(dict.fromkeys(path.tokens for path in waiting[:BATCH]))
+            asked = frontier.choose(waiting, BATCH)
             length = max(length, AHEAD + max(map(len, asked)))
             for beginning, chances in ask(asked, length):
                 if beginning not in rows:
@@ -351,7 +372,13 @@ def _keep(best: list[float], value: float, most: int) -> None:
 def _value(found: tuple[tuple[str, ...], float]) -> float:
     """What a sentence that was found is compared by with others of other lengths."""
     words, score = found
-    return score + WORD * len(words)
+    return score + WORD * word_count(words)
+
+
+@lru_cache(maxsize=4096)
+def word_count(words: tuple[str, ...]) -> int:
+    """Words, a number of several as one: "8120" is said in five."""
+    return sum(1 for _ in itertools.groupby(words, lambda word: word if word not in NUMBER_WORDS else None))
 
 
 def _spans(heard: Sequence[str]) -> set[str]:

@@ -47,7 +47,7 @@ FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
-LETTER = 0.7
+LETTER = 0.6
 """nats that a letter of difference from the free words weighs beside the model's own score: the free words were heard
 too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
 UNKNOWN_WORD = 8.0
