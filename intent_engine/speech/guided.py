@@ -30,7 +30,7 @@ from intent_engine.speech.writing import written
 
 __all__ = ["WORD", "GuidedSearch", "NextPieces"]
 
-BATCH = 6
+BATCH = 4
 """Beginnings that the model is asked about in one call."""
 AHEAD = 3
 """Pieces that the model adds freely to the longest of them."""
@@ -51,7 +51,7 @@ PER_STATE = 2
 """Ways kept to each place of the grammar."""
 BEAM = 10
 """Beginnings of the same number of pieces that are followed."""
-BEHIND = 4.0
+BEHIND = 3.0
 """nats by which a beginning may be behind the best whole sentence."""
 GIVEN_UP = 1.5
 """nats for each word, and four more, by which a beginning may be behind what was heard freely."""
