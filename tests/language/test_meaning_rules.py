@@ -29,6 +29,7 @@ def failures(engine: IntentEngine, rows: dict[str, str]) -> list[str]:
     return [text for text, meant in rows.items() if not matches(meant, done(engine.parse(text)))]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", shipped().grammar.operators.negation, ids=" ".join)
 def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> None:
     grammar = shipped().grammar
@@ -41,6 +42,7 @@ def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> N
     assert failures(engine_with(replace(grammar, operators=broken)), {**NEGATED, **STOP}), f"nothing needs {words}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["negation", "correction", "cancel", "sequence", "contrast", "stop"])
 def test_the_table_fails_without_a_list_of_operators(name: str) -> None:
     grammar = shipped().grammar
@@ -83,6 +85,7 @@ RULES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rule", "name"), RULES, ids=[f"{rule.__name__}.{name}" for rule, name in RULES])
 def test_the_table_fails_without_a_rule(rule: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     assert hasattr(rule, name)
