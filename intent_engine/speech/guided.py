@@ -28,7 +28,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.speech.writing import written
 
-__all__ = ["WORD", "GuidedSearch", "NextPieces"]
+__all__ = ["WORD", "GuidedSearch", "NextPieces", "word_count"]
 
 BATCH = 4
 """Beginnings that the model is asked about in one call."""
@@ -42,8 +42,9 @@ DEEPER = 1.5
 """Of what is asked half stays near what is likeliest, and half goes deeper: there a piece may cost so many times what
 those that were heard freely cost, besides."""
 SHORT = 6
+"""Pieces of what was heard freely, below which it may have been cut off."""
 LONGER = 4
-"""Pieces that a sentence may have more than what was heard freely, or than so few."""
+"""Pieces that a sentence may have more than these."""
 WORD = 2.0
 """nats that a word more may cost: without it "right" would be likelier than a "return to the starting point" of which
 only half was heard well."""
@@ -56,9 +57,11 @@ BEHIND = 3.0
 GIVEN_UP = 1.5
 """nats for each word, and four more, by which a beginning may be behind what was heard freely."""
 UNLIKELY = -9.0
-"""Log probability of a piece that is not looked at any more, and of digits, of which there are so many."""
+"""Log probability of a piece that is not looked at any more,"""
 UNLIKELY_DIGITS = -7.0
+"""of digits, of which there are so many,"""
 UNLIKELY_COMMA = -2.0
+"""and of a comma, which may be left out."""
 STEPS = 600
 """Beginnings looked at in one search."""
 FOUND = 12

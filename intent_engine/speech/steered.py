@@ -24,7 +24,7 @@ from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, letters_apart
-from intent_engine.speech.guided import WORD, GuidedSearch
+from intent_engine.speech.guided import WORD, GuidedSearch, word_count
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.scoring import ScoringWhisper
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
@@ -218,7 +218,7 @@ class SteeredWhisper(ScoringWhisper):
         for words, score in scores.items():
             apart = letters_apart(words, heard)
             unknown = sum(isinstance(word, FreeWord) for word in words)
-            rank = score - LETTER * apart - UNKNOWN_WORD * unknown + WORD * len(words)
+            rank = score - LETTER * apart - UNKNOWN_WORD * unknown + WORD * word_count(words)
             rows.append((rank, words, score, apart, unknown, self._parse(" ".join(words), language).actions))
         rows.sort(key=lambda row: (-row[0], row[1]))
         free_score = self.score(encoded, [free], language)[0]

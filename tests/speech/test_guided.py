@@ -147,3 +147,12 @@ def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
     assert score == pytest.approx(whisper.score_words(encoded, [words], "en")[0], abs=0.3), (
         "as teacher forcing finds it"
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [("", 0), ("stop", 1), ("turn left one hundred and ten degrees", 6), ("turn left ninety degrees", 4), ("one", 1)],
+)
+def test_a_number_counts_as_few_words(text, count):
+    """Else "one hundred ten" would be worth two words more than the "ninety" that was said."""
+    assert guided.word_count(tuple(text.split())) == count
