@@ -20,7 +20,7 @@ from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
-from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
+from intent_engine.speech.rnnoise import NoiseFilter
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Act", "Hearing", "Listener"]
@@ -94,7 +94,7 @@ class Listener:
         self._settings = settings
         self._speculate = speculate
         self._reflex = _Timed(reflex) if reflex is not None else None
-        self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
+        self._noise_filter: NoiseFilter | Literal["auto"] | None = noise_filter
         self._places = {
             name: Pose(place.x, place.y, place.yaw, place.frame) for name, place in (engine.locations or {}).items()
         }

@@ -30,7 +30,6 @@ __all__ = ["FilteredSpeech", "NoiseFilter", "RNNoise", "installed_filter"]
 
 RATE = 48_000
 """Hz, of RNNoise."""
-UP = RATE // SAMPLE_RATE
 BLOCK = 480
 """Samples that RNNoise takes at a time."""
 DELAY = 960
