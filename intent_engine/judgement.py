@@ -14,10 +14,11 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "stops", "unsure"]
+__all__ = ["Judge", "stops"]
 
 SURE_ENOUGH = 0.7
-"""Confidence of a transcript from which it is acted on. Measured on commands and other speech: docs/speech.md."""
+"""Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
+Measured on commands and other speech: docs/speech.md."""
 SURE_ENOUGH_OF_SEVERAL = 0.9
 """The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
 WORTH_ASKING = 0.4
@@ -39,7 +40,7 @@ class Judge:
         if not transcript.text:
             return None, Outlook.OTHER
         meaning = self.meaning(transcript, state, last)
-        if meaning.status is Status.REJECTED and unsure(transcript):
+        if meaning.status is Status.REJECTED and self.unsure(transcript):
             begun = self.engine.prefix(transcript.free_text, language=self._language(transcript))
             return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
         prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
@@ -61,7 +62,7 @@ class Judge:
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
         if meaning.status is Status.ACCEPTED and not stops(meaning) and (why := _unheard(transcript)):
             return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
-        if meaning.status is Status.ACCEPTED and unsure(transcript, meaning):
+        if meaning.status is Status.ACCEPTED and self.unsure(transcript, meaning):
             return Interpretation(
                 transcript.free_text,
                 Status.REJECTED,
@@ -69,6 +70,30 @@ class Judge:
                 alternatives=(transcript.text,),
             )
         return meaning
+
+    def unsure(self, transcript: Transcript, meaning: Interpretation | None = None) -> bool:
+        """Whether the sentence of the grammar that was found is too unlikely to have been said.
+
+        Args:
+            transcript: what was heard.
+            meaning: what it would mean; None: nothing that is done.
+        """
+        if transcript.confidence is None:
+            return False
+        return transcript.confidence < self._enough(meaning, self._language(transcript))
+
+    def _enough(self, meaning: Interpretation | None, language: str | None) -> float:
+        """Confidence from which a meaning is acted on."""
+        if meaning is None:
+            return SURE_ENOUGH
+        several = len(meaning.actions) > 1
+        steps = meaning.slots["steps"] if several and "steps" in meaning.slots else [{"intent": meaning.intent}]
+        intents = self.engine.matcher(language).grammar.intents
+        asked = [intents[step["intent"]].min_confidence for step in steps if step["intent"] in intents]
+        enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
+        if stops(meaning):
+            return min(enough, SURE_ENOUGH_TO_STOP)
+        return max(enough, SURE_ENOUGH_OF_SEVERAL) if several else enough
 
 
 def _unheard(transcript: Transcript) -> str:
@@ -81,16 +106,6 @@ def _why_unsure(transcript: Transcript) -> str:
     if (transcript.confidence or 0.0) >= WORTH_ASKING:
         return f"perhaps {transcript.text!r}, but that was not heard clearly; say it again"
     return "it sounded too different from the nearest command"
-
-
-def unsure(transcript: Transcript, meaning: Interpretation | None = None) -> bool:
-    """Whether the sentence of the grammar that was found is too unlikely to have been said."""
-    enough = SURE_ENOUGH
-    if meaning is not None and stops(meaning):
-        enough = SURE_ENOUGH_TO_STOP
-    elif meaning is not None and len(meaning.actions) > 1:
-        enough = SURE_ENOUGH_OF_SEVERAL
-    return transcript.confidence is not None and transcript.confidence < enough
 
 
 def stops(meaning: Interpretation) -> bool:

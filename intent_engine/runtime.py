@@ -23,7 +23,7 @@ from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.interpretation import Status
-from intent_engine.judgement import Judge, stops, unsure
+from intent_engine.judgement import Judge, stops
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
@@ -361,7 +361,7 @@ class Runtime:
             return
         self._summary.utterances += 1
         meaning = self._judgement.meaning(transcript, self._state(), self._last)
-        if meaning.status is not Status.ACCEPTED and unsure(transcript):
+        if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
         self._tell(

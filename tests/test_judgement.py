@@ -65,3 +65,30 @@ def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
     meaning = judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=("fifteen",)), (), ())
     assert (meaning.status is Status.ACCEPTED) is done
     assert done or "say it again" in meaning.reason
+
+
+OWN_RISK = """
+intents:
+  order: {action: {type: custom, name: order}, sentences: ["a large latte"], min_confidence: 0.4}
+  launch: {action: {type: custom, name: launch}, sentences: ["launch the rocket"], min_confidence: 0.95}
+  wave: {action: {type: custom, name: wave}, sentences: ["wave at me"]}
+  halt: {action: stop, sentences: ["cut it"], min_confidence: 0.95}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "enough"),
+    [
+        ("a large latte", 0.4),
+        ("launch the rocket", 0.95),
+        ("wave at me", SURE_ENOUGH),
+        ("a large latte and wave at me", SURE_ENOUGH_OF_SEVERAL),
+        ("a large latte and launch the rocket", 0.95),
+        ("cut it", SURE_ENOUGH_TO_STOP),
+    ],
+)
+def test_an_intent_says_how_sure_it_must_be_but_a_stop_is_never_harder(tmp_path, text, enough):
+    (tmp_path / "own.yaml").write_text(OWN_RISK, encoding="utf-8")
+    judge = Judge(IntentEngine.from_files(tmp_path / "own.yaml"))
+    assert judge.meaning(heard(text, enough), (), ()).status is Status.ACCEPTED
+    assert judge.meaning(heard(text, enough - 0.01), (), ()).actions == ()

@@ -147,6 +147,8 @@ class Intent:
     """States that the robot must not be in."""
     priority: int = 0
     """Wins over intents of lower priority where both accept a text."""
+    min_confidence: float | None = None
+    """How sure it must be that it was said, 0 to 1, before spoken words are acted on; None: the runtime's own."""
     examples: tuple[Example, ...] = ()
     description: str = ""
     place: Place | None = None

@@ -80,6 +80,7 @@ def read_intent(
         requires=frozenset(text for _, _, text in source.entries((*path, "requires"), spec.get("requires"))),
         excludes=frozenset(text for _, _, text in source.entries((*path, "excludes"), spec.get("excludes"))),
         priority=spec.get("priority", 0) if (*path, "priority") not in source.broken else 0,
+        min_confidence=spec.get("min_confidence") if (*path, "min_confidence") not in source.broken else None,
         examples=tuple(_examples(parts, (*path, "examples"), spec.get("examples"))),
         description=str(spec.get("description", "")),
         place=source.place(path, key=True),
@@ -113,6 +114,7 @@ def merged(old: Intent, new: Intent) -> Intent:
         requires=old.requires | new.requires,
         excludes=old.excludes | new.excludes,
         priority=new.priority or old.priority,
+        min_confidence=old.min_confidence if new.min_confidence is None else new.min_confidence,
         examples=old.examples + new.examples,
         description=old.description or new.description,
     )

@@ -39,6 +39,7 @@ intents:
     sentences: ['{go} {direction} [{distance}] [at {speed}]', {say: back up, slots: {direction: backward}}]
     examples: [go forward: {direction: forward}, back up, never go: rejected]
     priority: 2
+    min_confidence: 0.5
   turn:
     {action: {type: turn, direction: "{side}"}, sentences: ["turn {side} [{angle}]"], requires: [], excludes: ['off']}
   visit: {action: {type: navigate, location: '{place}'}, sentences: ['visit {place}'], description: places}
