@@ -87,9 +87,9 @@ class Judge:
         if meaning is None:
             return SURE_ENOUGH
         several = len(meaning.actions) > 1
-        steps = meaning.slots["steps"] if several and "steps" in meaning.slots else [{"intent": meaning.intent}]
+        said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
         intents = self.engine.matcher(language).grammar.intents
-        asked = [intents[step["intent"]].min_confidence for step in steps if step["intent"] in intents]
+        asked = [intent.min_confidence for name, intent in intents.items() if name in said]
         enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
         if stops(meaning):
             return min(enough, SURE_ENOUGH_TO_STOP)
