@@ -49,6 +49,8 @@ class _Utterance:
     last_voice: float = 0.0
     filtered: FilteredSpeech | None = None
     job: Future[Transcript] | None = None
+    final: bool = False
+    """Whether the decode is one with all care."""
     ended: bool = False
     judged: bool = False
     result: Transcript | None = None
@@ -72,7 +74,8 @@ class Runtime:
     Args:
         engine: understands.
         executor: acts. It is not closed with the runtime.
-        recognizer: hears; None: Whisper tiny.en, steered by the engine's grammar.
+        recognizer: hears; None: Whisper tiny.en, steered by the engine's grammar, and base for what
+            that is not sure of, where it is installed.
         voice: tells speech from silence; None: Silero.
         reflex: listens for stop words; None: no reflex.
         settings: waits of the endpoint.
@@ -100,9 +103,9 @@ class Runtime:
         self.executor = executor
         self._judgement = Judge(engine)
         if recognizer is None:
-            from intent_engine.speech.steered import SteeredWhisper
+            from intent_engine.speech.second_opinion import recognizer_for
 
-            recognizer = SteeredWhisper(engine)
+            recognizer = recognizer_for(engine)
         self._decoding = DecodeThread(recognizer, patience)
         self._voice = voice if voice is not None else SileroVoice()
         self._reflex = reflex
@@ -264,6 +267,7 @@ class Runtime:
                 return  # one decode at a time; what has ended is taken up by _collect
             self._decoding.give_up()
         utterance.result = None
+        utterance.final = final
         utterance.job = self._decoding.begin(utterance.sound(), final=final)
         if self._stepped:
             self._wait(utterance.job)
@@ -295,6 +299,9 @@ class Runtime:
                 self._decode(first, final=True)
             if not self._ready(first, time):
                 return
+            if first.result is not None and not first.final and self._doubtful(first.result):
+                first.job = None
+                continue
             waiting.pop(0)
             if first.result is not None:
                 self._finish(first, time)
@@ -351,6 +358,12 @@ class Runtime:
     def _state(self) -> Collection[str]:
         linear, angular = self.executor.snapshot().velocity
         return ("moving",) if linear or angular or not self.executor.idle or self._held else ()
+
+    def _doubtful(self, transcript: Transcript) -> bool:
+        """Whether a draft is to be heard with all care, now that it is over: if it is not acted on."""
+        if not transcript.draft:
+            return False
+        return self._judgement.meaning(transcript, self._state(), self._last).status is not Status.ACCEPTED
 
     def _finish(self, utterance: _Utterance, time: float) -> None:
         transcript = utterance.result

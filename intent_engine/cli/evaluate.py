@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex
+from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
@@ -45,6 +45,7 @@ def evaluate(
             "--model", "-m", help="Whisper model, a name or a folder; may be repeated.", show_default="tiny.en"
         ),
     ] = None,
+    second_model: SecondModel = None,
     free: Annotated[
         bool, typer.Option("--free", help="Hear with each model without the help of the grammar too, to compare.")
     ] = False,
@@ -89,7 +90,7 @@ def evaluate(
     models = model or ["tiny.en"]
     outcomes: list[Outcome] = []
     with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
-        for name, recognizer in _recognizers(engine, models, language, free):
+        for name, recognizer in _recognizers(engine, models, second_model, language, free):
             reflex = None if no_reflex else _reflex(engine, language)
             listener = _listener(engine, recognizer, robot, reflex, not no_noise_filter)
             for found in trial.hear(rows, listener, name):
@@ -137,14 +138,16 @@ def _snrs(text: str | None) -> list[float]:
 
 
 def _recognizers(
-    engine: IntentEngine, models: list[str], language: str | None, free: bool
+    engine: IntentEngine, models: list[str], second: str | None, language: str | None, free: bool
 ) -> Iterator[tuple[str, Recognizer]]:
     """One at a time: a large model fills the memory."""
-    from intent_engine.speech.steered import SteeredWhisper
+    from intent_engine.speech.second_opinion import recognizer_for, second_model
     from intent_engine.speech.whisper import WhisperRecognizer
 
     for model, name in _names(models).items():
-        yield name, SteeredWhisper(engine, model, language=language)
+        other = second_model(model, second)
+        label = name if other is None else f"{name} + {Path(other).name}"
+        yield label, recognizer_for(engine, model, second=second, language=language)
         if free:
             yield f"{name} free", WhisperRecognizer(model, language=language or engine.languages[0])
 

@@ -16,9 +16,16 @@ if TYPE_CHECKING:
     from intent_engine.cli.session import Session
     from intent_engine.execution.clock import Clock
 
-__all__ = ["Hearing", "RawSamples", "Telling", "session"]
+__all__ = ["Hearing", "RawSamples", "SecondModel", "Telling", "session"]
 
 Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
+SecondModel = Annotated[
+    str | None,
+    typer.Option(
+        help="A larger model for what the first is not sure of: a name, a folder, or none.",
+        show_default="base, if installed",
+    ),
+]
 Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]
 NoReflex = Annotated[
     bool, typer.Option("--no-reflex", help="Do not hold the robot while a stop word is still being said.")
@@ -52,6 +59,7 @@ class Hearing:
     robot: Robots = "simulated"
     language: Language = None
     model: Model = "tiny.en"
+    second_model: SecondModel = None
     free: Free = False
     no_reflex: NoReflex = False
     wake_word: WakeWord = None
@@ -94,6 +102,7 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
         robot=load_robot(find("robots", hearing.robot)),
         clock=clock,
         model=hearing.model,
+        second_model=hearing.second_model,
         language=hearing.language,
         free=hearing.free,
         reflex=not hearing.no_reflex,

@@ -45,6 +45,7 @@ class Session:
     robot: RobotFile
     clock: Clock
     model: str = "tiny.en"
+    second_model: str | None = None
     language: str | None = None
     free: bool = False
     reflex: bool = True
@@ -187,14 +188,14 @@ class Session:
         return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
 
     def _recognizer(self) -> Recognizer:
-        from intent_engine.speech.steered import SteeredWhisper
+        from intent_engine.speech.second_opinion import recognizer_for
         from intent_engine.speech.whisper import WhisperRecognizer
 
         recognizer: Recognizer
         if self.free:
             recognizer = WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
         else:
-            recognizer = SteeredWhisper(self.engine, self.model, language=self.language)
+            recognizer = recognizer_for(self.engine, self.model, second=self.second_model, language=self.language)
         if self.denoise:
             from intent_engine.speech.denoise import DenoisedRecognizer
 

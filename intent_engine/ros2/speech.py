@@ -76,6 +76,8 @@ class SpeechParameters:
     grammar: tuple[str, ...]
     locations: tuple[str, ...]
     model: str
+    second_model: str
+    """For what the first is not sure of; empty: base, if it is installed; "none": none."""
     device: str
     """Microphone: its number, name or a part of the name; empty: the system's."""
     file: str
@@ -97,6 +99,7 @@ def read_parameters(node: Any) -> SpeechParameters:
         grammar=grammar,
         locations=locations,
         model=declared.text("model", "tiny.en", "Whisper model: a name or a folder"),
+        second_model=declared.text("second_model", "", "For what the first is unsure of; empty: base, if installed"),
         device=declared.text("device", "", "Microphone: number, name or part of it; empty: the system's"),
         file=declared.text("file", "", "Recording to play instead of the microphone"),
         reflex=declared.truth("reflex", True, "Hold the robot while a stop word is being said"),
@@ -195,13 +198,13 @@ class Speech:
 
     def _ears(self, parameters: SpeechParameters) -> tuple[Recognizer, Reflex | None]:
         from intent_engine.speech.reflex import reflex_for
-        from intent_engine.speech.steered import SteeredWhisper
+        from intent_engine.speech.second_opinion import recognizer_for
         from intent_engine.speech.whisper import WhisperRecognizer
 
         reflex = reflex_for(self._engine) if parameters.reflex else None
         if parameters.free:
             return WhisperRecognizer(parameters.model, language=self._engine.languages[0]), reflex
-        return SteeredWhisper(self._engine, parameters.model), reflex
+        return recognizer_for(self._engine, parameters.model, second=parameters.second_model or None), reflex
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

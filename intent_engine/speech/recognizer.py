@@ -35,6 +35,9 @@ class Transcript:
     heard freely; None if not steered, or if nothing of the grammar was near."""
     decode_seconds: float = 0.0
     """Time that recognition took."""
+    draft: bool = False
+    """Whether the recogniser would hear it better with more care: an utterance that is over and that is not acted on is
+    recognised again, as final."""
 
 
 class Recognizer(Protocol):

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["Reading", "SteeredWhisper"]
+__all__ = ["Reading", "SteeredWhisper", "is_refusal"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are scored against the sound."""
@@ -150,7 +150,7 @@ class SteeredWhisper(ScoringWhisper):
                 encoded = self.encode(samples, max(RETRY_SECONDS, encoded.seconds + RETRY_MARGIN))
             free, mean, _ = self.greedy(encoded, language)
             meaning = self._parse(free, language)
-            if not free or _is_refusal(meaning):
+            if not free or is_refusal(meaning):
                 return Transcript(free, mean, free, language=language)
             words = self._words(free, language)
             exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
@@ -256,7 +256,7 @@ class SteeredWhisper(ScoringWhisper):
         if any(not _stands_for(word, words) for word in story):
             return False
         meaning = self._parse(" ".join(words), language)
-        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or _is_refusal(meaning)
+        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or is_refusal(meaning)
         stop = any(isinstance(action, Stop) for action in meaning.actions)
         return known and (stop or not self._mostly_noise(words, language))
 
@@ -343,5 +343,6 @@ def _stands_for(heard: str, words: Sequence[str]) -> bool:
     return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)
 
 
-def _is_refusal(meaning: Interpretation) -> bool:
+def is_refusal(meaning: Interpretation) -> bool:
+    """Whether it says that something shall not be done."""
     return meaning.reason.startswith(("negated", "cancelled"))

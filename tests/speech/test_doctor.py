@@ -24,7 +24,8 @@ def machine(monkeypatch):
         monkeypatch.setattr(doctor.time, "monotonic", time.now)
         for later in ("_voice", "_noise_filter", "_cuda"):
             monkeypatch.setattr(doctor, later, lambda: doctor.Check("", Verdict.OK, ""))
-        monkeypatch.setattr(doctor, "_weights", lambda _: doctor.Check("weights", Verdict.MISSING, ""))
+        for later in ("_second_model", "_weights"):
+            monkeypatch.setattr(doctor, later, lambda _: doctor.Check("weights", Verdict.MISSING, ""))
         return {check.name: check for check in examine()}
 
     return look
