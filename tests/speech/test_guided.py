@@ -81,7 +81,7 @@ def test_whatever_the_model_wants_only_sentences_of_the_grammar_come_out(search,
 
     graph = engine.matcher().likely
     found = search.likeliest(anything, ["go"], "Go.", -3.0)
-    values = [score + guided.WORD * len(words) for words, score in found]
+    values = [score + guided.WORD * guided.word_count(words) for words, score in found]
     assert values == sorted(values, reverse=True)
     for words, _ in found:
         read, state = graph.walk(words)
