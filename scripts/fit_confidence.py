@@ -149,7 +149,9 @@ def main() -> None:
         noise = Noise.read(given.noise) if given.noise else None
         for command, (grammar, folder) in [(True, c) for c in given.case] + [(False, c) for c in given.other]:
             engine = IntentEngine.from_files(grammar, locations=str(LOCATIONS))
-            rows = evenly(read_labels(find_labels(Path(folder)), engine if command else _any(folder)), given.limit)
+            rows = evenly(
+                read_labels(find_labels(Path(folder)), engine if command else any_engine(folder)), given.limit
+            )
             for snr in (None, *given.snr):
                 kind = f"{'' if command else 'other '}{Path(folder).name} {'clean' if snr is None else f'{snr:g} dB'}"
                 found += examples(engine, rows, snr, noise, command, kind)
@@ -173,7 +175,7 @@ def main() -> None:
         print(f"{kind:28} of {mine.sum():3}:", *(f"{int(right[t].sum())}+{int((1 - right[t]).sum())}" for t in taken))
 
 
-def _any(folder: str) -> IntentEngine:
+def any_engine(folder: str) -> IntentEngine:
     """An engine that can read the labels of another domain."""
     coffee = "coffee" in folder
     return IntentEngine.from_files(

@@ -29,7 +29,7 @@ from intent_engine.speech.weights import find_weights
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["NONE", "SecondOpinion", "recognizer_for", "second_model", "weighed"]
+__all__ = ["NONE", "SecondOpinion", "confidence", "recognizer_for", "second_model", "weighed"]
 
 NONE = "none"
 """As a second model: none."""
@@ -116,7 +116,7 @@ def weighed(
     if is_refusal(first_meaning) or is_refusal(second_meaning):
         return first if is_refusal(first_meaning) else second
     rows = [
-        (_confidence(heard, meaning), heard, meaning)
+        (confidence(heard, meaning), heard, meaning)
         for heard, meaning in ((second, second_meaning), (first, first_meaning))
     ]
     (sure, heard, meaning), (other, _, other_meaning) = sorted(rows, key=lambda row: -row[0])
@@ -128,8 +128,8 @@ def weighed(
     return replace(heard, confidence=1 / (1 + math.exp(-value)))
 
 
-def _confidence(heard: Transcript, meaning: Interpretation) -> float:
-    """That a model has in what it heard; 0 for what is no command."""
+def confidence(heard: Transcript, meaning: Interpretation) -> float:
+    """How sure a model is of what it heard, 0 to 1; 0 for what is no command."""
     if meaning.status is not Status.ACCEPTED:
         return 0.0
     return 1.0 if heard.confidence is None else heard.confidence
