@@ -20,8 +20,8 @@ def test_a_machine_that_has_everything(intent_engine, tmp_path):
     assert report["ok"] is True
     verdicts = {check["name"]: check["verdict"] for check in report["checks"]}
     assert list(verdicts) == [
-        "Python", "packages", "PortAudio", "microphones", "level", "voice detector", "noise filter", "weights", "second model",
-        "CUDA", "decode time",
+        "Python", "packages", "PortAudio", "microphones", "level", "voice detector", "noise filter", "weights",
+        "second model", "CUDA", "decode time",
     ]  # fmt: skip
     assert "missing" not in verdicts.values()
     assert verdicts["level"] == "ok"
