@@ -1,7 +1,8 @@
 """Fit how two models' opinions are weighed (``intent_engine/speech/second_opinion.py``), and say what it is worth.
 
 Recordings are heard as a runtime hears them. Every utterance for which the second model was asked gives one example:
-what both thought, and whether what the surer one heard was said. What is printed goes into ``second_opinion.py`` by hand.
+what both thought, and whether what the surer one heard was said. What is printed goes into ``second_opinion.py`` by
+hand.
 
     python scripts/fit_second_opinion.py --case grammars/en.yaml out/speech_set \\
         --case examples/coffee/coffee.yaml ../shared/data/coffee --other grammars/en.yaml ../shared/data/coffee \\
