@@ -28,8 +28,9 @@ from intent_engine.evaluation.hearing import Act, Hearing, Listener
 from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.evaluation.sound import Noise, SamplesSource, load, mix
-from intent_engine.execution.robots.robot_file import default_robot, load_robot
+from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
+from intent_engine.resources import default_robot
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.second_opinion import LEAST, SecondOpinion, confidence

@@ -37,6 +37,10 @@ SECOND = {"tiny.en": "base", "tiny": "base"}
 """First model -> the second, where it is installed."""
 SURE = 0.9
 """Confidence of the first model from which the second is not asked."""
+HOPELESS = 0.03
+"""Confidence below which it is not asked either: of 132 utterances among commands and other talk it found one."""
+CLEAR = -0.5
+"""Mean log probability of words, in which nothing of the grammar was found, from which they were heard clearly."""
 LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
 UNSETTLED = 0.1
@@ -98,8 +102,8 @@ class SecondOpinion:
         if not heard.text.strip():
             return False
         if heard.confidence is not None:
-            return heard.confidence < SURE or bool(heard.unclear)
-        return not is_refusal(self._meant(heard))
+            return HOPELESS <= heard.confidence < SURE or bool(heard.unclear)
+        return heard.score < CLEAR and not is_refusal(self._meant(heard))
 
     def _meant(self, heard: Transcript) -> Interpretation:
         language = heard.language if heard.language in self._engine.languages else None

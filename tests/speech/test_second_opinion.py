@@ -56,16 +56,25 @@ def test_who_is_sure_asks_nobody(engine, confidence):
     assert other.asked == []
 
 
-@pytest.mark.parametrize("text", ["", "don't go forward two meters", "go forward, no never mind"])
-def test_silence_and_what_shall_not_be_done_need_no_second_opinion(engine, text):
-    both, _, other = two(engine, heard(text, None), heard(FORWARD, 1.0))
+@pytest.mark.parametrize(
+    "first",
+    [
+        heard("", None),
+        heard("don't go forward two meters", None, score=-0.9),
+        heard("go forward, no never mind", None, score=-0.9),
+        heard("what lovely weather we have", None, score=-0.2),
+        heard(FORWARD, 0.01),
+    ],
+)
+def test_silence_what_shall_not_be_done_and_clear_talk_need_no_second_opinion(engine, first):
+    both, _, other = two(engine, first, heard(LEFT, 1.0))
     assert not both.transcribe(SOUND, final=False).draft
-    assert both.transcribe(SOUND).text == text
+    assert both.transcribe(SOUND).text == first.text
     assert other.asked == []
 
 
 @pytest.mark.parametrize(
-    "first", [heard(FORWARD, 0.5), heard("oh four what to me does", None), heard(FORWARD, 1.0, unclear=("two",))]
+    "first", [heard(FORWARD, 0.5), heard("oh four what", None, score=-0.9), heard(FORWARD, 1.0, unclear=("two",))]
 )
 def test_who_is_unsure_says_so_at_first_and_asks_when_it_is_over(engine, first):
     both, _, other = two(engine, first, heard(FORWARD, 1.0))
