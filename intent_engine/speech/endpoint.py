@@ -62,7 +62,7 @@ class Settings:
     wait_settled: float = 0.128
     wait_extendable: float = 0.35
     wait_incomplete: float = 0.7
-    wait_other: float = 0.35
+    wait_other: float = 0.5
     wait_unknown: float = 0.5
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""

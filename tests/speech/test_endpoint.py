@@ -17,7 +17,7 @@ WAITS = {
     Outlook.SETTLED: 0.128,
     Outlook.EXTENDABLE: 0.35,
     Outlook.INCOMPLETE: 0.7,
-    Outlook.OTHER: 0.35,
+    Outlook.OTHER: 0.5,
     Outlook.UNKNOWN: 0.5,
 }
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from speech_stage import framed
 
-from intent_engine.interpretation import Status
+from intent_engine.actions import Move
+from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
@@ -69,6 +70,41 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [-1.0] * len(texts))
     assert whisper._rivalled(encoded, words, "en") == ("fifteen",)
     assert whisper._rivalled(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
+
+
+@pytest.mark.parametrize(
+    ("free", "score", "refused"),
+    [
+        ("Don't go forward.", -0.1, True),
+        ("Don't go forward.", -0.9, False),
+        ("Never go to the kitchen.", -0.1, True),
+        ("Go without me.", -0.1, True),
+        ("Go forward, no, forget it.", -0.9, True),
+        ("Go forward two meters.", -0.1, False),
+    ],
+    ids=["clear", "unclear", "never", "without", "cancelled", "a command"],
+)
+def test_a_refusal_is_one_where_it_was_heard_clearly(engine, whisper, monkeypatch, free, score, refused):
+    """In noise "go to" is heard as "don't do"."""
+    monkeypatch.setattr(whisper, "word_scores", lambda _sound, text, _language: [(w, score) for w in text.split()])
+    assert whisper._refused(None, free, engine.parse(free), "en") is refused
+
+
+def test_a_refusal_in_another_language_is_always_one(whisper):
+    meaning = Interpretation("fahr nicht", Status.REJECTED, reason="negated: nicht")
+    assert whisper._refused(None, "Fahr nicht.", meaning, "de")
+
+
+@pytest.mark.parametrize(("ahead", "wanted"), [(12.0, True), (5.0, True), (4.0, False), (-3.0, False)])
+def test_a_command_in_which_a_refusal_was_heard_must_be_far_likelier_than_it(whisper, monkeypatch, ahead, wanted):
+    def score(_encoded, texts, _language):
+        assert len(texts) == 3
+        return [-9.0 - ahead if text.startswith(("Do not ", "Don't ")) else -9.0 for text in texts]
+
+    monkeypatch.setattr(whisper, "score", score)
+    best = Reading(("go", "forward"), -9.0, 0.0, Evidence(0, 8, 1, 0), (Move(0.5, 1.0, 2.0),))
+    assert whisper._wanted(None, "Don't form with it.", best, "en") is wanted
+    assert whisper._wanted(None, "So far with it.", best, "en"), "nothing like a refusal was heard"
 
 
 class Says:
