@@ -30,7 +30,7 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import reflex_for
-from intent_engine.speech.steered import SteeredWhisper
+from intent_engine.speech.second_opinion import recognizer_for
 from intent_engine.speech.weights import find_weights
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -73,7 +73,7 @@ class Ways:
     @classmethod
     def of(cls, engine: IntentEngine, *, reflex: bool = True) -> Ways:
         robot = load_robot(default_robot())
-        ours = SteeredWhisper(engine, MODEL)
+        ours = recognizer_for(engine, MODEL)
         peer: Recognizer = Transcribe()
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
         return cls(

@@ -107,6 +107,15 @@ def test_a_command_in_which_a_refusal_was_heard_must_be_far_likelier_than_it(whi
     assert whisper._wanted(None, "So far with it.", best, "en"), "nothing like a refusal was heard"
 
 
+@pytest.mark.parametrize(("score", "looked"), [(-0.1, False), (-0.9, True)], ids=["clear", "mumbled"])
+def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, score, looked):
+    whisper = hears("The orchestra played a waltz by an unknown composer", score)
+    asked = []
+    monkeypatch.setattr(type(whisper._search("en").guided), "likeliest", lambda *_: asked.append(1) or [], raising=True)
+    whisper.transcribe(spoken)
+    assert bool(asked) is looked
+
+
 class Says:
     """A recogniser that heard this."""
 
