@@ -38,7 +38,7 @@ def test_models_and_noise_in_a_table_a_spreadsheet_and_a_picture(intent_engine, 
     )
     assert done.returncode == 1, "nobody understands speech at -30 dB"
     lines = [line.split() for line in done.stdout.splitlines()[2:8]]
-    assert [line[0] for line in lines] == ["tiny.en"] * 6
+    assert [line[0] for line in lines] == ["tiny.en+base"] * 3 + ["tiny.en"] * 3
     assert [line[1] for line in lines] == ["none", "20", "-30", "free", "free", "free"]
     assert "what did not go right" in done.stdout
     assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
@@ -48,6 +48,12 @@ def test_models_and_noise_in_a_table_a_spreadsheet_and_a_picture(intent_engine, 
     assert {row["snr"] for row in rows} == {"", "20.0", "-30.0"}
     assert {row["verdict"] for row in rows if row["snr"] == ""} == {"right"}
     assert "move linear_velocity=0.5 distance=2 duration=4" in {row["actions"] for row in rows}
+
+
+def test_a_model_alone(intent_engine):
+    done = intent_engine("evaluate", TEN, "--limit", 1, "--second-model", "none", "--json")
+    assert done.returncode == 0, done.stderr
+    assert {json.loads(line)["model"] for line in done.stdout.splitlines()} == {"tiny.en"}
 
 
 @pytest.mark.parametrize(
@@ -60,6 +66,7 @@ def test_models_and_noise_in_a_table_a_spreadsheet_and_a_picture(intent_engine, 
         ([TEN, "--noise", "examples/demo.flac", "--snr", "6;12"], 2, "--snr: '6;12' is no signal-to-noise ratio"),
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),
         ([TEN, "--model", "enormous.xy", "--limit", "1"], 5, "enormous.xy"),
+        ([TEN, "--second-model", "/no/such/folder", "--limit", "1"], 5, "no model folder at /no/such/folder"),
         ([TEN, "--limit", "0"], 2, "--limit"),
     ],
 )

@@ -146,7 +146,7 @@ def _recognizers(
 
     for model, name in _names(models).items():
         other = second_model(model, second)
-        label = name if other is None else f"{name} + {Path(other).name}"
+        label = name if other is None else f"{name}+{Path(other).name}"
         yield label, recognizer_for(engine, model, second=second, language=language)
         if free:
             yield f"{name} free", WhisperRecognizer(model, language=language or engine.languages[0])
