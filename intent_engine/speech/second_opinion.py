@@ -116,7 +116,8 @@ def weighed(
 ) -> Transcript:
     """What two models heard in the same sound, as one: the surer of them, as sure as the other lets it be.
 
-    Where one heard that something shall not be done, nothing shall.
+    Where one heard that something shall not be done, nothing shall. A word that one did not hear clearly is clear if
+    the other heard the same command and had no doubt of it.
     """
     if is_refusal(first_meaning) or is_refusal(second_meaning):
         return first if is_refusal(first_meaning) else second
@@ -124,13 +125,16 @@ def weighed(
         (confidence(heard, meaning), heard, meaning)
         for heard, meaning in ((second, second_meaning), (first, first_meaning))
     ]
-    (sure, heard, meaning), (other, _, other_meaning) = sorted(rows, key=lambda row: -row[0])
+    (sure, heard, meaning), (other, differing, other_meaning) = sorted(rows, key=lambda row: -row[0])
     if meaning.status is not Status.ACCEPTED:
         return first
     agree = meaning.actions == other_meaning.actions
     likely = math.log(max(sure, LEAST) / max(1 - sure, LEAST))
     value = BIAS + SURER * likely + (BOTH if agree else DIFFER * other)
-    return replace(heard, confidence=1 / (1 + math.exp(-value)))
+    unclear = (*heard.unclear, *differing.unclear)
+    if agree and not (heard.unclear and differing.unclear):
+        unclear = ()
+    return replace(heard, confidence=1 / (1 + math.exp(-value)), unclear=tuple(dict.fromkeys(unclear)))
 
 
 def confidence(heard: Transcript, meaning: Interpretation) -> float:

@@ -180,6 +180,24 @@ def test_the_surer_is_taken_and_of_equals_the_larger_model(engine):
     assert both_think(engine, heard(FORWARD, 0.5), heard(LEFT, 0.5)).text == LEFT
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "other", "unclear"),
+    [
+        (("fifteen",), (), "turn left fifteen degrees", ()),
+        ((), ("fifteen",), "turn left fifteen degrees", ()),
+        (("fifteen",), ("fifteen",), "turn left fifteen degrees", ("fifteen",)),
+        (("fifteen",), (), "turn left fifty degrees", ("fifteen",)),
+        (("fifteen",), ("fifty",), "turn left fifty degrees", ("fifty", "fifteen")),
+        ((), (), "turn left fifty degrees", ()),
+    ],
+)
+def test_a_number_that_one_is_unsure_of_must_be_what_the_other_heard(engine, first, second, other, unclear):
+    found = both_think(
+        engine, heard("turn left fifteen degrees", 1.0, unclear=first), heard(other, 1.0, unclear=second)
+    )
+    assert found.unclear == unclear
+
+
 def test_where_neither_heard_a_command_the_words_of_the_first_are_told(engine):
     assert both_think(engine, heard("nice weather", None), heard("ice leather", None)).text == "nice weather"
 
