@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.errors import WeightsError
+from intent_engine.judgement import SURE_ENOUGH_TO_STOP
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
@@ -196,6 +197,26 @@ def test_a_number_that_one_is_unsure_of_must_be_what_the_other_heard(engine, fir
         engine, heard("turn left fifteen degrees", 1.0, unclear=first), heard(other, 1.0, unclear=second)
     )
     assert found.unclear == unclear
+
+
+def test_both_must_be_surer_of_a_stop_that_the_first_did_not_take_for_one(engine):
+    doubtful = heard("whoa", 0.3)
+    assert both_think(engine, doubtful, heard("whoa", 0.5)) is doubtful, "wow"
+    sure = both_think(engine, doubtful, heard("whoa", 0.97))
+    assert sure.confidence > 0.7
+
+
+@pytest.mark.parametrize(("confidence", "asked"), [(SURE_ENOUGH_TO_STOP, 0), (SURE_ENOUGH_TO_STOP - 0.01, 1)])
+def test_a_stop_that_is_one_already_needs_no_second_opinion(engine, confidence, asked):
+    both, _, other = two(engine, heard("stop", confidence), heard("go", 1.0))
+    both.transcribe(SOUND)
+    assert len(other.asked) == asked
+
+
+def test_a_single_word_is_believed_less_than_a_sentence(engine):
+    word = both_think(engine, heard("go", 0.6), heard("go", 0.7)).confidence
+    sentence = both_think(engine, heard(FORWARD, 0.6), heard(FORWARD, 0.7)).confidence
+    assert word < 0.7 < sentence
 
 
 def test_where_neither_heard_a_command_the_words_of_the_first_are_told(engine):
