@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from intent_engine.actions import Action, from_json, to_json
+from intent_engine.actions import Action, Stop, from_json, to_json
 
 __all__ = ["Interpretation", "Status"]
 
@@ -45,6 +45,16 @@ class Interpretation:
     """Ambiguous: the meanings in question. Rejected: the nearest sentences or names."""
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
+
+    @property
+    def stops(self) -> bool:
+        """Whether a stop is among its actions."""
+        return any(isinstance(action, Stop) for action in self.actions)
+
+    @property
+    def refuses(self) -> bool:
+        """Whether it says that something shall not be done: it was negated, or taken back."""
+        return self.reason.startswith(("negated", "cancelled"))
 
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary with exactly these eight keys."""

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from intent_engine.actions import Action, Stop
+from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "stops"]
+__all__ = ["Judge"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
@@ -45,7 +45,7 @@ class Judge:
             return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
         prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
         if meaning.status is Status.ACCEPTED:
-            if stops(meaning):
+            if meaning.stops:
                 return meaning, Outlook.COMPLETE
             if not prefix.settled:
                 return meaning, Outlook.EXTENDABLE
@@ -60,7 +60,7 @@ class Judge:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         language = self._language(transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
-        if meaning.status is Status.ACCEPTED and not stops(meaning) and (why := _unheard(transcript)):
+        if meaning.status is Status.ACCEPTED and not meaning.stops and (why := _unheard(transcript)):
             return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
         if meaning.status is Status.ACCEPTED and self.unsure(transcript, meaning):
             return Interpretation(
@@ -91,7 +91,7 @@ class Judge:
         intents = self.engine.matcher(language).grammar.intents
         asked = [intent.min_confidence for name, intent in intents.items() if name in said]
         enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
-        if stops(meaning):
+        if meaning.stops:
             return min(enough, SURE_ENOUGH_TO_STOP)
         return max(enough, SURE_ENOUGH_OF_SEVERAL) if several else enough
 
@@ -106,7 +106,3 @@ def _why_unsure(transcript: Transcript) -> str:
     if (transcript.confidence or 0.0) >= WORTH_ASKING:
         return f"perhaps {transcript.text!r}, but that was not heard clearly; say it again"
     return "it sounded too different from the nearest command"
-
-
-def stops(meaning: Interpretation) -> bool:
-    return any(isinstance(action, Stop) for action in meaning.actions)

@@ -23,7 +23,7 @@ from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.interpretation import Status
-from intent_engine.judgement import Judge, stops
+from intent_engine.judgement import Judge
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
@@ -384,7 +384,7 @@ class Runtime:
             interpretation=meaning,
             speech_ended=utterance.last_voice,
         )
-        stopping = stops(meaning)
+        stopping = meaning.stops
         if stopping:
             self._held = False
             self._last = ()

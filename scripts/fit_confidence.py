@@ -11,20 +11,17 @@ likeliest sentence of the grammar, and whether it is what was said. What is prin
 
 from __future__ import annotations
 
-import argparse
-import json
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
+from fitting import gather, options, report
 from rich.progress import track
 
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Act, Hearing
-from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
+from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.evaluation.sound import Noise, load, mix
 from intent_engine.interpretation import Status
@@ -35,12 +32,8 @@ from intent_engine.speech.rnnoise import installed_filter
 from intent_engine.speech.steered import DOUBTFUL_SCORE, SteeredWhisper
 from intent_engine.speech.voice import SileroVoice
 
-LOCATIONS = Path("locations/home.yaml")
 FRAME = 512
 PATIENT = Settings(wait_unknown=0.6)
-FOLDS = 5
-PULL = 0.0005
-"""How strongly weights are drawn to zero, for each example."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +44,10 @@ class Example:
     kind: str
     evidence: dict[str, float]
     right: bool
+
+    @property
+    def weighed(self) -> list[float]:
+        return [*(self.evidence[name] for name in WEIGHTS), 1.0]
 
 
 def cut(samples: Samples) -> Samples | None:
@@ -110,77 +107,10 @@ def examples(
             yield Example(row.id, kind, readings[0].evidence.weighed, command and verdict is Verdict.RIGHT)
 
 
-def table(found: list[Example], names: list[str]) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
-    return (
-        np.array([[one.evidence[name] for name in names] + [1.0] for one in found]),
-        np.array([float(one.right) for one in found]),
-    )
-
-
-def fit(rows: npt.NDArray[Any], right: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Logistic regression by Newton's method, weights drawn to zero in units of their spread."""
-    spread = rows.std(axis=0)
-    spread[-1] = 1.0
-    scaled = rows / spread
-    pull = PULL * len(rows) * np.append(np.ones(rows.shape[1] - 1), 0.0)
-    weights = np.zeros(rows.shape[1])
-    for _ in range(50):
-        chance = 1 / (1 + np.exp(-scaled @ weights))
-        slope = scaled.T @ (right - chance) - pull * weights
-        bend = (scaled.T * (chance * (1 - chance))) @ scaled + np.diag(pull)
-        weights += np.linalg.solve(bend, slope)
-    return weights / spread
-
-
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--case", nargs=2, action="append", default=[], metavar=("GRAMMAR", "FOLDER"))
-    parser.add_argument("--other", nargs=2, action="append", default=[], metavar=("GRAMMAR", "FOLDER"))
-    parser.add_argument("--noise", type=Path, action="append", default=[])
-    parser.add_argument("--snr", type=float, action="append", default=[])
-    parser.add_argument("--limit", type=int, help="recordings of each folder")
-    parser.add_argument("--save", type=Path, default=Path("out/evidence.jsonl"))
-    parser.add_argument("--load", type=Path, nargs="*", help="examples that were saved, instead of recordings")
-    given = parser.parse_args()
-    found: list[Example] = []
-    if given.load:
-        found = [Example(**json.loads(line)) for path in given.load for line in path.read_text().splitlines()]
-    else:
-        noise = Noise.read(given.noise) if given.noise else None
-        for command, (grammar, folder) in [(True, c) for c in given.case] + [(False, c) for c in given.other]:
-            engine = IntentEngine.from_files(grammar, locations=str(LOCATIONS))
-            rows = evenly(
-                read_labels(find_labels(Path(folder)), engine if command else any_engine(folder)), given.limit
-            )
-            for snr in (None, *given.snr):
-                kind = f"{'' if command else 'other '}{Path(folder).name} {'clean' if snr is None else f'{snr:g} dB'}"
-                found += examples(engine, rows, snr, noise, command, kind)
-        given.save.write_text("".join(json.dumps(asdict(one)) + "\n" for one in found))
-    names = list(WEIGHTS)
-    rows, right = table(found, names)
-    weights = fit(rows, right)
-    print("WEIGHTS =", {name: round(float(weight), 2) for name, weight in zip(names, weights, strict=False)})
+    weights = report(gather(options(__doc__, Path("out/evidence.jsonl")), Example, examples))
+    print("WEIGHTS =", {name: round(float(weight), 2) for name, weight in zip(WEIGHTS, weights, strict=False)})
     print("BIAS =", round(float(weights[-1]), 2))
-    fold = np.array([sum(map(ord, one.id)) % FOLDS for one in found])
-    chance = np.zeros(len(found))
-    for number in range(FOLDS):
-        chance[fold == number] = 1 / (
-            1 + np.exp(-rows[fold == number] @ fit(rows[fold != number], right[fold != number]))
-        )
-    levels = (0.5, 0.6, 0.7, 0.8, 0.9)
-    print("right + wrong of the examples, each weighed by what was fitted to the others, from a confidence of", levels)
-    for kind in dict.fromkeys(one.kind for one in found):
-        mine = np.array([one.kind == kind for one in found])
-        taken = [mine & (chance >= level) for level in levels]
-        print(f"{kind:28} of {mine.sum():3}:", *(f"{int(right[t].sum())}+{int((1 - right[t]).sum())}" for t in taken))
-
-
-def any_engine(folder: str) -> IntentEngine:
-    """An engine that can read the labels of another domain."""
-    coffee = "coffee" in folder
-    return IntentEngine.from_files(
-        "examples/coffee/coffee.yaml" if coffee else "grammars/en.yaml", locations=str(LOCATIONS)
-    )
 
 
 if __name__ == "__main__":

@@ -11,21 +11,16 @@ hand.
 
 from __future__ import annotations
 
-import argparse
-import json
-import math
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-from fit_confidence import LOCATIONS, any_engine, fit
+from fitting import gather, options, report
 from rich.progress import track
 
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Act, Hearing, Listener
-from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
+from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.evaluation.sound import Noise, SamplesSource, load, mix
 from intent_engine.execution.robots.robot_file import load_robot
@@ -33,10 +28,8 @@ from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.recognizer import Recognizer, Transcript
-from intent_engine.speech.second_opinion import LEAST, SecondOpinion, confidence
+from intent_engine.speech.second_opinion import SecondOpinion, confidence, evidence
 from intent_engine.speech.steered import SteeredWhisper
-
-FOLDS = 5
 
 
 @dataclass(frozen=True)
@@ -54,8 +47,7 @@ class Example:
 
     @property
     def weighed(self) -> list[float]:
-        likely = math.log(max(self.sure, LEAST) / max(1 - self.sure, LEAST))
-        return [likely, float(self.agree), 0.0 if self.agree else self.other, 1.0]
+        return [*evidence(self.sure, self.other, self.agree), 1.0]
 
 
 class Noted:
@@ -99,42 +91,8 @@ def examples(
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--case", nargs=2, action="append", default=[], metavar=("GRAMMAR", "FOLDER"))
-    parser.add_argument("--other", nargs=2, action="append", default=[], metavar=("GRAMMAR", "FOLDER"))
-    parser.add_argument("--noise", type=Path, action="append", default=[])
-    parser.add_argument("--snr", type=float, action="append", default=[])
-    parser.add_argument("--limit", type=int, help="recordings of each folder")
-    parser.add_argument("--save", type=Path, default=Path("out/opinions.jsonl"))
-    parser.add_argument("--load", type=Path, nargs="*", help="examples that were saved, instead of recordings")
-    given = parser.parse_args()
-    found: list[Example] = []
-    if given.load:
-        found = [Example(**json.loads(line)) for path in given.load for line in path.read_text().splitlines()]
-    else:
-        noise = Noise.read(given.noise) if given.noise else None
-        for command, (grammar, folder) in [(True, c) for c in given.case] + [(False, c) for c in given.other]:
-            engine = IntentEngine.from_files(grammar, locations=str(LOCATIONS))
-            labels = read_labels(find_labels(Path(folder)), engine if command else any_engine(folder))
-            for snr in (None, *given.snr):
-                kind = f"{'' if command else 'other '}{Path(folder).name} {'clean' if snr is None else f'{snr:g} dB'}"
-                found += examples(engine, evenly(labels, given.limit), snr, noise, command, kind)
-        given.save.write_text("".join(json.dumps(asdict(one)) + "\n" for one in found))
-    rows: Any = np.array([one.weighed for one in found])
-    right = np.array([float(one.right) for one in found])
-    print("SURER, BOTH, DIFFER, BIAS =", [round(float(weight), 2) for weight in fit(rows, right)])
-    fold = np.array([sum(map(ord, one.id)) % FOLDS for one in found])
-    chance = np.zeros(len(found))
-    for number in range(FOLDS):
-        chance[fold == number] = 1 / (
-            1 + np.exp(-rows[fold == number] @ fit(rows[fold != number], right[fold != number]))
-        )
-    levels = (0.5, 0.6, 0.7, 0.8, 0.9)
-    print("right + wrong of the examples, each weighed by what was fitted to the others, from a confidence of", levels)
-    for kind in dict.fromkeys(one.kind for one in found):
-        mine = np.array([one.kind == kind for one in found])
-        taken = [mine & (chance >= level) for level in levels]
-        print(f"{kind:28} of {mine.sum():3}:", *(f"{int(right[t].sum())}+{int((1 - right[t]).sum())}" for t in taken))
+    weights = report(gather(options(__doc__, Path("out/opinions.jsonl")), Example, examples))
+    print("SURER, BOTH, DIFFER, BIAS =", [round(float(weight), 2) for weight in weights])
 
 
 if __name__ == "__main__":

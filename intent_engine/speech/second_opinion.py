@@ -15,22 +15,23 @@ import math
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
+from operator import mul
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from intent_engine.actions import Stop
 from intent_engine.errors import WeightsError
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.recognizer import Recognizer, Transcript
-from intent_engine.speech.steered import SteeredWhisper, is_refusal
+from intent_engine.speech.steered import SteeredWhisper
 from intent_engine.speech.weights import find_weights
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["NONE", "SecondOpinion", "confidence", "recognizer_for", "second_model", "weighed"]
+__all__ = ["NONE", "SecondOpinion", "confidence", "evidence", "recognizer_for", "second_model", "weighed"]
 
 NONE = "none"
 """As a second model: none."""
@@ -51,12 +52,6 @@ BIAS, SURER, BOTH, DIFFER = -0.7, 0.7, 1.2, -1.3
 people and what fits 14 synthetic voices, each in quiet and in kitchen noise."""
 ONE_WORD = -0.5
 """The same for a single word that is no stop: "no" and "so" are heard as "go" by both."""
-A_STOP = 0.7
-"""Confidence of both from which a stop is one that the first alone would not have taken for it. Of single words by
-people in doubt, clean and in noise, five stops had 0.7 and more, of 13 other words that both thought a stop ("wow") one
-had."""
-STOPS = 0.4
-"""Confidence from which a stop of the first is one, whatever another model would say: the judgement's."""
 LEAST = 0.001
 """Confidences are taken to be at least so far from 0 and 1."""
 
@@ -112,10 +107,10 @@ class SecondOpinion:
         if not heard.text.strip():
             return False
         if heard.confidence is not None:
-            if heard.confidence >= STOPS and stops(self._meant(heard)):
+            if heard.confidence >= SURE_ENOUGH_TO_STOP and self._meant(heard).stops:
                 return False
             return HOPELESS <= heard.confidence < SURE or bool(heard.unclear)
-        return heard.score < CLEAR and not is_refusal(self._meant(heard))
+        return heard.score < CLEAR and not self._meant(heard).refuses
 
     def _meant(self, heard: Transcript) -> Interpretation:
         language = heard.language if heard.language in self._engine.languages else None
@@ -130,8 +125,8 @@ def weighed(
     Where one heard that something shall not be done, nothing shall. A word that one did not hear clearly is clear if
     the other heard the same command and had no doubt of it.
     """
-    if is_refusal(first_meaning) or is_refusal(second_meaning):
-        return first if is_refusal(first_meaning) else second
+    if first_meaning.refuses or second_meaning.refuses:
+        return first if first_meaning.refuses else second
     rows = [
         (confidence(heard, meaning), heard, meaning)
         for heard, meaning in ((second, second_meaning), (first, first_meaning))
@@ -140,13 +135,13 @@ def weighed(
     if meaning.status is not Status.ACCEPTED:
         return first
     agree = meaning.actions == other_meaning.actions
-    likely = math.log(max(sure, LEAST) / max(1 - sure, LEAST))
-    value = BIAS + SURER * likely + (BOTH if agree else DIFFER * other)
-    stop = stops(meaning)
-    if len(heard.text.split()) == 1 and not stop:
+    value = BIAS + sum(map(mul, (SURER, BOTH, DIFFER), evidence(sure, other, agree)))
+    if len(heard.text.split()) == 1 and not meaning.stops:
         value += ONE_WORD
     both = 1 / (1 + math.exp(-value))
-    if stop and both < A_STOP:
+    if meaning.stops and both < SURE_ENOUGH:
+        # From less the first alone is believed, but not two: of single words by people in doubt five of five stops had
+        # it, and one of 13 other words that both thought a stop ("wow").
         return first
     unclear = (*heard.unclear, *differing.unclear)
     if agree and not (heard.unclear and differing.unclear):
@@ -154,9 +149,9 @@ def weighed(
     return replace(heard, confidence=both, unclear=tuple(dict.fromkeys(unclear)))
 
 
-def stops(meaning: Interpretation) -> bool:
-    """Whether a meaning is a stop, among others perhaps."""
-    return any(isinstance(action, Stop) for action in meaning.actions)
+def evidence(sure: float, other: float, agree: bool) -> tuple[float, float, float]:
+    """What is weighed: how sure the surer model is, whether both mean the same, how sure the other is if not."""
+    return math.log(max(sure, LEAST) / max(1 - sure, LEAST)), float(agree), 0.0 if agree else other
 
 
 def confidence(heard: Transcript, meaning: Interpretation) -> float:

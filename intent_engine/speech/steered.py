@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.actions import Action, Stop
+from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["Reading", "SteeredWhisper", "is_refusal"]
+__all__ = ["Reading", "SteeredWhisper"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are scored against the sound."""
@@ -190,11 +190,11 @@ class SteeredWhisper(ScoringWhisper):
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
         what was not heard clearly may have been a command."""
         negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self._words(free, language))
-        return is_refusal(meaning) and not (negated and not self._story(encoded, free, language))
+        return meaning.refuses and not (negated and not self._story(encoded, free, language))
 
     def _wanted(self, encoded: Encoded, free: str, best: Reading, language: str | None) -> bool:
         """Whether a sentence was rather said than that it shall not be done, where something like that was heard."""
-        if not best.actions or not is_refusal(self._parse(free, language)):
+        if not best.actions or not self._parse(free, language).refuses:
             return True
         refusals = [f"{no} {written(best.words, language, sentence=False)}" for no in DO_NOT]
         said, *refused = self.score(encoded, [written(best.words, language), *refusals], language)
@@ -286,9 +286,8 @@ class SteeredWhisper(ScoringWhisper):
         if any(not _stands_for(word, words) for word in story):
             return False
         meaning = self._parse(" ".join(words), language)
-        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or is_refusal(meaning)
-        stop = any(isinstance(action, Stop) for action in meaning.actions)
-        return known and (stop or not self._mostly_noise(words, language))
+        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
+        return known and (meaning.stops or not self._mostly_noise(words, language))
 
     def _words(self, draft: str, language: str | None) -> list[str]:
         words = Utterance.of(draft, language or "en").words
@@ -371,8 +370,3 @@ class SteeredWhisper(ScoringWhisper):
 def _stands_for(heard: str, words: Sequence[str]) -> bool:
     """Whether a word that was heard is one of these, or may have been: "had" for "head"."""
     return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)
-
-
-def is_refusal(meaning: Interpretation) -> bool:
-    """Whether it says that something shall not be done."""
-    return meaning.reason.startswith(("negated", "cancelled"))
