@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -13,6 +14,12 @@ from hypothesis import settings
 
 # Before anything loads NumPy: its threads fight the recogniser's for the cores.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+# Tests that run in the background (`make test &`, nohup, some CI) inherit that Ctrl-C and a closed terminal are ignored,
+# and so would the programs that are started here and then interrupted.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP"):
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # The same examples every time, so that a change that passes here passes everywhere. To look for new ones:
 # HYPOTHESIS_PROFILE=explore python -m pytest
