@@ -15,7 +15,7 @@ from hypothesis import settings
 # Before anything loads NumPy: its threads fight the recogniser's for the cores.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-# Tests that run in the background (`make test &`, nohup, some CI) inherit that Ctrl-C and a closed terminal are ignored,
+# Tests in the background (`make test &`, nohup, some CI) inherit that Ctrl-C and a closed terminal are ignored,
 # and so would the programs that are started here and then interrupted.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP"):
