@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import re
+import subprocess
 import sys
 from importlib.metadata import version
 
@@ -113,6 +114,45 @@ def test_debug_shows_where():
     result = CliRunner().invoke(app, ["--debug", "parse", "go to the kitchen"])
     assert result.exit_code == 70
     assert "Traceback" in result.stderr
+
+
+DESTROYED = """
+import signal, threading
+from intent_engine.cli.guard import verb
+
+class Held:
+    def __del__(self):
+        signal.raise_signal(signal.{signal})
+        for _ in range(1000):  # Python looks for signals between instructions: here, where it drops what is raised.
+            pass
+
+@verb
+def drive():
+    held = Held()
+    del held
+    threading.Event().wait(60)
+    print("drove on")
+
+try:
+    drive()
+except BaseException as end:
+    raise SystemExit(end.exit_code)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+@pytest.mark.parametrize(("number", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_a_signal_in_a_destructor_is_not_lost(number, code):
+    done = subprocess.run(
+        [sys.executable, "-c", DESTROYED.format(signal=number)],
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert (done.returncode, done.stdout) == (code, ""), done.stderr
+    assert done.stderr.endswith("the robot is stopped\n")
+    assert "Traceback" not in done.stderr
 
 
 def test_numbers_stand_to_the_right(capsys):

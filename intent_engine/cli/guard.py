@@ -16,12 +16,15 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from typing import ParamSpec
+from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
 from intent_engine.cli.terminal import error_block
 from intent_engine.errors import IntentEngineError
+
+if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
 
 __all__ = ["DEBUG", "EXIT_BUG", "EXIT_INTERRUPTED", "EXIT_NOT_ACCEPTED", "EXIT_TERMINATED", "verb"]
 
@@ -94,6 +97,8 @@ def _trace() -> None:
 
 PATIENCE = 3.0
 """s after a Ctrl-C or SIGTERM in which another one changes nothing: what stops the robot is not to be interrupted."""
+AGAIN = 0.005
+"""s until a signal whose exception was dropped is given once more."""
 
 
 @contextlib.contextmanager
@@ -102,21 +107,35 @@ def _signals_raise() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    raised_at = -math.inf
+    raised_at, interrupted = -math.inf, False
+    told_before = sys.unraisablehook
 
     def interrupt(signum: int, frame: object) -> None:
-        nonlocal raised_at
+        nonlocal raised_at, interrupted
         if time.monotonic() - raised_at < PATIENCE:
             return
-        raised_at = time.monotonic()
+        raised_at, interrupted = time.monotonic(), True
         raise KeyboardInterrupt if signum == signal.SIGINT else _Terminated
+
+    def once_more(lost: UnraisableHookArgs) -> None:
+        """Python drops what is raised in a destructor; a robot that was to be stopped would drive on."""
+        nonlocal raised_at
+        if not issubclass(lost.exc_type, KeyboardInterrupt | _Terminated):
+            told_before(lost)
+            return
+        raised_at = -math.inf
+        number = signal.SIGINT if issubclass(lost.exc_type, KeyboardInterrupt) else signal.SIGTERM
+        # From another thread, a little later: raised in here it would be dropped again.
+        threading.Timer(AGAIN, signal.raise_signal, [number]).start()
 
     # Who started this program with SIGINT ignored (a shell does, with "&") wants it ignored.
     numbers = [number for number in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(number) is not signal.SIG_IGN]
     before = {number: signal.signal(number, interrupt) for number in numbers}
+    sys.unraisablehook = once_more
     try:
         yield
     finally:
+        sys.unraisablehook = told_before
         for number, handler in before.items():
             # The program is on its way out when it was interrupted; the rest of it is not worth a traceback either.
-            signal.signal(number, handler if math.isinf(raised_at) else signal.SIG_IGN)
+            signal.signal(number, signal.SIG_IGN if interrupted else handler)
