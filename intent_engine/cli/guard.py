@@ -95,6 +95,14 @@ def _trace() -> None:
         traceback.print_exc()
 
 
+def _signal_main_thread(number: int) -> None:
+    """Give the main thread a signal, which ends what it waits for."""
+    if sys.platform == "win32":
+        signal.raise_signal(number)
+    else:
+        signal.pthread_kill(threading.main_thread().ident or 0, number)
+
+
 PATIENCE = 3.0
 """s after a Ctrl-C or SIGTERM in which another one changes nothing: what stops the robot is not to be interrupted."""
 AGAIN = 0.005
@@ -126,7 +134,7 @@ def _signals_raise() -> Iterator[None]:
         raised_at = -math.inf
         number = signal.SIGINT if issubclass(lost.exc_type, KeyboardInterrupt) else signal.SIGTERM
         # From another thread, a little later: raised in here it would be dropped again.
-        threading.Timer(AGAIN, signal.raise_signal, [number]).start()
+        threading.Timer(AGAIN, _signal_main_thread, [number]).start()
 
     # Who started this program with SIGINT ignored (a shell does, with "&") wants it ignored.
     numbers = [number for number in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(number) is not signal.SIG_IGN]
