@@ -29,7 +29,8 @@ from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.evidence import WEIGHTS
 from intent_engine.speech.rnnoise import installed_filter
-from intent_engine.speech.steered import DOUBTFUL_SCORE, SteeredWhisper
+from intent_engine.speech.steered import SteeredWhisper
+from intent_engine.speech.steering import DOUBTFUL_SCORE
 from intent_engine.speech.voice import SileroVoice
 
 FRAME = 512

@@ -145,9 +145,9 @@ def _recognizers(
     from intent_engine.speech.whisper import WhisperRecognizer
 
     for model, name in _names(models).items():
-        other = second_model(model, second)
+        other = second_model(engine, model, second, language=language)
         label = name if other is None else f"{name}+{Path(other).name}"
-        yield label, recognizer_for(engine, model, second=other or NONE, language=language)
+        yield label, recognizer_for(engine, model, second=other or NONE, language=language, tell=note)
         if free:
             yield f"{name} free", WhisperRecognizer(model, language=language or engine.languages[0])
 

@@ -22,8 +22,8 @@ Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name
 SecondModel = Annotated[
     str | None,
     typer.Option(
-        help="A larger model for what the first is not sure of: a name, a folder, or none.",
-        show_default="base, if installed",
+        help="Another model for what the first is not sure of: a name, a folder, or none.",
+        show_default="moonshine-base or base, if installed",
     ),
 ]
 Free = Annotated[bool, typer.Option("--free", help="Decode without the help of the grammar, to compare.")]

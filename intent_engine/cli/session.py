@@ -195,7 +195,9 @@ class Session:
         if self.free:
             recognizer = WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
         else:
-            recognizer = recognizer_for(self.engine, self.model, second=self.second_model, language=self.language)
+            recognizer = recognizer_for(
+                self.engine, self.model, second=self.second_model, language=self.language, tell=note
+            )
         if self.denoise:
             from intent_engine.speech.denoise import DenoisedRecognizer
 

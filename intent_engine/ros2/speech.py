@@ -204,7 +204,8 @@ class Speech:
         reflex = reflex_for(self._engine) if parameters.reflex else None
         if parameters.free:
             return WhisperRecognizer(parameters.model, language=self._engine.languages[0]), reflex
-        return recognizer_for(self._engine, parameters.model, second=parameters.second_model or None), reflex
+        second = parameters.second_model or None
+        return recognizer_for(self._engine, parameters.model, second=second, tell=self._log.info), reflex
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -14,14 +14,22 @@ from rapidfuzz.distance import Levenshtein
 
 from intent_engine.language.likeness import sound
 
-__all__ = ["Evidence", "letters_apart"]
+__all__ = ["Evidence", "View", "letters_apart"]
 
 FAR_AHEAD = 8.0
 """nats; a margin beyond it says no more."""
+LETTER = 0.6
+"""nats that a letter of difference from the free words weighs beside the model's own score: the free words were heard
+too, and an utterance that leaves half of them out is cheap in pieces but wrong."""
 BIAS = 0.72
 WEIGHTS = {"gap": -1.88, "margin": 1.7, "cost": -0.51, "apart": -0.85}
 """Logistic regression, by ``scripts/fit_confidence.py``: commands of 14 synthetic voices and coffee orders of 50 people
 in quiet and in noise, and both as other speech for the other's grammar."""
+BIAS_OF_SEVERAL = 2.32
+WEIGHTS_OF_SEVERAL = {"gap": -1.7, "margin": 1.6, "cost": -1.42, "apart": -0.36}
+ALONE = 1.62
+"""The same for what two models think in the mean, by ``scripts/fit_second_opinion.py``; and for a single word, whose
+pieces cost more."""
 UNKNOWN = -2.0
 """The same for a word that no list has. Chosen, not fitted: among the recordings such words are nearly always misheard
 ones, but people have things that no list knows, and whether they were heard clearly is looked at apart."""
@@ -42,6 +50,10 @@ class Evidence:
     """Letters by which it differs from the words heard freely, for each telling word and one more."""
     unknown: int = 0
     """Words in it that no list has."""
+    models: int = 1
+    """How many think so, in the mean."""
+    alone: bool = False
+    """Whether it is a single word."""
 
     @property
     def weighed(self) -> dict[str, float]:
@@ -51,9 +63,28 @@ class Evidence:
     @property
     def confidence(self) -> float:
         """Probability that it was said."""
-        value = BIAS + UNKNOWN * self.unknown
-        value += sum(WEIGHTS[name] * amount for name, amount in self.weighed.items())
+        several = self.models > 1
+        bias, weights = (BIAS_OF_SEVERAL, WEIGHTS_OF_SEVERAL) if several else (BIAS, WEIGHTS)
+        value = bias + UNKNOWN * self.unknown + ALONE * (several and self.alone)
+        value += sum(weights[name] * amount for name, amount in self.weighed.items())
         return 1.0 / (1.0 + math.exp(-value))
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What one model thinks of one sentence."""
+
+    score: float
+    """Log probability of the sentence given the sound."""
+    free_score: float
+    """The same of the words that were heard freely."""
+    apart: float
+    """Letters by which the sentence differs from those."""
+
+    @property
+    def value(self) -> float:
+        """By which sentences are compared, in nats."""
+        return self.score - LETTER * self.apart
 
 
 def letters_apart(words: Sequence[str], heard: Sequence[str]) -> float:

@@ -15,6 +15,7 @@ import heapq
 import itertools
 import math
 import operator
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -70,6 +71,8 @@ LONG_FILLER = 5
 """Letters of a word that may be said anywhere ("robot", "please"), from which the sound tells it from a mishearing."""
 MANY_WORDS = 1500
 """Words that may follow, beyond which only those like what was heard are asked about: names of a very large map."""
+BLANKS = "[\u0120\u2581]"
+"""How tokenizers write the blank before a word."""
 MAX_TRIES = 4000
 """Places of the grammar whose words are kept in pieces."""
 
@@ -102,13 +105,13 @@ class _Path:
     state: Any = None
     inside: _Pieces | None = None
     """Within a word: the pieces that it may go on with."""
-    digits: str = ""
-    """Within a number in digits: those so far."""
+    digits: str | None = None
+    """Within a number in digits: those so far; none yet where a model writes the blank before a number apart."""
 
     @property
     def begun(self) -> int:
         """Words, with that which is being said."""
-        return word_count(self.words) + (self.inside is not None or bool(self.digits))
+        return word_count(self.words) + (self.inside is not None or self.digits is not None)
 
     @property
     def value(self) -> float:
@@ -182,23 +185,28 @@ class GuidedSearch:
 
     Args:
         search: of the grammar, which knows the words after each of its states.
-        tokenizer: faster-whisper's, of the language.
+        tokenizer: of the model, as faster-whisper's.
         language: of the grammar.
+        end: the piece that stands for the end of a sentence; None: the full stop.
     """
 
-    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None) -> None:
+    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None, end: int | None = None) -> None:
         self._search = search
         self._graph = search.graph
         self._tokenizer = tokenizer
         self._language = language
         self._encoded: dict[str, list[int]] = {}
         self._tries: dict[tuple[Any, bool], _Pieces] = {}
-        (self._stop,) = tokenizer.encode(".")
+        (self._point,) = tokenizer.encode(".")
+        self._stop = self._point if end is None else end
         (self._comma,) = tokenizer.encode(",")
+        vocabulary: dict[str, int] = tokenizer.tokenizer.get_vocab()
+        plain = {number: re.sub(BLANKS, " ", piece) for piece, number in vocabulary.items()}
+        # A model with single digits writes the blank before a number apart.
         digits = {
-            number: piece.replace("\u0120", " ")
-            for piece, number in tokenizer.tokenizer.get_vocab().items()
-            if piece.lstrip("\u0120").isascii() and piece.lstrip("\u0120").isdigit()
+            number: piece
+            for number, piece in plain.items()
+            if piece == " " or (piece.lstrip(" ").isascii() and piece.lstrip(" ").isdigit())
         }
         self._first_digits = {number: piece.strip() for number, piece in digits.items() if piece[0] == " "}
         self._more_digits = {number: piece for number, piece in digits.items() if piece[0] != " "}
@@ -251,20 +259,20 @@ class GuidedSearch:
         """A row without what is not looked at; with the signs between words, however unlikely."""
         numbers = np.flatnonzero(row > UNLIKELY)
         likely = dict(zip(numbers.tolist(), row[numbers].tolist(), strict=True))
-        likely.update((number, float(row[number])) for number in (self._stop, self._comma))
+        likely.update((number, float(row[number])) for number in (self._stop, self._point, self._comma))
         return likely
 
     def _further(
         self, path: _Path, row: _Row, heard: Sequence[str], found: dict[tuple[str, ...], float]
     ) -> Iterable[_Path]:
         """A beginning with one piece more, in every way that the grammar has; whole sentences go to ``found``."""
-        if path.digits:
+        if path.digits is not None:
             for number in self._more_digits.keys() & row.keys():
                 if row[number] > UNLIKELY_DIGITS:
                     yield self._on(path, row, number, digits=path.digits + self._more_digits[number])
-            if "." not in path.digits:
-                yield self._on(path, row, self._stop, digits=path.digits + ".")
-            if not path.digits.endswith("."):
+            if path.digits and "." not in path.digits:
+                yield self._on(path, row, self._point, digits=path.digits + ".")
+            if path.digits and not path.digits.endswith("."):
                 spelled = in_words([path.digits]) if self._language in (None, "en") else [path.digits]
                 yield from self._after(path, row, spelled, heard, found)
         elif path.inside is not None:
@@ -321,7 +329,7 @@ class GuidedSearch:
         words: tuple[str, ...] | None = None,
         state: Any = None,
         inside: _Pieces | None = None,
-        digits: str = "",
+        digits: str | None = None,
     ) -> _Path:
         return _Path(
             path.score + row[number],

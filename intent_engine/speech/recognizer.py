@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from intent_engine.speech.audio import Samples
 
-__all__ = ["Recognizer", "Transcript"]
+__all__ = ["Encoded", "Recognizer", "Transcript"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +36,18 @@ class Transcript:
     decode_seconds: float = 0.0
     """Time that recognition took."""
     draft: bool = False
-    """Whether the recogniser would hear it better with more care: an utterance that is over and that is not acted on is
-    recognised again, as final."""
+    """Whether the recogniser would hear it better with more care: it is not acted on, and an utterance that seems to be
+    over is recognised again, as final."""
+
+
+@dataclass(frozen=True, slots=True)
+class Encoded:
+    """A stretch of speech, encoded by a model."""
+
+    features: Any
+    """The model's own; Whisper: CTranslate2 storage, ``(1, frames / 2, width)``; Moonshine: ``(1, frames, width)``."""
+    seconds: float
+    """Length of the speech."""
 
 
 class Recognizer(Protocol):

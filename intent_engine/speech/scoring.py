@@ -1,38 +1,85 @@
-"""How likely given words are, as Whisper hears a sound: whole texts, their words, and what may come next."""
+"""How likely given words are, as a model hears a sound: whole texts, their words, and what may come next."""
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.speech.whisper import Encoded, WhisperRecognizer, max_length
+from intent_engine.speech.audio import Samples
+from intent_engine.speech.recognizer import Encoded
+from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, max_length
 from intent_engine.speech.writing import written
 
-__all__ = ["ScoringWhisper"]
+__all__ = ["Scoring", "ScoringWhisper"]
 
-SCORED_MARGIN = 0.5
-"""s of silence after the speech that texts are scored against."""
+SCORED_MARGIN = 1.5
+"""s of silence after the speech that texts are scored against. With half a second one text in ten was taken for three
+nats less likely than it is, or more than that; of utterances of little more than a second four in ten."""
+RETRY_MARGIN = 2.0
+"""s of silence after the speech in a longer encoder input."""
 ENCODED_PER_SECOND = 50
 """Vectors of Whisper's encoder."""
 LEAST = 1e-12
 """Least probability of a piece."""
 
 
-class ScoringWhisper(WhisperRecognizer):
-    """A Whisper model that is asked what it thinks of words. Made and closed as :class:`WhisperRecognizer`."""
+class Scoring(ABC):
+    """A model that is asked what it thinks of words."""
 
     _scored: tuple[Encoded | None, dict[str, float]] = (None, {})
     """The sound that was asked about last, and what was said of it."""
 
-    def score(self, encoded: Encoded, texts: Sequence[str], language: str | None = None) -> list[float]:
-        """Log probability of each text given the sound, with the full stop that ends it.
+    @abstractmethod
+    def encode(self, samples: Samples, seconds: float = 0.0) -> Encoded:
+        """The sound as the model needs it, padded to at least so many seconds."""
 
-        The model's own end of text is no part of it: ``align`` gives it no probability.
+    @abstractmethod
+    def detect(self, encoded: Encoded) -> str:
+        """The language of the speech."""
+
+    @abstractmethod
+    def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
+        """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
+
+    @abstractmethod
+    def longer(self, seconds: float) -> float:
+        """Length of the encoder's input, in s, with which speech of so many seconds is tried again."""
+
+    @abstractmethod
+    def tokenizer(self, language: str | None = None) -> Any:
+        """The pieces in which it writes a language; as faster-whisper's tokenizer."""
+
+    @abstractmethod
+    def end_piece(self, language: str | None = None) -> int:
+        """The piece that stands for the end of a sentence in :meth:`next_pieces`."""
+
+    @abstractmethod
+    def next_pieces(
+        self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
+    ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        """How likely every next piece is after some beginnings of a text, and after what the model would go on with.
+
+        Args:
+            encoded: the sound.
+            beginnings: tokens that the text begins with; they may differ in length.
+            length: tokens up to which the model may go on.
+            language: of the speech.
+
+        Yields:
+            (beginning, ``(vocabulary,)`` log probabilities).
         """
+
+    @abstractmethod
+    def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
+        """Log probability of each piece of each text, and of its end."""
+
+    def score(self, encoded: Encoded, texts: Sequence[str], language: str | None = None) -> list[float]:
+        """Log probability of each text given the sound, with its end."""
         if self._scored[0] is not encoded:
             self._scored = (encoded, {})
         scored = self._scored[1]
@@ -63,20 +110,21 @@ class ScoringWhisper(WhisperRecognizer):
             at += count
         return found
 
+
+class ScoringWhisper(WhisperRecognizer, Scoring):
+    """A Whisper model that is asked what it thinks of words. Made and closed as :class:`WhisperRecognizer`."""
+
+    def longer(self, seconds: float) -> float:
+        return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
+
+    def end_piece(self, language: str | None = None) -> int:
+        """The full stop."""
+        (stop,) = self.tokenizer(language).encode(".")
+        return int(stop)
+
     def next_pieces(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
-        """How likely every next piece is after some beginnings of a text, and after what the model would go on with.
-
-        Args:
-            encoded: the sound.
-            beginnings: tokens that the text begins with; they may differ in length.
-            length: tokens up to which the model goes on.
-            language: of the speech.
-
-        Yields:
-            (beginning, ``(vocabulary,)`` log probabilities).
-        """
         prompt = self.prompt(language)
         longest = max(length, 1 + max(map(len, beginnings)))
         results = self.engine.generate(
@@ -99,7 +147,7 @@ class ScoringWhisper(WhisperRecognizer):
                 yield tokens[:place], row - (top + np.log(np.exp(row - top).sum()))
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
-        """Log probability of each piece of each text."""
+        """With the full stop that ends a text. Whisper's own end is no part: ``align`` gives it no probability."""
         tokenizer = self.tokenizer(language)
         stop = tokenizer.encode(".")
         pieces = []

@@ -1,43 +1,54 @@
-"""A second, larger model for what the first is not sure of.
+"""A second model for what the first is not sure of.
 
 Most commands are heard well by a small model in a few hundredths of a second. In noise it is often unsure, and then the
-person would have to say it again; a larger model knows the answer sooner than they could. It is asked only when the
-utterance is over and was not acted on, so nobody waits for it who need not.
+person would have to say it again; a model of another make knows the answer sooner than they could. It is asked only
+when the utterance is over and was not acted on, so nobody waits for it who need not.
 
-Two models that hear the same are seldom both wrong, and of two that differ one is: what both think is weighed into one
-confidence.
+Each says which sentences of the grammar it may have been, and what it thinks of the other's. Two models that hear the
+same are seldom both wrong: what both think of a sentence, in the mean, becomes one confidence.
 """
 
 from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
-from operator import mul
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from intent_engine.errors import WeightsError
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.evidence import View
+from intent_engine.speech.moonshine_weights import (
+    MOONSHINE,
+    find_moonshine,
+    find_moonshine_files,
+    is_moonshine,
+    moonshine_package,
+)
 from intent_engine.speech.recognizer import Recognizer, Transcript
-from intent_engine.speech.steered import SteeredWhisper
+from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
+from intent_engine.speech.steering import RIVAL_MARGIN, Opinion, Reading
 from intent_engine.speech.weights import find_weights
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["NONE", "SecondOpinion", "confidence", "evidence", "recognizer_for", "second_model", "weighed"]
+__all__ = ["FIRST", "NONE", "SECOND", "SecondOpinion", "installed_second", "recognizer_for", "second_model"]
 
 NONE = "none"
 """As a second model: none."""
-SECOND = {"tiny.en": "base", "tiny": "base"}
-"""First model -> the second, where it is installed."""
-SURE = 0.9
+FIRST = ("tiny", "tiny.en")
+"""Models beside which there is a second one without being asked for."""
+SECOND = (MOONSHINE, "base")
+"""The usual second models: the first that is installed. Moonshine knows English only."""
+SURE = 0.95
 """Confidence of the first model from which the second is not asked."""
 HOPELESS = 0.03
 """Confidence below which it is not asked either: of 132 utterances among commands and other talk it found one."""
@@ -47,13 +58,19 @@ LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
 UNSETTLED = 0.1
 """s at the end of such a sound that a noise filter may still change."""
-BIAS, SURER, BOTH, DIFFER = -0.7, 0.7, 1.2, -1.3
-"""Logistic regression, by ``scripts/fit_second_opinion.py``; see :func:`weighed`. Between what fits coffee orders of 50
-people and what fits 14 synthetic voices, each in quiet and in kitchen noise."""
-ONE_WORD = -0.5
-"""The same for a single word that is no stop: "no" and "so" are heard as "go" by both."""
-LEAST = 0.001
-"""Confidences are taken to be at least so far from 0 and 1."""
+
+
+class Steered(Recognizer, Protocol):
+    """A recogniser that says what it makes of a sound beside what it takes it for."""
+
+    @property
+    def opinion(self) -> Opinion | None:
+        """Of what it heard last."""
+        ...
+
+    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
+        """As :meth:`~intent_engine.speech.steering.Steering.ranked`."""
+        ...
 
 
 class SecondOpinion:
@@ -62,46 +79,82 @@ class SecondOpinion:
     Args:
         engine: whose grammar steers both.
         first: hears everything.
-        second: makes the one that is asked in doubt. It is called at once, in a thread beside, since a large model
+        second: makes the one that is asked in doubt. It is called at once, in a thread beside, since a model
             takes a second to load; what it raises is raised by every doubtful decode.
     """
 
-    def __init__(self, engine: IntentEngine, first: Recognizer, second: Callable[[], Recognizer]) -> None:
+    def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         self._engine = engine
         self._first = first
         self._second = _beside(second)
-        self._draft: tuple[Samples, Transcript] | None = None
+        self._draft: tuple[Samples, Transcript, Opinion | None] | None = None
         """What was last heard with less care."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         known = self._known(samples) if final else None
-        heard = known or self._first.transcribe(samples, final=final)
+        heard, opinion = known or (self._first.transcribe(samples, final=final), self._first.opinion)
         doubtful = self._doubtful(heard)
         if not final:
-            self._draft = (samples, heard)
+            self._draft = (samples, heard, opinion)
             return replace(heard, draft=doubtful)
         self._draft = None
-        spent = 0.0 if known else heard.decode_seconds
-        if not doubtful:
-            return replace(heard, decode_seconds=spent)
-        other = self._second.result().transcribe(samples)
-        spent += other.decode_seconds
-        return replace(weighed(heard, other, self._meant(heard), self._meant(other)), decode_seconds=spent)
+        if not doubtful or opinion is None:
+            return heard if known is None else replace(heard, decode_seconds=0.0)
+        began = time.perf_counter()
+        second = self._second.result()
+        other = second.transcribe(samples)
+        both = other if second.opinion is None else self._weighed(opinion, second.opinion)
+        spent = time.perf_counter() - began + (0.0 if known else heard.decode_seconds)
+        return replace(both, decode_seconds=spent)
 
     def close(self) -> None:
         self._first.close()
         with contextlib.suppress(Exception):  # a second that was never made has nothing to let go of
             self._second.result().close()
 
-    def _known(self, samples: Samples) -> Transcript | None:
+    def _weighed(self, first: Opinion, second: Opinion) -> Transcript:
+        """What two models heard in the same sound, as one.
+
+        Where one heard that something shall not be done, nothing shall.
+        """
+        heard = first.transcript
+        for one in (first, second):
+            if self._meant(one.transcript).refuses:
+                return one.transcript
+        readings = self.joint(first, second)
+        if not readings:
+            return heard
+        best, *others = readings
+        both = replace(
+            heard,
+            text=" ".join(best.words),
+            gap=best.evidence.gap,
+            alternatives=tuple(" ".join(one.words) for one in others[:3]),
+            unclear=_unclear(first.clearness(best.words), second.clearness(best.words), best.unknown > 0),
+            confidence=best.evidence.confidence,
+        )
+        if best.evidence.confidence < SURE_ENOUGH and self._meant(both).stops:
+            # From less the first alone is believed, but not two: "wow" is "whoa" to both.
+            return heard
+        return both
+
+    def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
+        """The sentences that one of two models thought of, with what both think of them, likeliest first."""
+        sentences = tuple(dict.fromkeys((*first.sentences, *second.sentences)))
+        if not sentences:
+            return []
+        views = zip(first.views(sentences), second.views(sentences), strict=True)
+        return self._first.ranked(dict(zip(sentences, views, strict=True)), first.transcript.language)
+
+    def _known(self, samples: Samples) -> tuple[Transcript, Opinion | None] | None:
         """What was heard in this utterance when it seemed to be over."""
         if self._draft is None:
             return None
-        sound, heard = self._draft
+        sound, heard, opinion = self._draft
         same = sound.size - int(UNSETTLED * SAMPLE_RATE)
         if not 0 < same <= samples.size <= sound.size + int(LATER * SAMPLE_RATE):
             return None
-        return heard if np.allclose(samples[:same], sound[:same], atol=1e-4) else None
+        return (heard, opinion) if np.allclose(samples[:same], sound[:same], atol=1e-4) else None
 
     def _doubtful(self, heard: Transcript) -> bool:
         if not heard.text.strip():
@@ -117,73 +170,51 @@ class SecondOpinion:
         return self._engine.parse(heard.text, language=language)
 
 
-def weighed(
-    first: Transcript, second: Transcript, first_meaning: Interpretation, second_meaning: Interpretation
-) -> Transcript:
-    """What two models heard in the same sound, as one: the surer of them, as sure as the other lets it be.
+def _unclear(one: Mapping[str, float], other: Mapping[str, float], unknown: bool) -> tuple[str, ...]:
+    """Words that two models together did not hear clearly.
 
-    Where one heard that something shall not be done, nothing shall. A word that one did not hear clearly is clear if
-    the other heard the same command and had no doubt of it.
+    A word that no list has must be clear in the mean. Of a number that sounds like another, what both have heard adds
+    up, if neither would rather have heard the other.
     """
-    if first_meaning.refuses or second_meaning.refuses:
-        return first if first_meaning.refuses else second
-    rows = [
-        (confidence(heard, meaning), heard, meaning)
-        for heard, meaning in ((second, second_meaning), (first, first_meaning))
-    ]
-    (sure, heard, meaning), (other, differing, other_meaning) = sorted(rows, key=lambda row: -row[0])
-    if meaning.status is not Status.ACCEPTED:
-        return first
-    agree = meaning.actions == other_meaning.actions
-    value = BIAS + sum(map(mul, (SURER, BOTH, DIFFER), evidence(sure, other, agree)))
-    if len(heard.text.split()) == 1 and not meaning.stops:
-        value += ONE_WORD
-    both = 1 / (1 + math.exp(-value))
-    if meaning.stops and both < SURE_ENOUGH:
-        # From less the first alone is believed, but not two: of single words by people in doubt five of five stops had
-        # it, and one of 13 other words that both thought a stop ("wow").
-        return first
-    unclear = (*heard.unclear, *differing.unclear)
-    if agree and not (heard.unclear and differing.unclear):
-        unclear = ()
-    return replace(heard, confidence=both, unclear=tuple(dict.fromkeys(unclear)))
-
-
-def evidence(sure: float, other: float, agree: bool) -> tuple[float, float, float]:
-    """What is weighed: how sure the surer model is, whether both mean the same, how sure the other is if not."""
-    return math.log(max(sure, LEAST) / max(1 - sure, LEAST)), float(agree), 0.0 if agree else other
-
-
-def confidence(heard: Transcript, meaning: Interpretation) -> float:
-    """How sure a model is of what it heard, 0 to 1; 0 for what is no command."""
-    if meaning.status is not Status.ACCEPTED:
-        return 0.0
-    return 1.0 if heard.confidence is None else heard.confidence
+    least, enough = (-math.inf, 0.0) if unknown else (-RIVAL_MARGIN, -RIVAL_MARGIN)
+    both = {word: (clear, other.get(word, clear)) for word, clear in one.items()}
+    return tuple(word for word, clear in both.items() if min(clear) < least or sum(clear) < enough)
 
 
 def recognizer_for(
-    engine: IntentEngine, model: str = "tiny.en", *, second: str | None = None, language: str | None = None
+    engine: IntentEngine,
+    model: str = "tiny.en",
+    *,
+    second: str | None = None,
+    language: str | None = None,
+    tell: Callable[[str], object] | None = None,
 ) -> Recognizer:
     """The recogniser of an engine, steered by its grammar, with a second model for what it is unsure of.
 
     Args:
         engine: whose grammar steers.
         model: a name, or a folder.
-        second: the same, or :data:`NONE`; None: base beside tiny and tiny.en, where it is installed.
+        second: the same, or :data:`NONE`; None: beside :data:`FIRST` the first of :data:`SECOND` that is
+            installed.
         language: of the speech; None: that of the engine's only grammar, or detected.
+        tell: is told what takes long: weights that are made ready, once on a machine.
 
     Raises:
         WeightsError: a model that was named cannot be found, or the first cannot be loaded.
     """
-    first = SteeredWhisper(engine, model, language=language)
-    other = second_model(model, second)
+    first = _steered(engine, model, language, tell)
+    other = second_model(engine, model, second, language=language)
     if other is None:
         return first
+    if is_moonshine(other):
+        find_moonshine(other, tell)  # what takes long happens now, and not at the first word
     spoken = first.language if first.multilingual else "en"
-    return SecondOpinion(engine, first, lambda: SteeredWhisper(engine, other, language=spoken))
+    return SecondOpinion(engine, first, lambda: _steered(engine, other, spoken))
 
 
-def second_model(model: str, second: str | None = None) -> str | None:
+def second_model(
+    engine: IntentEngine, model: str, second: str | None = None, *, language: str | None = None
+) -> str | None:
     """The model beside a first one: as :func:`recognizer_for` was told, or as is installed; None: there is none.
 
     Raises:
@@ -192,19 +223,41 @@ def second_model(model: str, second: str | None = None) -> str | None:
     if second is not None:
         if second == NONE:
             return None
-        find_weights(second)
+        if is_moonshine(second):
+            find_moonshine_files(second)
+        else:
+            find_weights(second)
         return second
-    usual = SECOND.get(model)
-    if usual is None:
+    if model not in FIRST:
         return None
+    english = model.endswith(".en") or (language or "".join(engine.languages)) == "en"
+    return installed_second(english=english)
+
+
+def installed_second(*, english: bool = True) -> str | None:
+    """The usual second model on this machine, for English or for other languages."""
+    return next((one for one in SECOND if _installed(one, english)), None)
+
+
+def _installed(model: str, english: bool) -> bool:
+    if is_moonshine(model):
+        return english and moonshine_package() is not None
     try:
-        find_weights(usual, download=False)
+        find_weights(model, download=False)
     except WeightsError:
-        return None
-    return usual
+        return False
+    return True
 
 
-def _beside(make: Callable[[], Recognizer]) -> Future[Recognizer]:
+def _steered(
+    engine: IntentEngine, model: str, language: str | None, tell: Callable[[str], object] | None = None
+) -> SteeredWhisper | SteeredMoonshine:
+    if is_moonshine(model):
+        return SteeredMoonshine(engine, model, tell=tell)
+    return SteeredWhisper(engine, model, language=language)
+
+
+def _beside(make: Callable[[], Steered]) -> Future[Steered]:
     """What is made in a thread of its own, at once."""
     pool = ThreadPoolExecutor(1, thread_name_prefix="second model")
     future = pool.submit(make)

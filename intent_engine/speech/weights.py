@@ -12,7 +12,7 @@ from pathlib import Path
 
 from intent_engine.errors import WeightsError
 
-__all__ = ["MODELS", "Packaged", "Weights", "find_weights", "sha256"]
+__all__ = ["MODELS", "Packaged", "Weights", "cache_folder", "check_digest", "find_weights", "folder_of", "sha256"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,8 @@ def _complete(folder: Path, name: str) -> None:
         )
 
 
-def _folder_of(package: str) -> Path | None:
+def folder_of(package: str) -> Path | None:
+    """Where an installed package lies, without importing it."""
     spec = importlib.util.find_spec(package)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -108,13 +109,13 @@ def _folder_of(package: str) -> Path | None:
 
 
 def _packaged(name: str, packaged: Packaged) -> Path | None:
-    folders = [_folder_of(package) for package in packaged.packages]
+    folders = [folder_of(package) for package in packaged.packages]
     if any(folder is None for folder in folders):
         return None
     if len(folders) == 1 and folders[0] is not None:
         for candidate in (folders[0] / "model", folders[0]):
             if (candidate / "model.bin").is_file():
-                _check(candidate / "model.bin", packaged)
+                check_digest(candidate / "model.bin", packaged)
                 _complete(candidate, name)
                 return candidate
         return None
@@ -133,7 +134,7 @@ def _joined(name: str, packaged: Packaged, folders: list[Path]) -> Path | None:
     try:
         if (target / "model.bin").is_file():
             try:
-                _check(target / "model.bin", packaged)
+                check_digest(target / "model.bin", packaged)
             except WeightsError:
                 (target / "model.bin").unlink()  # the join went wrong, as on a full disk; the packages may be right
         if not (target / "model.bin").is_file() and not _join(target, folders):
@@ -143,7 +144,7 @@ def _joined(name: str, packaged: Packaged, folders: list[Path]) -> Path | None:
             f"model {name} comes in parts that cannot be joined in {target}: {error.strerror}\n"
             "    make room there, or set XDG_CACHE_HOME to a folder that can be written"
         ) from None
-    _check(target / "model.bin", packaged)
+    check_digest(target / "model.bin", packaged)
     _complete(target, name)
     return target
 
@@ -173,7 +174,7 @@ def _is_part(file: Path) -> bool:
     return file.is_file() and "model" in file.name and file.suffix not in (".json", ".txt", ".py", ".pyc")
 
 
-def _check(file: Path, packaged: Packaged) -> None:
+def check_digest(file: Path, packaged: Packaged) -> None:
     """Compare the digest; a file that was right is not read again while its size and time stay the same."""
     stat = file.stat()
     key = f"{file}:{stat.st_size}:{stat.st_mtime_ns}"

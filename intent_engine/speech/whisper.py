@@ -9,18 +9,19 @@ from __future__ import annotations
 import os
 import time
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.loops import fold_loop
 from intent_engine.speech.pieces import mended
-from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
-__all__ = ["Encoded", "WhisperRecognizer", "fold_loop", "max_length"]
+__all__ = ["WhisperRecognizer", "max_length"]
 
 FRAMES_PER_SECOND = 100
 MIN_SECONDS = 5.0
@@ -31,10 +32,6 @@ MARGIN_SECONDS = 0.5
 MAX_SECONDS = 28.0
 MIN_SCORE = -1.0
 """Mean log probability below which a decode is tried again with a longer input (faster-whisper's own threshold)."""
-LONG_SENTENCE = 4
-"""Words of a sentence that nobody says twice in one breath."""
-SHORT_SENTENCE = 3
-"""Words of a sentence that nobody says three times in one breath."""
 SMALL_MODEL = 200_000_000
 """Bytes of a model (tiny and base are smaller) whose threads wait for each other longer than they work: of 16 commands
 one thread decoded "base" in 78 ms (median), two in 85, and in 0.11 s against 0.15 where it took longest."""
@@ -42,16 +39,6 @@ TOKENS_PER_SECOND = 7
 """More than anybody speaks; bounds a decode that runs away."""
 MAX_LENGTH = 448
 """Tokens that Whisper's decoder can hold."""
-
-
-@dataclass(frozen=True, slots=True)
-class Encoded:
-    """A stretch of speech, encoded."""
-
-    features: Any
-    """CTranslate2 storage, ``(1, frames / 2, width)``."""
-    seconds: float
-    """Length of the speech."""
 
 
 class WhisperRecognizer:
@@ -222,42 +209,3 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
             warnings.warn(f"CUDA cannot be used ({error}); recognising on the CPU", RuntimeWarning, stacklevel=3)
             return _load(weights, "cpu", None if compute_type == "float16" else compute_type, threads)
         raise WeightsError(f"model {weights.name} at {weights.path} cannot be loaded: {error}") from None
-
-
-def fold_loop(text: str) -> str:
-    """A sentence said over and over, as Whisper does with short input, once.
-
-    Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
-    sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
-    sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
-    the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
-    is what was said.
-    """
-    words = text.split()
-    plain = [word.strip(".,!?;:\u2026").lower() for word in words]
-    for length in range(1, len(words) // 2 + 1):
-        unit = plain[:length]
-        repeats = 1
-        while plain[repeats * length : (repeats + 1) * length] == unit:
-            repeats += 1
-        rest = plain[repeats * length :]
-        whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
-        if repeats >= (2 if whole else 3) and _begins(unit, rest):
-            return " ".join(words[:length])
-        again = plain[length : 2 * length]
-        if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
-            return " ".join(words[:length])
-    for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
-        if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
-            return " ".join(words[:length])
-    return text
-
-
-def _changed(unit: list[str], again: list[str]) -> int:
-    """Words that differ between two sentences of the same length."""
-    return sum(one != other for one, other in zip(unit, again, strict=True))
-
-
-def _begins(unit: list[str], rest: list[str]) -> bool:
-    """Whether the rest is the unit cut off somewhere, perhaps within a word."""
-    return not rest or (unit[: len(rest) - 1] == rest[:-1] and unit[len(rest) - 1].startswith(rest[-1]))

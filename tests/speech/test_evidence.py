@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.speech.evidence import Evidence, letters_apart
+from intent_engine.speech.evidence import Evidence, View, letters_apart
 
 AMOUNT = st.floats(0.0, 50.0)
-EVIDENCE = st.builds(Evidence, AMOUNT, AMOUNT, AMOUNT, AMOUNT, st.integers(0, 5))
+EVIDENCE = st.builds(Evidence, AMOUNT, AMOUNT, AMOUNT, AMOUNT, st.integers(0, 5), st.integers(1, 3), st.booleans())
 WORDS = st.lists(st.text("abcdefghijklmnopqrstuvwxyz", min_size=1, max_size=9), max_size=6)
 
 
@@ -25,9 +25,15 @@ def test_each_kind_of_evidence_speaks_one_way(evidence, more):
     assert replace(evidence, margin=evidence.margin + more).confidence >= sure
 
 
-def test_what_was_heard_as_it_is_and_has_no_rival_was_said():
-    assert Evidence(gap=0.0, margin=8.0, cost=0.5, apart=0.0).confidence > 0.95
-    assert Evidence(gap=3.0, margin=1.0, cost=3.0, apart=3.0).confidence < 0.1
+@pytest.mark.parametrize("models", [1, 2])
+def test_what_was_heard_as_it_is_and_has_no_rival_was_said(models):
+    assert Evidence(gap=0.0, margin=8.0, cost=0.5, apart=0.0, models=models).confidence > 0.95
+    assert Evidence(gap=3.0, margin=1.0, cost=3.0, apart=3.0, models=models).confidence < 0.1
+
+
+def test_letters_that_differ_weigh_beside_the_score():
+    assert View(-3.0, -1.0, 0.0).value == -3.0
+    assert View(-3.0, -1.0, 5.0).value < View(-3.0, -1.0, 4.0).value < -3.0
 
 
 @given(WORDS, WORDS)

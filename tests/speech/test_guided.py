@@ -144,7 +144,7 @@ def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
     )
     assert found[0][0] == ("go", "forward", "two", "meters")
     words, score = found[0]
-    assert score == pytest.approx(whisper.score_words(encoded, [words], "en")[0], abs=0.3), (
+    assert score == pytest.approx(whisper.score_words(encoded, [words], "en")[0], abs=0.5), (
         "as teacher forcing finds it"
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
@@ -11,45 +11,74 @@ from hypothesis import strategies as st
 
 from intent_engine.errors import WeightsError
 from intent_engine.judgement import SURE_ENOUGH_TO_STOP
-from intent_engine.runtime import HeardKind
+from intent_engine.runtime import SECOND_LOOK, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.evidence import View
+from intent_engine.speech.moonshine_weights import MOONSHINE, moonshine_package
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.second_opinion import NONE, SecondOpinion, recognizer_for, second_model, weighed
+from intent_engine.speech.second_opinion import NONE, SecondOpinion, recognizer_for, second_model
 from intent_engine.speech.steered import SteeredWhisper
 
 SOUND = np.random.default_rng(0).normal(0, 0.1, SAMPLE_RATE).astype(np.float32)
 FORWARD, LEFT = "go forward two meters", "turn left"
+LIKELY, UNLIKELY = -1.0, -20.0
 
 
 def heard(text: str, confidence: float | None, **more) -> Transcript:
     return Transcript(text, free_text=text, confidence=confidence, decode_seconds=0.25, **more)
 
 
-class Says:
-    """A recogniser that hears what it was made for."""
+@dataclass
+class Thinks:
+    """An opinion that was made up: what is thought of each sentence, and how clear words are."""
 
-    def __init__(self, *answers: Transcript) -> None:
-        self.answers = answers
+    transcript: Transcript
+    scores: dict[str, float] = field(default_factory=dict)
+    clear: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(tuple(text.split()) for text in self.scores)
+
+    def views(self, sentences):
+        return [View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, 0.0) for words in sentences]
+
+    def clearness(self, _words):
+        return self.clear
+
+
+class Says:
+    """A recogniser that hears what it was made for, and finds that likely."""
+
+    def __init__(self, engine, answer: Transcript | Thinks) -> None:
+        if isinstance(answer, Transcript):
+            answer = Thinks(answer, {answer.text: LIKELY} if engine.parse(answer.text).actions else {})
+        self.opinion = answer
         self.asked: list[tuple[int, bool]] = []
         self.closed = False
+        self._steering = object.__new__(SteeredWhisper)
+        self._steering.steer(engine)
 
     def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
         self.asked.append((samples.size, final))
-        return self.answers[min(len(self.asked), len(self.answers)) - 1]
+        return self.opinion.transcript
+
+    def ranked(self, views, language=None):
+        return self._steering.ranked(views, language)
 
     def close(self) -> None:
         self.closed = True
 
 
-def two(engine, first: Transcript, second: Transcript) -> tuple[SecondOpinion, Says, Says]:
-    one, other = Says(first), Says(second)
+def two(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> tuple[SecondOpinion, Says, Says]:
+    one, other = Says(engine, first), Says(engine, second)
     return SecondOpinion(engine, one, lambda: other), one, other
 
 
 # -- when it is asked --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("confidence", [0.9, 1.0])
+@pytest.mark.parametrize("confidence", [0.95, 1.0])
 def test_who_is_sure_asks_nobody(engine, confidence):
     both, _, other = two(engine, heard(FORWARD, confidence), heard(LEFT, 1.0))
     assert not both.transcribe(SOUND, final=False).draft
@@ -93,7 +122,7 @@ def test_the_first_does_not_hear_the_same_words_twice(engine):
     longer[SOUND.size - 800 : SOUND.size] *= 0.9  # a noise filter had not ended there
     found = both.transcribe(longer)
     assert len(one.asked) == 1
-    assert found.decode_seconds == 0.25, "only the second model's"
+    assert found.decode_seconds < 0.25, "only the second model's"
 
 
 @pytest.mark.parametrize(
@@ -108,7 +137,7 @@ def test_the_first_does_not_hear_the_same_words_twice(engine):
 def test_other_sound_is_heard_anew(engine, sound):
     both, one, _ = two(engine, heard(FORWARD, 0.5), heard(FORWARD, 1.0))
     both.transcribe(SOUND, final=False)
-    assert both.transcribe(sound).decode_seconds == 0.5, "both models'"
+    assert both.transcribe(sound).decode_seconds > 0.25, "both models'"
     assert len(one.asked) == 2
 
 
@@ -124,7 +153,7 @@ def test_a_second_model_that_cannot_be_made_is_told_by_each_decode_that_needs_it
     def fails() -> Says:
         raise WeightsError("gone")
 
-    both = SecondOpinion(engine, Says(heard(FORWARD, 0.5)), fails)
+    both = SecondOpinion(engine, Says(engine, heard(FORWARD, 0.5)), fails)
     for _ in range(2):
         with pytest.raises(WeightsError):
             both.transcribe(SOUND)
@@ -140,70 +169,70 @@ def test_both_are_closed(engine):
 
 # -- what becomes of it ------------------------------------------------------------------------------------------
 
-CONFIDENCES = st.one_of(st.none(), st.floats(0, 1))
-TEXTS = st.sampled_from([FORWARD, LEFT, "go forward 2 m", "the weather is nice", "don't turn left", "stop"])
+SENTENCES = [FORWARD, LEFT, "go back", "stop", "turn left fifteen degrees"]
+TEXTS = st.sampled_from([*SENTENCES, "the weather is nice", "don't turn left"])
+SCORES = st.dictionaries(st.sampled_from(SENTENCES), st.floats(-30, -0.1), max_size=4)
+DOUBTFUL = st.builds(Thinks, st.builds(heard, TEXTS, st.floats(0.05, 0.39), score=st.just(-0.9)), SCORES)
 
 
-def both_think(engine, first: Transcript, second: Transcript) -> Transcript:
-    return weighed(first, second, engine.parse(first.text), engine.parse(second.text))
+def both_think(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> Transcript:
+    both, *_ = two(engine, first, second)
+    return both.transcribe(SOUND)
 
 
-@given(TEXTS, TEXTS, CONFIDENCES, CONFIDENCES)
-def test_what_is_taken_was_heard_by_one_and_refused_by_none(engine, one, other, sure, surer):
-    found = both_think(engine, heard(one, sure), heard(other, surer))
-    assert found.text in (one, other)
-    assert found.confidence is None or 0 <= found.confidence <= 1
-    if "don't turn left" in (one, other):
-        assert found.text == "don't turn left"
-        assert found.confidence in (sure, surer)
+@given(DOUBTFUL, DOUBTFUL)
+def test_what_is_taken_was_thought_of_by_one_and_refused_by_none(engine, one, other):
+    found = both_think(engine, one, other)
+    said = {one.transcript.text, other.transcript.text}
+    assert found.text in said | set(one.scores) | set(other.scores)
+    assert 0 <= found.confidence <= 1
+    if "don't turn left" in said:
+        assert engine.parse(found.text).refuses
 
 
-@given(st.floats(0, 1), st.floats(0, 1))
-def test_who_agrees_is_believed_sooner_than_who_differs(engine, sure, surer):
-    agreed = both_think(engine, heard(FORWARD, sure), heard("go forward 2 m", surer)).confidence
-    differed = both_think(engine, heard(FORWARD, sure), heard(LEFT, surer)).confidence
-    assert agreed > differed
+@given(st.floats(-12, LIKELY), st.floats(-12, LIKELY))
+def test_who_agrees_is_believed_sooner_than_who_differs(engine, score, another):
+    first = Thinks(heard(FORWARD, 0.5), {FORWARD: score})
+    agreed = both_think(engine, first, Thinks(heard(FORWARD, 0.5), {FORWARD: another}))
+    differed = both_think(engine, first, Thinks(heard(LEFT, 0.5), {LEFT: another}))
+    assert agreed.text == FORWARD
+    assert agreed.confidence > differed.confidence
 
 
-@given(st.floats(0, 1), st.floats(0, 1), st.floats(0, 1))
-def test_the_surer_the_one_the_surer_both_and_the_surer_the_other_the_less(engine, sure, surer, doubt):
-    low, high = sorted((sure, surer))
-    doubt *= low
-    weak = both_think(engine, heard(FORWARD, low), heard(LEFT, doubt))
-    strong = both_think(engine, heard(FORWARD, high), heard(LEFT, doubt))
-    assert weak.confidence <= strong.confidence
-    assert both_think(engine, heard(FORWARD, high), heard(LEFT, 0.0)).confidence >= strong.confidence
-
-
-def test_the_surer_is_taken_and_of_equals_the_larger_model(engine):
-    assert both_think(engine, heard(FORWARD, 0.8), heard(LEFT, 0.3)).text == FORWARD
-    assert both_think(engine, heard(FORWARD, 0.3), heard(LEFT, 0.8)).text == LEFT
-    assert both_think(engine, heard(FORWARD, 0.5), heard(LEFT, 0.5)).text == LEFT
+def test_the_likelier_for_both_is_taken_though_neither_put_it_first(engine):
+    first = Thinks(heard(FORWARD, 0.5), {FORWARD: -1.0, "go back": -2.0, LEFT: -15.0})
+    second = Thinks(heard(LEFT, 0.5), {LEFT: -1.0, "go back": -2.0, FORWARD: -15.0})
+    assert both_think(engine, first, second).text == "go back"
 
 
 @pytest.mark.parametrize(
-    ("first", "second", "other", "unclear"),
+    ("first", "second", "unclear"),
     [
-        (("fifteen",), (), "turn left fifteen degrees", ()),
-        ((), ("fifteen",), "turn left fifteen degrees", ()),
-        (("fifteen",), ("fifteen",), "turn left fifteen degrees", ("fifteen",)),
-        (("fifteen",), (), "turn left fifty degrees", ("fifteen",)),
-        (("fifteen",), ("fifty",), "turn left fifty degrees", ("fifty", "fifteen")),
-        ((), (), "turn left fifty degrees", ()),
+        (-1.0, 2.0, ()),
+        (-2.5, -0.4, ()),
+        (-2.5, -0.6, ("fifteen",)),
+        (-3.1, 20.0, ("fifteen",)),
+        (20.0, -3.1, ("fifteen",)),
+        (1.0, None, ()),
+        (-2.0, None, ("fifteen",)),
     ],
+    ids=["one is sure", "both a little", "too little", "one heard fifty", "the other did", "alone", "alone and unsure"],
 )
-def test_a_number_that_one_is_unsure_of_must_be_what_the_other_heard(engine, first, second, other, unclear):
+def test_of_a_number_like_another_what_both_heard_adds_up_if_neither_heard_the_other(engine, first, second, unclear):
+    text = "turn left fifteen degrees"
     found = both_think(
-        engine, heard("turn left fifteen degrees", 1.0, unclear=first), heard(other, 1.0, unclear=second)
+        engine,
+        Thinks(heard(text, 1.0, unclear=("fifteen",)), {text: LIKELY}, {"fifteen": first}),
+        Thinks(heard(text, 1.0), {text: LIKELY}, {} if second is None else {"fifteen": second}),
     )
     assert found.unclear == unclear
 
 
 def test_both_must_be_surer_of_a_stop_that_the_first_did_not_take_for_one(engine):
-    doubtful = heard("whoa", 0.3)
-    assert both_think(engine, doubtful, heard("whoa", 0.5)) is doubtful, "wow"
-    sure = both_think(engine, doubtful, heard("whoa", 0.97))
-    assert sure.confidence > 0.7
+    doubtful = Thinks(heard("whoa", 0.3), {"whoa": -12.0})
+    unsure = both_think(engine, doubtful, Thinks(heard("whoa", 0.5), {"whoa": -12.0}))
+    assert (unsure.text, unsure.confidence) == ("whoa", 0.3), "wow"
+    assert both_think(engine, doubtful, Thinks(heard("whoa", 0.97), {"whoa": -0.5})).confidence > 0.7
 
 
 @pytest.mark.parametrize(("confidence", "asked"), [(SURE_ENOUGH_TO_STOP, 0), (SURE_ENOUGH_TO_STOP - 0.01, 1)])
@@ -213,30 +242,40 @@ def test_a_stop_that_is_one_already_needs_no_second_opinion(engine, confidence, 
     assert len(other.asked) == asked
 
 
-def test_a_single_word_is_believed_less_than_a_sentence(engine):
-    word = both_think(engine, heard("go", 0.6), heard("go", 0.7)).confidence
-    sentence = both_think(engine, heard(FORWARD, 0.6), heard(FORWARD, 0.7)).confidence
-    assert word < 0.7 < sentence
-
-
 def test_where_neither_heard_a_command_the_words_of_the_first_are_told(engine):
-    assert both_think(engine, heard("nice weather", None), heard("ice leather", None)).text == "nice weather"
+    nice = heard("nice weather", None, score=-0.9)
+    assert both_think(engine, nice, heard("ice leather", None)).text == "nice weather"
 
 
 # -- which models ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("model", "second", "found"),
-    [("tiny.en", None, "base"), ("tiny.en", NONE, None), ("base", None, None), ("base", "tiny.en", "tiny.en")],
+    ("model", "second", "language", "found"),
+    [
+        ("tiny.en", None, None, MOONSHINE),
+        ("tiny", None, "en", MOONSHINE),
+        ("tiny", None, "de", "base"),
+        ("tiny.en", NONE, None, None),
+        ("base", None, None, None),
+        ("base", "tiny.en", None, "tiny.en"),
+        ("base", MOONSHINE, None, MOONSHINE),
+    ],
 )
-def test_the_second_model(model, second, found):
-    assert second_model(model, second) == found
+def test_the_second_model(engine, model, second, language, found):
+    if found == MOONSHINE and moonshine_package() is None:
+        pytest.skip("Moonshine's package is for Linux on x86-64")
+    assert second_model(engine, model, second, language=language) == found
 
 
-def test_a_second_model_that_was_named_must_be_there():
+def test_where_moonshine_is_not_installed_the_second_is_base(engine, monkeypatch):
+    monkeypatch.setattr("intent_engine.speech.second_opinion.moonshine_package", lambda: None)
+    assert second_model(engine, "tiny.en") == "base"
+
+
+def test_a_second_model_that_was_named_must_be_there(engine):
     with pytest.raises(WeightsError):
-        second_model("tiny.en", "/nowhere/at/all")
+        second_model(engine, "tiny.en", "/nowhere/at/all")
 
 
 def test_without_a_second_the_first_is_all_there_is(engine):
@@ -255,15 +294,21 @@ def test_a_doubtful_command_is_heard_again_when_it_is_over_and_done(engine, list
     assert found.robot.pose().x == pytest.approx(2.0)
     (transcript,) = (event.transcript for event in found.of(HeardKind.TRANSCRIPT))
     assert transcript.confidence > 0.7
-    (partial,) = (event.transcript for event in found.of(HeardKind.PARTIAL))
-    assert partial.draft
+    drafts = [event.transcript.draft for event in found.of(HeardKind.PARTIAL)]
+    assert drafts == [True, False]
 
 
 def test_a_command_that_was_heard_well_is_done_at_once(engine, listen, go_forward):
-    both, _, other = two(engine, heard(FORWARD, 0.8), heard(LEFT, 1.0))
+    both, _, other = two(engine, heard(FORWARD, 0.96), heard(LEFT, 1.0))
     found = listen(go_forward, both)
-    assert other.asked == [], "0.8 is enough for one command"
+    assert other.asked == []
     assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def test_a_draft_is_not_done_however_sure_it_is(engine, listen, go_forward):
+    both, *_ = two(engine, heard(FORWARD, 0.9), heard("don't go forward", None))
+    found = listen(go_forward, both)
+    assert found.goals == []
 
 
 def test_two_that_differ_move_nothing(engine, listen, go_forward):
@@ -274,8 +319,16 @@ def test_two_that_differ_move_nothing(engine, listen, go_forward):
     assert meaning.actions == ()
 
 
+def test_a_second_look_is_taken_in_the_silence_and_not_in_a_short_pause(engine, listen, go_forward, demo):
+    """So that its answer is there when the wait is over."""
+    both, one, other = two(engine, heard("go forward", 0.5), heard("go forward", 1.0))
+    listen(go_forward, both)
+    assert len(other.asked) == 1
+    assert other.asked[0][0] - one.asked[0][0] < (SECOND_LOOK + 0.1) * SAMPLE_RATE
+
+
 def test_a_recogniser_whose_final_word_is_a_draft_is_not_asked_for_ever(engine, listen, go_forward):
-    stubborn = Says(replace(heard("nice weather", None), draft=True))
+    stubborn = Says(engine, replace(heard("nice weather", None), draft=True))
     found = listen(go_forward, stubborn)
     assert len(stubborn.asked) == 2
     assert found.goals == []

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from speech_stage import framed
 
 from intent_engine.actions import Move
@@ -11,9 +13,9 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.evidence import Evidence
+from intent_engine.speech.evidence import Evidence, View
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.steered import Reading
+from intent_engine.speech.steering import Reading
 
 
 @pytest.fixture
@@ -50,8 +52,7 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     ],
 )
 def test_a_word_that_nobody_knows_must_be_heard_clearly(whisper, spoken, words, unclear):
-    reading = Reading(words, 0.0, 0.0, Evidence(0.0, 0.0, 0.0, 0.0))
-    assert whisper._unclear(whisper.encode(spoken), reading, "en") == unclear
+    assert whisper._unclear(whisper.encode(spoken), words, "en") == unclear
 
 
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
@@ -65,11 +66,11 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
                 -1.0 if "fifteen" in text.lower() or "15" in text else -1.0 - margin for text in texts
             ],
         )
-        assert whisper._rivalled(encoded, words, "en") == unclear
-    assert whisper._rivalled(encoded, ["go", "to", "the", "kitchen"], "en") == ()
+        assert whisper._unclear(encoded, words, "en") == unclear
+    assert whisper._unclear(encoded, ["go", "to", "the", "kitchen"], "en") == ()
     monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [-1.0] * len(texts))
-    assert whisper._rivalled(encoded, words, "en") == ("fifteen",)
-    assert whisper._rivalled(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
+    assert whisper._unclear(encoded, words, "en") == ("fifteen",)
+    assert whisper._unclear(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
 
 
 @pytest.mark.parametrize(
@@ -114,6 +115,36 @@ def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, sc
     monkeypatch.setattr(type(whisper._search("en").guided), "likeliest", lambda *_: asked.append(1) or [], raising=True)
     whisper.transcribe(spoken)
     assert bool(asked) is looked
+
+
+@pytest.mark.parametrize("free", ["Go forward", "Go forward two", "Turn left by"])
+def test_nobody_said_the_words_that_would_make_a_command_of_its_beginning(hears, spoken, free):
+    whisper = hears(free, -0.9)
+    found = [" ".join(one.words) for one in whisper.readings(whisper.encode(spoken), free, "en")]
+    assert not [text for text in found if text.startswith(free.lower() + " ")], found
+
+
+WORDS = st.sampled_from(
+    [("go", "forward", "two", "meters"), ("turn", "left"), ("stop",), ("go", "to", "the", "kitchen")]
+)
+VIEWS = st.builds(View, st.floats(-40, 0), st.floats(-40, 0), st.floats(0, 20))
+
+
+@given(st.dictionaries(WORDS, VIEWS, min_size=1))
+def test_two_models_that_think_the_same_rank_as_one_does(whisper, views):
+    alone = whisper.ranked({words: (view,) for words, view in views.items()})
+    both = whisper.ranked({words: (view, view) for words, view in views.items()})
+    assert [one.words for one in alone] == [one.words for one in both]
+    for one, two in zip(alone, both, strict=True):
+        assert two.evidence.models == 2
+        assert two.evidence.weighed == pytest.approx(one.evidence.weighed)
+
+
+@given(VIEWS, VIEWS)
+def test_of_two_models_neither_counts_more(whisper, one, other):
+    words = ("turn", "left")
+    (forth,), (back,) = whisper.ranked({words: (one, other)}), whisper.ranked({words: (other, one)})
+    assert forth.evidence.confidence == pytest.approx(back.evidence.confidence)
 
 
 class Says:

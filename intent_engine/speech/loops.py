@@ -1,0 +1,49 @@
+"""Sentences that a speech model says over and over: what small models make of short sound."""
+
+from __future__ import annotations
+
+__all__ = ["fold_loop"]
+
+LONG_SENTENCE = 4
+"""Words of a sentence that nobody says twice in one breath."""
+SHORT_SENTENCE = 3
+"""Words of a sentence that nobody says three times in one breath."""
+
+
+def fold_loop(text: str) -> str:
+    """A sentence said over and over, as a speech model does with short input, once.
+
+    Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
+    sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
+    sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
+    the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
+    is what was said.
+    """
+    words = text.split()
+    plain = [word.strip(".,!?;:\u2026").lower() for word in words]
+    for length in range(1, len(words) // 2 + 1):
+        unit = plain[:length]
+        repeats = 1
+        while plain[repeats * length : (repeats + 1) * length] == unit:
+            repeats += 1
+        rest = plain[repeats * length :]
+        whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
+        if repeats >= (2 if whole else 3) and _begins(unit, rest):
+            return " ".join(words[:length])
+        again = plain[length : 2 * length]
+        if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
+            return " ".join(words[:length])
+    for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
+        if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
+            return " ".join(words[:length])
+    return text
+
+
+def _changed(unit: list[str], again: list[str]) -> int:
+    """Words that differ between two sentences of the same length."""
+    return sum(one != other for one, other in zip(unit, again, strict=True))
+
+
+def _begins(unit: list[str], rest: list[str]) -> bool:
+    """Whether the rest is the unit cut off somewhere, perhaps within a word."""
+    return not rest or (unit[: len(rest) - 1] == rest[:-1] and unit[len(rest) - 1].startswith(rest[-1]))

@@ -1,0 +1,186 @@
+"""Moonshine through ONNX Runtime: a small English model of another make than Whisper.
+
+It hears other things than Whisper does, and not what Whisper mishears, so it is worth much as a second opinion
+(:mod:`~intent_engine.speech.second_opinion`). Its encoder takes as long as the sound is, with no padding. By Useful
+Sensors, MIT licence, https://arxiv.org/abs/2410.15608.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from intent_engine.errors import WeightsError
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.loops import fold_loop
+from intent_engine.speech.moonshine_graphs import BEGIN, ENCODER, STEP
+from intent_engine.speech.moonshine_pieces import BEGINNING, END, MoonshinePieces
+from intent_engine.speech.moonshine_weights import find_moonshine
+from intent_engine.speech.recognizer import Encoded, Transcript
+from intent_engine.speech.scoring import Scoring
+
+__all__ = ["MoonshineRecognizer", "ScoringMoonshine"]
+
+LEAST_SECONDS = 0.5
+"""Shorter sound is padded: the first layers of the encoder need some."""
+MOST_SECONDS = 20.0
+"""Longer sound is cut, as an utterance is."""
+PIECES_PER_SECOND = 7
+"""More than anybody speaks (its authors take 6.5 words); bounds a decode that runs away."""
+RETRY_MARGIN = 0.5
+"""s of silence after the speech with which it is tried again."""
+AT_ONCE = 8
+"""Texts that are scored in one call."""
+
+
+class MoonshineRecognizer:
+    """Free decoding with a Moonshine model, in English. Life cycle: made (loaded) -> ``transcribe`` ... -> ``close()``.
+
+    Args:
+        model: "moonshine-base", or a folder as Moonshine publishes it: ``encoder_model.ort``,
+            ``decoder_model_merged.ort``, ``tokenizer.bin``.
+        threads: of the processor; a small model is fastest with one.
+        tell: is told what takes long: that the weights are made ready, once on a machine.
+
+    Raises:
+        WeightsError: the model cannot be found or loaded.
+    """
+
+    language: str | None = "en"
+    multilingual = False
+    device = "cpu"
+
+    def __init__(
+        self, model: str = "moonshine-base", *, threads: int = 1, tell: Callable[[str], object] | None = None
+    ) -> None:
+        import onnxruntime
+
+        folder = find_moonshine(model, tell)
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = threads
+        options.inter_op_num_threads = 1
+        options.log_severity_level = 3
+        try:
+            self._encoder, self._begin, self._step = (
+                onnxruntime.InferenceSession(str(folder.graphs / name), options, providers=["CPUExecutionProvider"])
+                for name in (ENCODER, BEGIN, STEP)
+            )
+            self._tokenizer = MoonshinePieces(folder.tokenizer)
+        except Exception as error:  # ONNX Runtime's errors have no common class
+            raise WeightsError(
+                f"model {model} cannot be loaded from {folder.graphs}: {error}\n"
+                "    delete that folder; it is made again"
+            ) from None
+        self._told = [output.name.removeprefix("told_") for output in self._begin.get_outputs()[1:]]
+        self._told_by_step = [output.name.removeprefix("told_") for output in self._step.get_outputs()[1:]]
+
+    def tokenizer(self, language: str | None = None) -> Any:
+        """The pieces that it writes in."""
+        return self._tokenizer
+
+    def encode(self, samples: Samples, seconds: float = 0.0) -> Encoded:
+        """Encode speech, padded to at least ``seconds``."""
+        samples = samples[: int(MOST_SECONDS * SAMPLE_RATE)]
+        least = int(max(seconds, LEAST_SECONDS) * SAMPLE_RATE)
+        if samples.size < least:
+            samples = np.pad(samples, (0, least - samples.size))
+        (states,) = self._encoder.run(None, {"input_values": samples[np.newaxis].astype(np.float32)})
+        return Encoded(states, samples.size / SAMPLE_RATE)
+
+    def detect(self, encoded: Encoded) -> str:
+        """The language of the speech: the only one that it knows."""
+        return "en"
+
+    def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
+        if samples.size == 0:
+            return Transcript("")
+        began = time.perf_counter()
+        return replace(self._heard(samples, final=final), decode_seconds=time.perf_counter() - began)
+
+    def _heard(self, samples: Samples, *, final: bool) -> Transcript:
+        text, score, _ = self.greedy(self.encode(samples))
+        return Transcript(text, score, free_text=text, language="en")
+
+    def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
+        """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
+        rows, *known = self._begin.run(None, {"input_ids": [[BEGINNING]], "encoder_hidden_states": encoded.features})
+        past = {_past(name): value for name, value in zip(self._told, known, strict=True)}
+        pieces: list[int] = []
+        score = 0.0
+        for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
+            row = _log_probabilities(rows[0, -1])
+            piece = int(row.argmax())
+            score += float(row[piece])
+            if piece == END:
+                break
+            pieces.append(piece)
+            rows, *known = self._step.run(None, {"input_ids": [[piece]], **past})
+            past.update((_past(name), value) for name, value in zip(self._told_by_step, known, strict=True))
+        text = self._tokenizer.decode(pieces)
+        folded = fold_loop(text)
+        return folded, score / (len(pieces) + 1), folded != text
+
+    def rows(self, encoded: Encoded, beginnings: Sequence[Sequence[int]]) -> Iterator[npt.NDArray[np.float32]]:
+        """For each of some beginnings of a text, the log probabilities of every piece at each of its places, and after
+        it: ``(pieces + 1, vocabulary)``."""
+        for start in range(0, len(beginnings), AT_ONCE):
+            some = [[BEGINNING, *beginning] for beginning in beginnings[start : start + AT_ONCE]]
+            longest = max(map(len, some))
+            asked = {
+                "input_ids": [one + [END] * (longest - len(one)) for one in some],
+                "encoder_hidden_states": np.repeat(encoded.features, len(some), axis=0),
+            }
+            (rows,) = self._begin.run([self._begin.get_outputs()[0].name], asked)
+            yield from (_log_probabilities(own[: len(one)]) for own, one in zip(rows, some, strict=True))
+
+    def close(self) -> None:
+        """Nothing to let go of but memory."""
+
+
+class ScoringMoonshine(MoonshineRecognizer, Scoring):
+    """A Moonshine model that is asked what it thinks of words. Made and closed as :class:`MoonshineRecognizer`.
+
+    It ends a sentence with a full stop or without, so what ends one is all of that together.
+    """
+
+    def longer(self, seconds: float) -> float:
+        return seconds + RETRY_MARGIN
+
+    def end_piece(self, language: str | None = None) -> int:
+        return END
+
+    def next_pieces(
+        self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
+    ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        for beginning, rows in zip(beginnings, self.rows(encoded, beginnings), strict=True):
+            for place, row in enumerate(rows):
+                row[END] = self._ended(row)
+                yield beginning[:place], row
+
+    def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
+        pieces = [self._tokenizer.encode(" " + text.strip().rstrip(".!?")) for text in texts]
+        return [
+            np.array([*(rows[place, piece] for place, piece in enumerate(own)), self._ended(rows[len(own)])])
+            for own, rows in zip(pieces, self.rows(encoded, pieces), strict=True)
+        ]
+
+    def _ended(self, row: npt.NDArray[np.float32]) -> float:
+        """Log probability that the sentence ends here."""
+        ends = [END, *(piece for sign in ".?!" for piece in self._tokenizer.encode(sign))]
+        return float(np.logaddexp.reduce(row[ends]))
+
+
+def _past(name: str) -> str:
+    """What a step is told as, of what was told before it."""
+    return name.replace("present", "past_key_values")
+
+
+def _log_probabilities(rows: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    rows = rows - rows.max(axis=-1, keepdims=True)
+    found: npt.NDArray[np.float32] = rows - np.log(np.exp(rows).sum(axis=-1, keepdims=True))
+    return found

@@ -1,0 +1,50 @@
+"""Sentences that a model says over and over, folded."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.speech.loops import LONG_SENTENCE, fold_loop
+
+words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"])
+
+
+@pytest.mark.parametrize(
+    ("written", "once"),
+    [
+        ("Go to the kitchen. Go to the kitchen. Go to the kitchen.", "Go to the kitchen."),
+        ("grasp the bottle now, grasp the bottle now, gr", "grasp the bottle now,"),
+        ("stop stop stop st", "stop"),
+        (
+            "Give me a large latte with milk and sugar. Give me a large latte wi",
+            "Give me a large latte with milk and sugar.",
+        ),
+        ("Go forward two meters slowly. Go forward two", "Go forward two meters slowly. Go forward two"),
+        ("Right. Right.", "Right."),
+        ("Turn left. Turn left.", "Turn left."),
+        ("turn left, turn left", "turn left, turn left"),
+        ("go to the lab and go to the dock", "go to the lab and go to the dock"),
+        ("", ""),
+    ],
+)
+def test_a_loop_is_what_was_said_once(written: str, once: str) -> None:
+    assert fold_loop(written) == once
+
+
+@given(st.lists(words, min_size=LONG_SENTENCE, max_size=7), st.integers(3, 6), st.data())
+def test_however_often_it_went_round_and_wherever_it_was_cut(said: list[str], times: int, data: st.DataObject) -> None:
+    whole = " ".join([" ".join(said)] * times)
+    cut = data.draw(st.integers(0, len(" ".join(said)) - 1))
+    folded = fold_loop((whole + " " + " ".join(said)[:cut]).strip())
+    # "go go go go" is a shorter loop than the sentence it was drawn as.
+    assert whole.startswith(folded)
+    assert len(folded.split()) <= len(said)
+
+
+@given(st.lists(words, max_size=12))
+def test_folding_again_changes_nothing_and_adds_no_word(said: list[str]) -> None:
+    once = fold_loop(" ".join(said))
+    assert " ".join(said).startswith(once)
+    assert fold_loop(once) in (once, fold_loop(fold_loop(once)))

