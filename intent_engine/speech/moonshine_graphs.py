@@ -59,8 +59,11 @@ def unfold(encoder: Path, decoder: Path, target: Path) -> None:
             finish(name)
         read.unlink()
         folded.unlink()
-        if not target.exists():
+        try:
             work.rename(target)
+        except OSError:
+            if not target.is_dir():  # else another program was faster
+                raise
     finally:
         shutil.rmtree(work, ignore_errors=True)
 

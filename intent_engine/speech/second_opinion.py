@@ -204,10 +204,17 @@ def recognizer_for(
     """
     first = _steered(engine, model, language, tell)
     other = second_model(engine, model, second, language=language)
+    if other is not None and is_moonshine(other):
+        try:
+            find_moonshine(other, tell)  # what takes long happens now, and not at the first word
+        except WeightsError as error:
+            if second is not None:
+                raise
+            if tell is not None:
+                tell(f"no second model: {error}")
+            return first
     if other is None:
         return first
-    if is_moonshine(other):
-        find_moonshine(other, tell)  # what takes long happens now, and not at the first word
     spoken = first.language if first.multilingual else "en"
     return SecondOpinion(engine, first, lambda: _steered(engine, other, spoken))
 

@@ -145,7 +145,8 @@ class Steering(Scoring):
                 encoded = self.encode(samples, self.longer(encoded.seconds))
             free, mean, _ = self.greedy(encoded, language)
             found = self._opinion(encoded, free, mean, language)
-            if best is None or _confidence(found.transcript) > _confidence(best.transcript):
+            # What was heard at last to be refused is not done, however sure it seemed before.
+            if best is None or found.settled or _confidence(found.transcript) > _confidence(best.transcript):
                 best = found
             if found.settled or mean > RETRY_SCORE or _confidence(best.transcript) >= SURE:
                 break

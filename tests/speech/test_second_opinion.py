@@ -284,6 +284,20 @@ def test_without_a_second_the_first_is_all_there_is(engine):
     recognizer.close()
 
 
+def test_a_second_model_that_nobody_named_is_left_out_where_it_cannot_be_made_ready(engine, tmp_path, monkeypatch):
+    if moonshine_package() is None:
+        pytest.skip("Moonshine's package is for Linux on x86-64")
+    (tmp_path / "cache").write_text("a file")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    told: list[str] = []
+    recognizer = recognizer_for(engine, tell=told.append)
+    assert isinstance(recognizer, SteeredWhisper)
+    recognizer.close()
+    assert told[-1].startswith("no second model: ")
+    with pytest.raises(WeightsError):
+        recognizer_for(engine, second=MOONSHINE)
+
+
 # -- in a robot --------------------------------------------------------------------------------------------------
 
 

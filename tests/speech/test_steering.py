@@ -117,6 +117,17 @@ def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, sc
     assert bool(asked) is looked
 
 
+@pytest.mark.parametrize("again", ["Don't go forward two meters.", ""])
+def test_a_refusal_or_nothing_at_the_second_try_stands(whisper, spoken, monkeypatch, again):
+    heard = iter([("Goat fall were to meet us", -1.5, False), (again, -0.1, False)])
+    monkeypatch.setattr(whisper, "greedy", lambda *_: next(heard))
+    monkeypatch.setattr(whisper, "word_scores", lambda _sound, text, _language: [(w, -0.1) for w in text.split()])
+    found = whisper.transcribe(spoken)
+    assert (found.text, found.confidence) == (again, None)
+    assert whisper.opinion.settled
+    assert whisper.opinion.sentences == ()
+
+
 @pytest.mark.parametrize("free", ["Go forward", "Go forward two", "Turn left by"])
 def test_nobody_said_the_words_that_would_make_a_command_of_its_beginning(hears, spoken, free):
     whisper = hears(free, -0.9)
