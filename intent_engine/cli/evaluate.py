@@ -141,15 +141,15 @@ def _recognizers(
     engine: IntentEngine, models: list[str], second: str | None, language: str | None, free: bool
 ) -> Iterator[tuple[str, Recognizer]]:
     """One at a time: a large model fills the memory."""
+    from intent_engine.speech.free import free_recognizer
     from intent_engine.speech.second_opinion import NONE, recognizer_for, second_model
-    from intent_engine.speech.whisper import WhisperRecognizer
 
     for model, name in _names(models).items():
         other = second_model(engine, model, second, language=language)
         label = name if other is None else f"{name}+{Path(other).name}"
         yield label, recognizer_for(engine, model, second=other or NONE, language=language, tell=note)
         if free:
-            yield f"{name} free", WhisperRecognizer(model, language=language or engine.languages[0])
+            yield f"{name} free", free_recognizer(model, language=language or engine.languages[0], tell=note)
 
 
 def _names(models: list[str]) -> dict[str, str]:

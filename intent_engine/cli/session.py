@@ -188,12 +188,12 @@ class Session:
         return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
 
     def _recognizer(self) -> Recognizer:
+        from intent_engine.speech.free import free_recognizer
         from intent_engine.speech.second_opinion import recognizer_for
-        from intent_engine.speech.whisper import WhisperRecognizer
 
         recognizer: Recognizer
         if self.free:
-            recognizer = WhisperRecognizer(self.model, language=self.language or self.engine.languages[0])
+            recognizer = free_recognizer(self.model, language=self.language or self.engine.languages[0], tell=note)
         else:
             recognizer = recognizer_for(
                 self.engine, self.model, second=self.second_model, language=self.language, tell=note

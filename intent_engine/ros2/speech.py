@@ -197,13 +197,13 @@ class Speech:
         return Microphone(int(device) if device.isdigit() else device or None)
 
     def _ears(self, parameters: SpeechParameters) -> tuple[Recognizer, Reflex | None]:
+        from intent_engine.speech.free import free_recognizer
         from intent_engine.speech.reflex import reflex_for
         from intent_engine.speech.second_opinion import recognizer_for
-        from intent_engine.speech.whisper import WhisperRecognizer
 
         reflex = reflex_for(self._engine) if parameters.reflex else None
         if parameters.free:
-            return WhisperRecognizer(parameters.model, language=self._engine.languages[0]), reflex
+            return free_recognizer(parameters.model, language=self._engine.languages[0], tell=self._log.info), reflex
         second = parameters.second_model or None
         return recognizer_for(self._engine, parameters.model, second=second, tell=self._log.info), reflex
 

@@ -232,8 +232,14 @@ def _noise_filter() -> Check:
 
 
 def _weights(model: str) -> Check:
+    from intent_engine.speech.moonshine_weights import find_moonshine_files, is_moonshine
     from intent_engine.speech.weights import MODELS, find_weights, sha256
 
+    if is_moonshine(model):
+        try:
+            return Check("weights", Verdict.OK, f"{model} in {find_moonshine_files(model)}")
+        except WeightsError as error:
+            return _failed("weights", error)
     try:
         found = find_weights(model, download=False)
         digest = sha256(found.path / "model.bin")
@@ -283,14 +289,14 @@ def _cuda() -> Check:
 
 
 def _decode(model: str) -> Check:
-    from intent_engine.speech.whisper import WhisperRecognizer
+    from intent_engine.speech.free import free_recognizer
 
     try:
         sound = _command()
     except (IntentEngineError, OSError) as error:
         return Check("decode time", Verdict.WARNING, f"not measured: {error}")
     try:
-        recognizer = WhisperRecognizer(model)
+        recognizer = free_recognizer(model)
         recognizer.transcribe(sound)  # the first is slower
         times = []
         text = ""

@@ -50,6 +50,8 @@ SECOND = (MOONSHINE, "base")
 """The usual second models: the first that is installed. Moonshine knows English only."""
 SURE = 0.95
 """Confidence of the first model from which the second is not asked."""
+SURE_TOGETHER = 0.9
+"""Confidence of both from which the second does not search the grammar for more."""
 HOPELESS = 0.03
 """Confidence below which it is not asked either: of 132 utterances among commands and other talk it found one."""
 CLEAR = -0.5
@@ -66,6 +68,10 @@ class Steered(Recognizer, Protocol):
     @property
     def opinion(self) -> Opinion | None:
         """Of what it heard last."""
+        ...
+
+    def glance(self, samples: Samples) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.glance`."""
         ...
 
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
@@ -102,8 +108,10 @@ class SecondOpinion:
             return heard if known is None else replace(heard, decode_seconds=0.0)
         began = time.perf_counter()
         second = self._second.result()
-        other = second.transcribe(samples)
-        both = other if second.opinion is None else self._weighed(opinion, second.opinion)
+        both = self._weighed(opinion, second.glance(samples))
+        if (both.confidence or 0.0) < SURE_TOGETHER:
+            other = second.transcribe(samples)
+            both = other if second.opinion is None else self._weighed(opinion, second.opinion)
         spent = time.perf_counter() - began + (0.0 if known else heard.decode_seconds)
         return replace(both, decode_seconds=spent)
 

@@ -154,7 +154,17 @@ class Steering(Scoring):
         self.opinion = best
         return best.transcript
 
-    def _opinion(self, encoded: Encoded, free: str, mean: float, language: str | None) -> Opinion:
+    def glance(self, samples: Samples) -> Opinion:
+        """What it makes of a sound at first sight: of the sentences that are like the words heard, without the search
+        along the grammar, which takes most of the time."""
+        encoded = self.encode(samples)
+        language = self.language or self.detect(encoded)
+        free, mean, _ = self.greedy(encoded, language)
+        return self._opinion(encoded, free, mean, language, near_only=True)
+
+    def _opinion(
+        self, encoded: Encoded, free: str, mean: float, language: str | None, *, near_only: bool = False
+    ) -> Opinion:
         """What the model makes of a sound in which it heard some words."""
         as_heard = Transcript(free, mean, free, language=language)
         meaning = self._parse(free, language)
@@ -166,7 +176,7 @@ class Steering(Scoring):
             unclear = self._unclear(encoded, words, language)
             sure = replace(as_heard, gap=0.0, unclear=unclear, confidence=1.0)
             return Opinion(self, encoded, sure, (tuple(words),), settled=True)
-        readings = self.readings(encoded, free, language, clear=mean > CLEAR_TALK)
+        readings = self.readings(encoded, free, language, clear=mean > CLEAR_TALK, near_only=near_only)
         sentences = tuple(one.words for one in readings)
         if not readings or not self._wanted(encoded, free, readings[0], language):
             return Opinion(self, encoded, as_heard, sentences)
@@ -198,7 +208,13 @@ class Steering(Scoring):
     # -- the sentences of the grammar --------------------------------------------------------------
 
     def readings(
-        self, encoded: Encoded, free: str, language: str | None = None, *, clear: bool = False
+        self,
+        encoded: Encoded,
+        free: str,
+        language: str | None = None,
+        *,
+        clear: bool = False,
+        near_only: bool = False,
     ) -> list[Reading]:
         """Sentences of the grammar that the sound may be, likeliest first.
 
@@ -207,6 +223,7 @@ class Steering(Scoring):
             free: what was heard freely.
             language: of the speech.
             clear: whether that was heard clearly, so that what is far from the grammar is no command.
+            near_only: whether those are enough that are like the words heard.
         """
         heard = self._words(free, language)
         story = self._story(encoded, free, language)
@@ -218,7 +235,7 @@ class Steering(Scoring):
         near = [words for words in self._near(heard, language) if possible(words)]
         found = dict(zip(near, self.score_words(encoded, near, language), strict=True))
         readings = self._ranked(encoded, free, heard, found, language)
-        if readings and readings[0].evidence.confidence >= SURE and readings[0].evidence.gap < CLOSE_GAP:
+        if near_only or (readings and readings[0].evidence.confidence >= SURE and readings[0].evidence.gap < CLOSE_GAP):
             return readings
         if clear and (not readings or readings[0].evidence.confidence < FARFETCHED):
             return readings

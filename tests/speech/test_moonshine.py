@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import platform
 import shutil
 import sys
@@ -11,6 +12,8 @@ import pytest
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.free import free_recognizer
+from intent_engine.speech.moonshine import MoonshineRecognizer
 from intent_engine.speech.moonshine_pieces import END, MoonshinePieces
 from intent_engine.speech.moonshine_weights import (
     DECODER,
@@ -93,6 +96,27 @@ def test_it_is_led_along_the_grammar(engine, moonshine, spoken, monkeypatch):
     monkeypatch.setattr(moonshine, "greedy", lambda *_: ("Goat four were two meet us", -0.9, False))
     found = moonshine.transcribe(spoken)
     assert engine.parse(found.text).actions == engine.parse("go forward two meters").actions
+
+
+def test_at_first_sight_it_does_not_search_the_grammar(moonshine, spoken, monkeypatch):
+    monkeypatch.setattr(moonshine, "greedy", lambda *_: ("Goat four were two meet us", -0.9, False))
+    monkeypatch.setattr(moonshine, "next_pieces", None)
+    assert moonshine.glance(spoken).sentences
+
+
+def test_a_robot_that_hears_with_it_alone(intent_engine, engine):
+    done = intent_engine("run", "--json", "--model", MOONSHINE, "examples/demo.flac")
+    assert done.returncode == 0, done.stderr
+    told = [json.loads(line) for line in done.stdout.splitlines()]
+    begun = [event["action"] for event in told if event["event"] == "goal" and event["state"] == "executing"]
+    assert begun[0]["type"] == "move"
+    assert len(begun) >= 5
+
+
+def test_heard_freely():
+    found = free_recognizer(MOONSHINE)
+    assert isinstance(found, MoonshineRecognizer)
+    assert found.transcribe(np.zeros(0, np.float32)).text == ""
 
 
 # -- pieces --------------------------------------------------------------------------------------------------------

@@ -1,0 +1,29 @@
+"""A recogniser that hears freely, without the help of a grammar."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from intent_engine.speech.moonshine import MoonshineRecognizer
+from intent_engine.speech.moonshine_weights import is_moonshine
+from intent_engine.speech.whisper import WhisperRecognizer
+
+__all__ = ["free_recognizer"]
+
+
+def free_recognizer(
+    model: str = "tiny.en", *, language: str | None = "en", tell: Callable[[str], object] | None = None
+) -> WhisperRecognizer | MoonshineRecognizer:
+    """The recogniser of a model, Whisper or Moonshine.
+
+    Args:
+        model: a name, or a folder.
+        language: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`; Moonshine knows English only.
+        tell: is told what takes long: weights that are made ready, once on a machine.
+
+    Raises:
+        WeightsError: the model cannot be found or loaded.
+    """
+    if is_moonshine(model):
+        return MoonshineRecognizer(model, tell=tell)
+    return WhisperRecognizer(model, language=language)
