@@ -19,7 +19,7 @@ from intent_engine.evaluation.trial import Trial
 
 _COMMAND = "python -m benchmarks --only speech_coffee"
 FOLDER = DATA / "coffee"
-OURS = "Intent Engine, tiny.en and base in doubt"
+OURS = "Intent Engine, tiny.en and Moonshine in doubt"
 NOTE = (
     "Intent and every labelled slot right, in %; {count} recordings by more than 50 people, kitchen noise. The engines "
     "in italics as [published](https://github.com/Picovoice/speech-to-intent-benchmark): mean of cafe and kitchen "
