@@ -34,7 +34,7 @@ from intent_engine.speech.moonshine_weights import (
 )
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
-from intent_engine.speech.steering import RIVAL_MARGIN, Opinion, Reading
+from intent_engine.speech.steering import RIVAL_MARGIN, Opinion, Reading, as_read
 from intent_engine.speech.weights import find_weights
 
 if TYPE_CHECKING:
@@ -132,15 +132,9 @@ class SecondOpinion:
         readings = self.joint(first, second)
         if not readings:
             return heard
-        best, *others = readings
-        both = replace(
-            heard,
-            text=" ".join(best.words),
-            gap=best.evidence.gap,
-            alternatives=tuple(" ".join(one.words) for one in others[:3]),
-            unclear=_unclear(first.clearness(best.words), second.clearness(best.words), best.unknown > 0),
-            confidence=best.evidence.confidence,
-        )
+        best = readings[0]
+        unclear = _unclear(first.clearness(best.words), second.clearness(best.words), best.unknown > 0)
+        both = as_read(heard, readings, unclear)
         if best.evidence.confidence < SURE_ENOUGH and self._meant(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["Opinion", "Reading", "Steering"]
+__all__ = ["Opinion", "Reading", "Steering", "as_read"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are scored against the sound."""
@@ -180,15 +180,7 @@ class Steering(Scoring):
         sentences = tuple(one.words for one in readings)
         if not readings or not self._wanted(encoded, free, readings[0], language):
             return Opinion(self, encoded, as_heard, sentences)
-        best, *others = readings
-        read = replace(
-            as_heard,
-            text=" ".join(best.words),
-            gap=best.evidence.gap,
-            alternatives=tuple(" ".join(one.words) for one in others[:3]),
-            unclear=self._unclear(encoded, best.words, language),
-            confidence=best.evidence.confidence,
-        )
+        read = as_read(as_heard, readings, self._unclear(encoded, readings[0].words, language))
         return Opinion(self, encoded, read, sentences)
 
     def _refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
@@ -423,6 +415,19 @@ class Opinion:
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
         return self.model.clearness(self.encoded, words, self.transcript.language)
+
+
+def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...]) -> Transcript:
+    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear."""
+    best, *others = readings
+    return replace(
+        heard,
+        text=" ".join(best.words),
+        gap=best.evidence.gap,
+        alternatives=tuple(" ".join(one.words) for one in others[:3]),
+        unclear=unclear,
+        confidence=best.evidence.confidence,
+    )
 
 
 def _confidence(transcript: Transcript) -> float:

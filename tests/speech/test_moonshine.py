@@ -26,9 +26,9 @@ from intent_engine.speech.moonshine_weights import (
 )
 from intent_engine.speech.steered import SteeredMoonshine
 
+# Its package has no other files. There, all of this runs: a missing package is a failure, since `make setup` brings it.
 pytestmark = pytest.mark.skipif(
-    moonshine_package() is None and (sys.platform, platform.machine()) != ("linux", "x86_64"),
-    reason="Moonshine's package is for Linux on x86-64",
+    (sys.platform, platform.machine()) != ("linux", "x86_64"), reason="Moonshine's package is for Linux on x86-64"
 )
 
 
