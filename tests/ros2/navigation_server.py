@@ -13,6 +13,7 @@ from __future__ import annotations
 import contextlib
 import json
 import sys
+import threading
 import time
 
 import rclpy
@@ -21,9 +22,14 @@ from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalRespons
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 
+_saying = threading.Lock()
+
 
 def say(**what) -> None:
-    print(json.dumps(what), flush=True)
+    """One line, whole: ``print`` writes its end apart, and two goals that say something at once would mix theirs."""
+    with _saying:
+        sys.stdout.write(json.dumps(what) + "\n")
+        sys.stdout.flush()
 
 
 class Counted:

@@ -167,8 +167,10 @@ class Server:
 
     def _read(self) -> None:
         for line in self.process.stdout:
-            with contextlib.suppress(ValueError):
+            try:
                 self.said.append(json.loads(line))
+            except ValueError:
+                self.said.append({"garbled": line})
 
     def count(self, *states: str) -> int:
         return sum(each.get("state") in states for each in list(self.said))
@@ -176,6 +178,8 @@ class Server:
     def driving(self) -> int:
         """Goals that began and have not ended. By their names: a test may have forgotten the beginning of one."""
         said = list(self.said)
+        garbled = [each for each in said if "garbled" in each]
+        assert not garbled, f"what the server said cannot be read: {garbled}"
         ended = {each["goal"] for each in said if each.get("state") in ("canceled", "succeeded", "aborted")}
         return len({each["goal"] for each in said if each.get("state") == "driving"} - ended)
 
