@@ -6,6 +6,7 @@ missed, and each word heard may be noise. What that costs is counted in letters 
 
 from __future__ import annotations
 
+import bisect
 import heapq
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any, Protocol, TypeAlias
@@ -41,8 +42,8 @@ MOST_MOVES = 3 * WIDTH
 
 _States: TypeAlias = dict[Any, list[tuple[float, tuple[str, ...]]]]
 """State -> the cheapest ways to it: cost, and words said."""
-_Move: TypeAlias = tuple[float, tuple[str, ...], Any, str | None]
-"""Cost afterwards, words said before, state before, and the word to go on with; None: stay, a word heard is noise."""
+_Onward: TypeAlias = "tuple[float, tuple[str, ...], Any, _Words]"
+"""Cost, words said and state before, and the words to go on with."""
 
 
 class FreeWord(str):
@@ -72,7 +73,7 @@ class Likeness:
     that each thing heard is compared to all of them at once."""
 
     def __init__(self) -> None:
-        self._place: dict[str, int] = {}
+        self._known: set[str] = set()
         self._words: list[str] = []
         self._sounds: list[str] = []
         self._like: dict[str, tuple[int, list[tuple[float, str]]]] = {}
@@ -80,8 +81,8 @@ class Likeness:
     def learn(self, words: Iterable[str]) -> None:
         """Words that will be asked about."""
         for word in words:
-            if word not in self._place:
-                self._place[word] = len(self._words)
+            if word not in self._known:
+                self._known.add(word)
                 self._words.append(word)
                 self._sounds.append(sound(word))
 
@@ -95,33 +96,41 @@ class Likeness:
             self._like[heard] = (len(self._words), found)
         return found
 
-    def _compared(self, heard: str, begin: int) -> Iterator[tuple[float, str]]:
+    def _compared(self, heard: str, begin: int) -> list[tuple[float, str]]:
         """Words from a place of the list on that are like what was heard, half by their letters and half by sound."""
+        import numpy as np
         from rapidfuzz.distance import Levenshtein
         from rapidfuzz.process import cdist
 
         words, sounds = self._words[begin:], self._sounds[begin:]
-        spelled = cdist([heard], words, scorer=Levenshtein.distance)[0].tolist()
-        sounded = cdist([sound(heard)], sounds, scorer=Levenshtein.distance)[0].tolist()
-        for word, key, letters, heard_apart in zip(words, sounds, spelled, sounded, strict=True):
-            if not letters:
-                yield 0.0, word
-                continue
-            slack = len(word) - len(heard)
-            if slack > 3 + len(heard) // 2 or -slack > 3 + len(word) // 2:
-                continue
-            apart = 0.55 * letters + 0.45 * heard_apart * max(len(word), 1) / max(len(key), 1)
-            if apart <= 0.7 * max(len(word), len(heard)) + 0.5:
-                yield apart, word
+        letters = cdist([heard], words, scorer=Levenshtein.distance)[0]
+        keys = cdist([sound(heard)], sounds, scorer=Levenshtein.distance)[0]
+        lengths, key_lengths = (np.maximum([len(one) for one in some], 1) for some in (words, sounds))
+        apart = 0.55 * letters + 0.45 * keys * lengths / key_lengths
+        slack = lengths - len(heard)
+        like = (slack <= 3 + len(heard) // 2) & (-slack <= 3 + lengths // 2)
+        like &= apart <= 0.7 * np.maximum(lengths, len(heard)) + 0.5
+        same = letters == 0
+        (places,) = np.nonzero(like | same)
+        return [(0.0 if same[place] else float(apart[place]), words[place]) for place in places.tolist()]
 
 
 class UtteranceSearch:
-    """Finds the utterances of one grammar that are like words heard. What it learns of the grammar it keeps."""
+    """Finds the utterances of one grammar that are like words heard. What it learns of the grammar it keeps.
 
-    def __init__(self, graph: Graph) -> None:
+    Args:
+        graph: the grammar.
+        vocabulary: words that it is known to have: what is heard is compared to all at once, and not to a few at a time
+            as they are met.
+    """
+
+    def __init__(self, graph: Graph, vocabulary: Iterable[str] = ()) -> None:
         self.graph = graph
         self._likeness = Likeness()
+        self._likeness.learn(sorted(vocabulary))
         self._after: dict[Any, tuple[tuple[str, ...], frozenset[str], frozenset[str]]] = {}
+        self._missed: dict[Any, tuple[str, ...]] = {}
+        """Words after a state that may have been said though they were not heard, the shortest first."""
 
     def words_after(self, state: Any) -> tuple[tuple[str, ...], frozenset[str], frozenset[str]]:
         """Words that may follow: those of sentences, these with the words known in free slots, and all with sounds."""
@@ -129,12 +138,19 @@ class UtteranceSearch:
         if found is None:
             if len(self._after) > MAX_KEPT:
                 self._after.clear()
+                self._missed.clear()
             words = self.graph.next_words(state, sounds=False)
             proper = tuple(sorted(word for word in words if word and word[0].isalnum()))
             likely = frozenset((*proper, *self.graph.known_words(state)))
             found = self._after[state] = (proper, likely, likely.union(self.graph.next_words(state)))
             self._likeness.learn(sorted(likely))
         return found
+
+    def single_words(self) -> tuple[str, ...]:
+        """Words that are whole utterances."""
+        start = self.graph.start()
+        after = ((word, self.graph.step(start, word)) for word in self.words_after(start)[0])
+        return tuple(word for word, state in after if state is not None and self.graph.accepting(state))
 
     def like(self, state: Any, span: str) -> Iterator[tuple[float, str]]:
         """(letters that differ, word) of the words that may follow and are like what was heard."""
@@ -174,29 +190,27 @@ class UtteranceSearch:
             if end == begin + 1 or not said_anywhere.intersection(weighty, heard[begin:end])
         }
         # pending[i]: ways to go on that end with i words heard used up, none of them gone yet
-        pending: list[list[_Move]] = [[] for _ in range(count + 1)]
-        pending[0].append((0.0, (), graph.start(), None))
-        states: _States = {}
+        pending: list[list[_Onward]] = [[] for _ in range(count + 1)]
+        states: _States = {graph.start(): [(0.0, ())]}
         for place in range(count + 1):
-            states = {}
-            _go(graph, states, pending[place])
+            if place:
+                states = {}
+                _go(graph, states, pending[place])
             for _ in range(2):
                 _go(graph, states, self._missed_words(states))
             if place == count:
                 break
             noise = EXTRA * len(heard[place]) * (WEIGHTY if heard[place] in weighty else 1.0)
             for state, ways in states.items():
-                for cost, said in ways:
-                    pending[place + 1].append((cost + noise, said, state, None))
+                onward = [(place + 1, _Words([(noise, None)]))]
                 if graph.free(state):
-                    taken = FreeWord(heard[place])
-                    pending[place + 1].extend((cost + FREE, said, state, taken) for cost, said in ways)
+                    onward.append((place + 1, _Words([(FREE, FreeWord(heard[place]))])))
                 for end in range(place + 1, min(place + MAX_SPAN, count) + 1):
                     span = spans.get((place, end))
                     if span is not None:
-                        onward = pending[end]
-                        for apart, word in self.like(state, span):
-                            onward.extend((cost + apart, said, state, word) for cost, said in ways)
+                        onward.append((end, _Words(self.like(state, span))))
+                for end, words in onward:
+                    pending[end].extend((cost, said, state, words) for cost, said in ways)
         best: dict[tuple[str, ...], float] = {}
         for state, ways in states.items():
             if graph.accepting(state):
@@ -205,50 +219,71 @@ class UtteranceSearch:
                         best[said] = cost
         return heapq.nsmallest(most, best.items(), key=lambda row: (row[1], row[0]))
 
-    def _missed_words(self, states: _States) -> Iterator[_Move]:
-        """Moves by a word of the grammar that was said, but not heard."""
+    def _missed_words(self, states: _States) -> Iterator[_Onward]:
+        """Ways on by a word of the grammar that was said, but not heard."""
         for state, ways in heapq.nsmallest(WIDTH // 2, states.items(), key=lambda item: item[1][0]):
-            words, _, _ = self.words_after(state)
-            if len(words) > MANY_WORDS:
-                continue
+            missed = self._missed.get(state)
+            if missed is None:
+                words, _, _ = self.words_after(state)
+                short = [word for word in words if len(word) <= 6] if len(words) <= MANY_WORDS else []
+                missed = self._missed[state] = tuple(sorted(short, key=len))
             cost, said = ways[0]
-            for word in words:
-                if len(word) <= 6:
-                    yield cost + MISSED_WORD + MISSED * len(word), said, state, word
+            yield cost, said, state, _Words((MISSED_WORD + MISSED * len(word), word) for word in missed)
 
 
-def _go(graph: Graph, states: _States, moves: Iterable[_Move]) -> None:
+class _Words:
+    """Words to go on with, the cheapest first, of which only those are made that are asked for."""
+
+    __slots__ = ("_made", "_rest")
+
+    def __init__(self, words: Iterable[tuple[float, str | None]]) -> None:
+        self._rest = iter(words)
+        self._made: list[tuple[float, str | None]] = []
+
+    def get(self, place: int) -> tuple[float, str | None] | None:
+        """(cost, word), where no word means to stay; None: there are no more. Asked one after the other."""
+        if place == len(self._made):
+            following = next(self._rest, None)
+            if following is None:
+                return None
+            self._made.append(following)
+        return self._made[place]
+
+
+def _go(graph: Graph, states: _States, onward: Iterable[_Onward]) -> None:
     """Make the cheapest moves, until there are as many states as are kept.
 
-    A step to a state that the automaton has not seen yet costs it a millisecond, so no step is taken for nothing.
+    A step to a state that the automaton has not seen yet costs it a millisecond, so no step is taken for nothing; nor
+    are words looked for that would cost too much.
     """
-    queue = sorted(moves, key=_cost)
-    limit = _dearest(states)
+    # (cost, order, cost before, words said, state, words to go on with, which of them; -1: not looked at yet)
+    queue = [(way[0], order, *way, -1) for order, way in enumerate(onward)]
+    heapq.heapify(queue)
+    costs = sorted(ways[0][0] for ways in states.values())
     taken = 0
-    for cost, said, state, word in queue:
-        if taken >= MOST_MOVES or cost >= limit:
+    while queue and taken < MOST_MOVES:
+        cost, order, before, said, state, words, which = heapq.heappop(queue)
+        if len(costs) >= WIDTH and cost >= costs[WIDTH - 1]:
             break
+        following = words.get(which + 1)
+        if following is not None:
+            heapq.heappush(queue, (before + following[0], order, before, said, state, words, which + 1))
+        if which < 0:
+            continue
+        _, word = words.get(which)  # type: ignore[misc]  # it was there before
         reached = state if word is None else graph.step(state, word)
         if reached is None:
             continue
         taken += 1
-        fresh = reached not in states
+        known = states.get(reached)
+        if known is None:
+            bisect.insort(costs, cost)
+        elif cost < known[0][0]:
+            costs.remove(known[0][0])
+            bisect.insort(costs, cost)
         _push(states, reached, (cost, said if word is None else (*said, word)))
-        if fresh:
-            limit = _dearest(states)
     for state, _ in sorted(states.items(), key=lambda item: item[1][0])[WIDTH:]:
         del states[state]
-
-
-def _cost(move: _Move) -> float:
-    return move[0]
-
-
-def _dearest(states: _States) -> float:
-    """Cost at which a further state would not be kept."""
-    if len(states) < WIDTH:
-        return float("inf")
-    return heapq.nsmallest(WIDTH, (ways[0][0] for ways in states.values()))[-1]
 
 
 def _push(states: _States, state: Any, way: tuple[float, tuple[str, ...]]) -> None:

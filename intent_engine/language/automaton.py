@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 from intent_engine.errors import ConfigError
 from intent_engine.language.network import Edge, Networks, State
@@ -31,6 +31,8 @@ MAX_OTHER_WORDS = 2_000
 
 SOUND = ("sound",)
 """Mark of a call to sounds that may be made anywhere."""
+
+TOO_AMBIGUOUS = "the grammar is too ambiguous: more than 20,000 ways to go on after the same words"
 
 Mark = tuple[Any, ...]
 Trace = list[tuple[int, Mark]]
@@ -53,16 +55,28 @@ class _Stack:
 class WordState:
     """A set of pairs that the same words lead to. Opaque to callers; hashable by identity."""
 
-    __slots__ = ("accepts", "came_from", "members", "numerals", "steps")
+    __slots__ = ("accepts", "came_from", "members", "numerals", "steps", "wild")
 
-    def __init__(self, members: tuple[tuple[State, _Stack], ...], accepts: tuple[int, ...]) -> None:
+    def __init__(self, members: tuple[_Member, ...], accepts: tuple[int, ...]) -> None:
         self.members = members
         self.accepts = accepts
         """Places in ``members`` that end a sentence, most wanted first."""
-        self.steps: dict[str, tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None] = {}
-        self.came_from: tuple[tuple[int, tuple[Mark, ...]], ...] = ()
+        self.steps: dict[str, _Taken | None] = {}
+        self.came_from: tuple[_Passed, ...] = ()
         """For a start state: what each member passed before the first word."""
         self.numerals = any(state.numeral for state, _ in members)
+        self.wild = any(state.wild for state, _ in members)
+
+
+_Member: TypeAlias = tuple[State, _Stack]
+_Reached: TypeAlias = tuple[_Member, tuple[Mark, ...]]
+"""A member of a set with what is passed on the way to it."""
+_Passed: TypeAlias = tuple[int, tuple[Mark, ...]]
+"""Of a member of a set: which member of the set before it came from, and what was passed on the way."""
+_Taken: TypeAlias = tuple[WordState, tuple[_Passed, ...]]
+"""A step: the set it leads to, and how each of its members was come by."""
+_Entry: TypeAlias = tuple[State, _Stack, int, tuple[Mark, ...]]
+"""A place that a word leads to: with its stack, the member it comes from, and what was passed."""
 
 
 class Automaton:
@@ -101,8 +115,14 @@ class Automaton:
         self._forget()
 
     def _forget(self) -> None:
-        self._kept: dict[tuple[tuple[int, int], ...], WordState] = {}
+        self._kept: dict[tuple[int, ...], WordState] = {}
         self._start: WordState | None = None
+        # Of these there are few, in very many sets and steps: each is kept once.
+        self._members: dict[tuple[int, int], _Member] = {}
+        self._passed: dict[_Passed, _Passed] = {}
+        self._ways: dict[tuple[_Passed, ...], tuple[_Passed, ...]] = {}
+        self._meetings: dict[tuple[tuple[int, int], tuple[Mark, ...]], _Reached] = {}
+        self._closures: dict[tuple[int, int], tuple[_Reached, ...]] = {}
 
     # -- walking ----------------------------------------------------------------------------------------------
 
@@ -159,7 +179,7 @@ class Automaton:
             traces.append(trace)
         return traces
 
-    def _taken(self, state: WordState, word: str) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
+    def _taken(self, state: WordState, word: str) -> _Taken | None:
         steps = state.steps
         if word in steps:
             return steps[word]
@@ -189,87 +209,100 @@ class Automaton:
             for one in heard
         )
 
-    def _advance(
-        self, state: WordState, word: str
-    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]] | None:
+    def _advance(self, state: WordState, word: str) -> _Taken | None:
         numeral = self._is_numeral(word)
         number = self._is_number_word(word)
         free = word not in self._closed
         alikes = self._alikes.get(word, ())
-        onward: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
-        guessed: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
-        swallowed: list[tuple[State, _Stack, int, tuple[Mark, ...]]] = []
+        onward: list[_Entry] = []
+        guessed: list[_Entry] = []
+        swallowed: list[_Entry] = []
         for index, (place, stack) in enumerate(state.members):
-            for target in place.arcs.get(word, ()):
-                onward.append((target, stack, index, ()))
-            if numeral:
-                onward.extend((target, stack, index, ()) for target in place.numeral)
-            if number:
-                onward.extend((target, stack, index, ()) for target in place.number)
+            targets = place.arcs.get(word)
+            if targets:
+                onward.extend([(target, stack, index, ()) for target in targets])
+            if numeral and place.numeral:
+                onward.extend([(target, stack, index, ()) for target in place.numeral])
+            if number and place.number:
+                onward.extend([(target, stack, index, ()) for target in place.number])
             for meant in alikes:
-                for target in place.arcs.get(meant, ()):
-                    guessed.append((target, stack, index, (("alike", meant),)))
-            if free or word in place.allowed:
+                guessed.extend([(target, stack, index, (("alike", meant),)) for target in place.arcs.get(meant, ())])
+            if (place.begun or place.wild) and (free or word in place.allowed):
                 targets = place.begun if word in place.begins else place.wild
-                swallowed.extend((target, stack, index, ()) for target in targets)
+                swallowed.extend([(target, stack, index, ()) for target in targets])
         if not (onward or guessed or swallowed):
             return None
         # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from
         # the table" is a thing and where it is, "lift up the cup" no "up the cup".
         return self._close(onward + guessed + swallowed)
 
-    def _close(
-        self, entries: list[tuple[State, _Stack, int, tuple[Mark, ...]]]
-    ) -> tuple[WordState, tuple[tuple[int, tuple[Mark, ...]], ...]]:
+    def _close(self, entries: Iterable[_Entry]) -> _Taken:
         """Follow every step that reads no word, in order of preference; keep the places where a word is read."""
+        seen: set[int] = set()
+        members: list[_Member] = []
+        passed: list[_Passed] = []
+        for place, stack, origin, marks in entries:
+            for member, further in self._closure(place, stack):
+                if id(member) not in seen:
+                    seen.add(id(member))
+                    members.append(member)
+                    came = (origin, (*marks, *further) if further else marks)
+                    passed.append(self._passed.setdefault(came, came))
+        if len(members) > MAX_MEMBERS:
+            raise ConfigError(TOO_AMBIGUOUS)
+        identities = tuple(map(id, members))
+        state = self._kept.get(identities)
+        if state is None:
+            if len(self._kept) >= MAX_KEPT:
+                self._forget()
+            accepts = tuple(at for at, (place, stack) in enumerate(members) if place.final and stack.target is None)
+            state = self._kept[identities] = WordState(tuple(members), accepts)
+        ways = tuple(passed)
+        return state, self._ways.setdefault(ways, ways)
+
+    def _closure(self, place: State, stack: _Stack) -> tuple[_Reached, ...]:
+        """The places where a word is read that are reached from one without reading any, most wanted first, with what
+        is passed on the way. Many sets meet in the same few, so it is kept."""
+        closure = self._closures.get((id(place), id(stack)))
+        if closure is None:
+            closure = self._closures[id(place), id(stack)] = tuple(self._reached(place, stack))
+        return closure
+
+    def _reached(self, place: State, stack: _Stack) -> Iterator[_Reached]:
         seen: set[tuple[int, int]] = set()
-        members: list[tuple[State, _Stack]] = []
-        passed: list[tuple[int, tuple[Mark, ...]]] = []
-        accepts: list[int] = []
-        pending = list(reversed(entries))
+        pending: list[tuple[State, _Stack, tuple[Mark, ...]]] = [(place, stack, ())]
         while pending:
-            place, stack, origin, marks = pending.pop()
+            place, stack, marks = pending.pop()
             identity = (id(place), id(stack))
             if identity in seen:
                 continue
             seen.add(identity)
             if len(seen) > MAX_MEMBERS:
-                raise ConfigError("the grammar is too ambiguous: more than 20,000 ways to go on after the same words")
+                raise ConfigError(TOO_AMBIGUOUS)
             if place.expand is not None:
                 expand, place.expand = place.expand, None
                 expand(place)
-            accepted = place.final and stack.target is None
-            if place.arcs or place.numeral or place.number or place.wild or accepted:
-                if accepted:
-                    accepts.append(len(members))
-                members.append((place, stack))
-                passed.append((origin, marks))
+            if place.arcs or place.numeral or place.number or place.wild or (place.final and stack.target is None):
+                reached = (self._members.setdefault(identity, (place, stack)), marks)
+                yield self._meetings.setdefault((identity, marks), reached)
             if place.final and stack.target is not None and stack.parent is not None:
                 left = marks if stack.call_mark is None else (*marks, ("close", stack.call_mark))
-                pending.append((stack.target, stack.parent, origin, left))
+                pending.append((stack.target, stack.parent, left))
             for edge in reversed(place.edges):
-                self._follow(edge, stack, origin, marks, pending)
-        identities = tuple((id(place), id(stack)) for place, stack in members)
-        state = self._kept.get(identities)
-        if state is None:
-            if len(self._kept) >= MAX_KEPT:
-                self._forget()
-            state = self._kept[identities] = WordState(tuple(members), tuple(accepts))
-        return state, tuple(passed)
+                self._follow(edge, stack, marks, pending)
 
     def _follow(
         self,
         edge: Edge,
         stack: _Stack,
-        origin: int,
         marks: tuple[Mark, ...],
-        pending: list[tuple[State, _Stack, int, tuple[Mark, ...]]],
+        pending: list[tuple[State, _Stack, tuple[Mark, ...]]],
     ) -> None:
         if edge.mark is not None:
             marks = (*marks, edge.mark)
         call = edge.call
         if call is None:
-            pending.append((edge.target, stack, origin, marks))
+            pending.append((edge.target, stack, marks))
             return
         for key, loose in ((call.loose, True), (call.network, False)):
             if key is None or (loose and not self._loose):
@@ -280,7 +313,7 @@ class Automaton:
                     edge.target, stack, call.mark, stack.apart or call.apart
                 )
             opened = marks if call.mark is None else (*marks, ("open", call.mark, loose))
-            pending.append((self._networks[key].start, inner, origin, opened))
+            pending.append((self._networks[key].start, inner, opened))
 
     # -- looking ahead ----------------------------------------------------------------------------------------
 
@@ -308,7 +341,7 @@ class Automaton:
 
     def free(self, state: WordState) -> bool:
         """Whether any word may follow, because a free slot is open."""
-        return any(place.wild for place, _ in state.members)
+        return state.wild
 
     def accepting(self, state: WordState) -> bool:
         """Whether the words so far are a whole sentence."""

@@ -109,3 +109,22 @@ def test_a_word_that_changes_everything_is_no_noise(engine):
     weightily = dict(UtteranceSearch(engine.matcher().likely).nearest(heard, weighty={"when"}))
     without = ("will", "you", "go", "to", "the", "dock")
     assert weightily.get(without, float("inf")) > 2 * lightly[without]
+
+
+def test_single_words_are_whole_utterances(engine):
+    graph = engine.matcher().likely
+    words = UtteranceSearch(graph).single_words()
+    assert {"stop", "left", "go"} <= set(words)
+    assert "the" not in words
+    for word in words:
+        assert graph.accepting(graph.step(graph.start(), word))
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.sampled_from(HEARD), min_size=1, max_size=5))
+def test_what_is_found_does_not_hang_on_what_was_asked_before_or_is_known_of_the_words(engine, heard):
+    graph = engine.matcher().likely
+    fresh = UtteranceSearch(graph)
+    told = UtteranceSearch(graph, ("kitchen", "ninety", "leftwards", *HEARD))
+    told.nearest(["drive", "to", "the", "kitchen"])
+    assert fresh.nearest(heard) == told.nearest(heard) == fresh.nearest(heard)
