@@ -25,6 +25,7 @@ from intent_engine.evaluation.scoring import Outcome, Score, quantile, score
 from intent_engine.evaluation.sound import Noise
 from intent_engine.evaluation.trial import Trial
 from intent_engine.execution.robots.robot_file import load_robot
+from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Settings
@@ -76,6 +77,7 @@ class Ways:
         ours = recognizer_for(engine, MODEL)
         peer: Recognizer = Transcribe()
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
+        avoid_pauses()
         return cls(
             Listener(engine, ours, robot, reflex=reflex_for(engine, background=False) if reflex else None),
             Listener(engine, peer, robot, settings=late, speculate=False, noise_filter=None),

@@ -14,6 +14,7 @@ from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondM
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
@@ -93,6 +94,7 @@ def evaluate(
         for name, recognizer in _recognizers(engine, models, second_model, language, free):
             reflex = None if no_reflex else _reflex(engine, language)
             listener = _listener(engine, recognizer, robot, reflex, not no_noise_filter)
+            avoid_pauses()
             for found in trial.hear(rows, listener, name):
                 outcomes += found
                 step()

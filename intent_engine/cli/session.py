@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from intent_engine.cli.terminal import note, redrawn, say
+from intent_engine.pauses import avoid_pauses
 
 if TYPE_CHECKING:
     from intent_engine.cli.reporter import Reporter
@@ -112,6 +113,7 @@ class Session:
                 noise_filter="auto" if self.noise_filter else None,
                 on_event=reporter.heard,
             )
+            avoid_pauses()
             reporter.start = self.clock.now()
             if self.live and simulated is not None and not self.as_json:
                 from intent_engine.execution.robots.path_view import LiveView

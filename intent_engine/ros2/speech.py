@@ -19,6 +19,7 @@ from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
@@ -140,6 +141,7 @@ class Speech:
         self._executor = Executor(_Elsewhere(), on_event=self._executed, handle_sigterm=False)
         self._reflex = reflex
         self._runtime = Runtime(self._engine, self._executor, recognizer, reflex=reflex, on_event=self._heard)
+        avoid_pauses()
         self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
         self._thread.start()
         self._log.info(f"ready: {parameters.file or 'microphone'} -> {self._publishers['text'].topic_name}")
