@@ -103,6 +103,6 @@ def _unheard(transcript: Transcript) -> str:
 
 
 def _why_unsure(transcript: Transcript) -> str:
-    if (transcript.confidence or 0.0) >= WORTH_ASKING:
+    if transcript.sureness >= WORTH_ASKING:
         return f"perhaps {transcript.text!r}, but that was not heard clearly; say it again"
     return "it sounded too different from the nearest command"

@@ -30,7 +30,6 @@ from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.evidence import WEIGHTS
 from intent_engine.speech.rnnoise import installed_filter
 from intent_engine.speech.steered import SteeredWhisper
-from intent_engine.speech.steering import DOUBTFUL_SCORE
 from intent_engine.speech.voice import SileroVoice
 
 FRAME = 512
@@ -90,14 +89,8 @@ def examples(
         spoken = cut(sound)
         if spoken is None:
             continue
-        encoded = whisper.encode(spoken)
-        free, mean, _ = whisper.greedy(encoded, "en")
-        if not free:
-            continue
-        meaning = engine.parse(free, spoken=True)
-        if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE:
-            continue
-        readings = whisper.readings(encoded, free, "en")
+        heard = whisper.listen(spoken)
+        readings = [] if heard.settled else whisper.readings(heard)
         if not readings:
             continue
         found = engine.parse(" ".join(readings[0].words), spoken=True)

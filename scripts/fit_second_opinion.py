@@ -6,7 +6,8 @@ what speaks for the sentence that is the likeliest for both, and whether it was 
 ``evidence.py`` by hand.
 
     python scripts/fit_second_opinion.py --case grammars/en.yaml out/speech_set \\
-        --case examples/coffee/coffee.yaml ../shared/data/coffee --other grammars/en.yaml ../shared/data/coffee \\
+        --case examples/coffee/coffee.yaml ../shared/data/coffee --case grammars/en.yaml ../shared/data/gsc_words \\
+        --other grammars/en.yaml ../shared/data/coffee \\
         --noise ../shared/data/noise/audio/doing_the_dishes.flac --snr 6 --snr 12
 """
 
@@ -28,9 +29,9 @@ from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
 from intent_engine.speech.evidence import WEIGHTS_OF_SEVERAL
+from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.second_opinion import SecondOpinion
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
-from intent_engine.speech.steering import Opinion, Reading
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class Example:
 
     @property
     def weighed(self) -> list[float]:
-        return [*(self.evidence[name] for name in WEIGHTS_OF_SEVERAL), float(self.alone), 1.0]
+        return [*(self.evidence[name] for name in WEIGHTS_OF_SEVERAL), 1.0]
 
 
 class Noted(SecondOpinion):
@@ -85,10 +86,12 @@ def examples(
 
 
 def main() -> None:
-    weights = report(gather(options(__doc__, Path("out/opinions.jsonl")), Example, examples))
-    *found, alone, bias = (round(float(weight), 2) for weight in weights)
-    print("WEIGHTS_OF_SEVERAL =", dict(zip(WEIGHTS_OF_SEVERAL, found, strict=True)))
-    print("ALONE, BIAS_OF_SEVERAL =", alone, bias)
+    found = gather(options(__doc__, Path("out/opinions.jsonl")), Example, examples)
+    for alone, name in ((False, "OF_SEVERAL"), (True, "ALONE")):
+        print(f"\n{'single words' if alone else 'sentences'}")
+        *weights, bias = (round(float(weight), 2) for weight in report([one for one in found if one.alone is alone]))
+        print(f"BIAS_{name} =", bias)
+        print(f"WEIGHTS_{name} =", dict(zip(WEIGHTS_OF_SEVERAL, weights, strict=True)))
 
 
 if __name__ == "__main__":

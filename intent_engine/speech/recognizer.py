@@ -39,6 +39,11 @@ class Transcript:
     """Whether the recogniser would hear it better with more care: it is not acted on, and an utterance that seems to be
     over is recognised again, as final."""
 
+    @property
+    def sureness(self) -> float:
+        """The confidence as a number: 0 where there is none."""
+        return self.confidence or 0.0
+
 
 @dataclass(frozen=True, slots=True)
 class Encoded:

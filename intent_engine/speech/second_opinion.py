@@ -1,8 +1,9 @@
 """A second model for what the first is not sure of.
 
 Most commands are heard well by a small model in a few hundredths of a second. In noise it is often unsure, and then the
-person would have to say it again; a model of another make knows the answer sooner than they could. It is asked only
-when the utterance is over and was not acted on, so nobody waits for it who need not.
+person would have to say it again; a model of another make knows the answer sooner than they could. It listens beside
+the first as soon as that heard what is no sentence of the grammar word by word. Where both are sure then, it is done;
+where they are not, both search the grammar, which takes most of the time, and only when the person is silent.
 
 Each says which sentences of the grammar it may have been, and what it thinks of the other's. Two models that hear the
 same are seldom both wrong: what both think of a sentence, in the mean, becomes one confidence.
@@ -13,9 +14,9 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -24,7 +25,7 @@ from intent_engine.errors import WeightsError
 from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
-from intent_engine.speech.evidence import View
+from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
     find_moonshine,
@@ -32,9 +33,11 @@ from intent_engine.speech.moonshine_weights import (
     is_moonshine,
     moonshine_package,
 )
+from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.spoken_grammar import SpokenGrammar, goes_on
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
-from intent_engine.speech.steering import RIVAL_MARGIN, Opinion, Reading, as_read
+from intent_engine.speech.steering import CLEAR_TALK, RIVAL_MARGIN
 from intent_engine.speech.weights import find_weights
 
 if TYPE_CHECKING:
@@ -48,14 +51,16 @@ FIRST = ("tiny", "tiny.en")
 """Models beside which there is a second one without being asked for."""
 SECOND = (MOONSHINE, "base")
 """The usual second models: the first that is installed. Moonshine knows English only."""
-SURE = 0.95
-"""Confidence of the first model from which the second is not asked."""
 SURE_TOGETHER = 0.9
-"""Confidence of both from which the second does not search the grammar for more."""
+"""Confidence of both from which they do not search the grammar for more,"""
+NEARLY = 2.0
+"""where one of them heard the sentence but for so many letters. Else there may be a better one beside it, which is like
+neither's words: "a bit of sun earth" is nearer to "sugar" than to "soy milk"."""
+SURE_OF_A_WORD = 0.95
+"""Confidence of the first in a single word, from which the second is not asked: in noise tiny.en hears nearly twice as
+many single words as Moonshine, which then says "Don't" for "go"."""
 HOPELESS = 0.03
-"""Confidence below which it is not asked either: of 132 utterances among commands and other talk it found one."""
-CLEAR = -0.5
-"""Mean log probability of words, in which nothing of the grammar was found, from which they were heard clearly."""
+"""Confidence of the first, below which the second is not asked about words that the first heard clearly."""
 LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
 UNSETTLED = 0.1
@@ -63,20 +68,32 @@ UNSETTLED = 0.1
 
 
 class Steered(Recognizer, Protocol):
-    """A recogniser that says what it makes of a sound beside what it takes it for."""
+    """A recogniser that says what it makes of a sound beside what it takes it for, step by step."""
 
-    @property
-    def opinion(self) -> Opinion | None:
-        """Of what it heard last."""
+    def listen(self, samples: Samples) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
         ...
 
-    def glance(self, samples: Samples) -> Opinion:
-        """As :meth:`~intent_engine.speech.steering.Steering.glance`."""
+    def compare(self, heard: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.compare`."""
         ...
 
-    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
-        """As :meth:`~intent_engine.speech.steering.Steering.ranked`."""
+    def search(self, heard: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.search`."""
         ...
+
+
+@dataclass(frozen=True, slots=True)
+class _Look:
+    """What was made of a sound at first sight."""
+
+    samples: Samples
+    first: Opinion
+    second: Opinion | None
+    """None: not asked."""
+    transcript: Transcript
+    doubtful: bool
+    """Whether more is to be found."""
 
 
 class SecondOpinion:
@@ -90,86 +107,110 @@ class SecondOpinion:
     """
 
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
-        self._engine = engine
+        self._grammar = SpokenGrammar(engine)
         self._first = first
-        self._second = _beside(second)
-        self._draft: tuple[Samples, Transcript, Opinion | None] | None = None
+        self._beside = ThreadPoolExecutor(1, thread_name_prefix="second model")
+        self._second = self._beside.submit(second)
+        self._draft: _Look | None = None
         """What was last heard with less care."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
-        known = self._known(samples) if final else None
-        heard, opinion = known or (self._first.transcribe(samples, final=final), self._first.opinion)
-        doubtful = self._doubtful(heard)
-        if not final:
-            self._draft = (samples, heard, opinion)
-            return replace(heard, draft=doubtful)
-        self._draft = None
-        if not doubtful or opinion is None:
-            return heard if known is None else replace(heard, decode_seconds=0.0)
         began = time.perf_counter()
-        second = self._second.result()
-        both = self._weighed(opinion, second.glance(samples))
-        if (both.confidence or 0.0) < SURE_TOGETHER:
-            other = second.transcribe(samples)
-            both = other if second.opinion is None else self._weighed(opinion, second.opinion)
-        spent = time.perf_counter() - began + (0.0 if known else heard.decode_seconds)
-        return replace(both, decode_seconds=spent)
+        known = self._draft if final and self._draft is not None and _same(samples, self._draft.samples) else None
+        look = known or self._look(samples)
+        self._draft = None if final else look
+        transcript = look.transcript
+        if look.doubtful and final:
+            transcript = self._searched(look)
+        return replace(transcript, draft=look.doubtful and not final, decode_seconds=time.perf_counter() - began)
+
+    def _look(self, samples: Samples) -> _Look:
+        """What both models make of a sound at first sight. The second looks while the first still compares, unless that
+        was sure of every word, or heard what is clearly no command."""
+        heard = self._first.listen(samples)
+        if heard.settled and not heard.transcript.unclear:
+            return _Look(samples, heard, None, heard.transcript, False)
+        clearly = heard.transcript.score > CLEAR_TALK
+        asked = None if clearly else self._ask(samples)
+        first = self._first.compare(heard)
+        confidence = first.transcript.sureness
+        word = confidence >= SURE_OF_A_WORD and " " not in first.transcript.text.strip()
+        if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
+            return _Look(samples, first, None, first.transcript, False)
+        second = (asked or self._ask(samples)).result()
+        both, apart = self._weighed(first, second)
+        sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not both.unclear
+        known = (first.settled and second.settled) or self._meaning(both).refuses
+        return _Look(samples, first, second, both, not (sure or known))
+
+    def _ask(self, samples: Samples) -> Future[Opinion]:
+        """The second model's first sight of a sound, in a thread beside."""
+
+        def look() -> Opinion:
+            second = self._second.result()
+            return second.compare(second.listen(samples))
+
+        return self._beside.submit(look)
+
+    def _searched(self, look: _Look) -> Transcript:
+        """What both make of a sound when they have searched the grammar, side by side."""
+        assert look.second is not None
+        searched = self._beside.submit(self._second.result().search, look.second)
+        first = self._first.search(look.first)
+        both, _ = self._weighed(first, searched.result())
+        return both
+
+    def _stops(self, heard: Transcript) -> bool:
+        return heard.sureness >= SURE_ENOUGH_TO_STOP and self._meaning(heard).stops
 
     def close(self) -> None:
         self._first.close()
         with contextlib.suppress(Exception):  # a second that was never made has nothing to let go of
             self._second.result().close()
+        self._beside.shutdown(wait=False)
 
-    def _weighed(self, first: Opinion, second: Opinion) -> Transcript:
-        """What two models heard in the same sound, as one.
+    def _weighed(self, first: Opinion, second: Opinion) -> tuple[Transcript, float]:
+        """What two models heard in the same sound, as one; and the letters by which it differs from the words that the
+        nearer of them heard.
 
         Where one heard that something shall not be done, nothing shall.
         """
         heard = first.transcript
         for one in (first, second):
-            if self._meant(one.transcript).refuses:
-                return one.transcript
+            if self._meaning(one.transcript).refuses:
+                return one.transcript, 0.0
         readings = self.joint(first, second)
         if not readings:
-            return heard
+            return heard, math.inf
         best = readings[0]
         unclear = _unclear(first.clearness(best.words), second.clearness(best.words), best.unknown > 0)
         both = as_read(heard, readings, unclear)
-        if best.evidence.confidence < SURE_ENOUGH and self._meant(both).stops:
+        if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
-            return heard
-        return both
+            return heard, math.inf
+        return both, min(letters_apart(best.words, one.heard) for one in (first, second))
 
     def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
         """The sentences that one of two models thought of, with what both think of them, likeliest first."""
-        sentences = tuple(dict.fromkeys((*first.sentences, *second.sentences)))
+        heard = [one.heard for one in (first, second) if one.heard]
+        thought_of = dict.fromkeys((*first.sentences, *second.sentences))
+        sentences = tuple(words for words in thought_of if not goes_on(words, heard))
         if not sentences:
             return []
-        views = zip(first.views(sentences), second.views(sentences), strict=True)
-        return self._first.ranked(dict(zip(sentences, views, strict=True)), first.transcript.language)
+        others = self._beside.submit(second.views, sentences)
+        views = zip(first.views(sentences), others.result(), strict=True)
+        return self._grammar.ranked(dict(zip(sentences, views, strict=True)), first.transcript.language)
 
-    def _known(self, samples: Samples) -> tuple[Transcript, Opinion | None] | None:
-        """What was heard in this utterance when it seemed to be over."""
-        if self._draft is None:
-            return None
-        sound, heard, opinion = self._draft
-        same = sound.size - int(UNSETTLED * SAMPLE_RATE)
-        if not 0 < same <= samples.size <= sound.size + int(LATER * SAMPLE_RATE):
-            return None
-        return (heard, opinion) if np.allclose(samples[:same], sound[:same], atol=1e-4) else None
+    def _meaning(self, heard: Transcript) -> Interpretation:
+        return self._grammar.parse(heard.text, heard.language)
 
-    def _doubtful(self, heard: Transcript) -> bool:
-        if not heard.text.strip():
-            return False
-        if heard.confidence is not None:
-            if heard.confidence >= SURE_ENOUGH_TO_STOP and self._meant(heard).stops:
-                return False
-            return HOPELESS <= heard.confidence < SURE or bool(heard.unclear)
-        return heard.score < CLEAR and not self._meant(heard).refuses
 
-    def _meant(self, heard: Transcript) -> Interpretation:
-        language = heard.language if heard.language in self._engine.languages else None
-        return self._engine.parse(heard.text, language=language)
+def _same(samples: Samples, known: Samples) -> bool:
+    """Whether an utterance is one that was heard before, when it seemed to be over."""
+    same = known.size - int(UNSETTLED * SAMPLE_RATE)
+    if not 0 < same <= samples.size <= known.size + int(LATER * SAMPLE_RATE):
+        return False
+    return np.allclose(samples[:same], known[:same], atol=1e-4)
 
 
 def _unclear(one: Mapping[str, float], other: Mapping[str, float], unknown: bool) -> tuple[str, ...]:
@@ -264,11 +305,3 @@ def _steered(
     if is_moonshine(model):
         return SteeredMoonshine(engine, model, tell=tell)
     return SteeredWhisper(engine, model, language=language)
-
-
-def _beside(make: Callable[[], Steered]) -> Future[Steered]:
-    """What is made in a thread of its own, at once."""
-    pool = ThreadPoolExecutor(1, thread_name_prefix="second model")
-    future = pool.submit(make)
-    pool.shutdown(wait=False)
-    return future

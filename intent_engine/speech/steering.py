@@ -10,58 +10,38 @@ against the sound, in one pass each; and where none of them is sure, the model i
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-from rapidfuzz.distance import Levenshtein
-
-from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
-from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
-from intent_engine.speech.audio import Samples
-from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
-from intent_engine.speech.guided import WORD, GuidedSearch, word_count
+from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.scoring import Scoring
-from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
+from intent_engine.speech.spoken_grammar import NARRATING, SpokenGrammar, goes_on
 from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
-    from intent_engine.language.matcher import Matcher
 
-__all__ = ["Opinion", "Reading", "Steering", "as_read"]
+__all__ = ["Steering"]
 
-CANDIDATES = 8
-"""Utterances of the grammar, like the words heard, that are scored against the sound."""
-SEARCHES = 64
-"""Searches whose results are kept."""
+SINGLES = 12
+"""Single words of the grammar that are scored against the sound besides those like the words heard,"""
+FEW_WORDS = 2
+"""where no more words were heard than these."""
 DRAFTS = 3
 """Utterances from which the model is led along the automaton."""
-FAR = 0.5
-"""Share of the letters heard that may differ in an utterance that is looked up."""
-FAR_LETTERS = 1.7
-"""Letters that may differ in any case: a short word is soon all wrong."""
-UNKNOWN_WORD = 8.0
-"""nats by which a word that no list has is less likely than those that are."""
 CLEAR = 0.6
 """Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
-NARRATING = frozenset(
-    {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
-    | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
-    | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
-)
-"""English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
 DO_NOT = "Do not", "Don't"
 NOT_SAID = 5.0
 """nats by which a sentence must be likelier than the same with one of these before it, where a "don't" was heard,
 though not clearly. Of 12 that were said without, in kitchen noise, all were ahead by 7 and more."""
-MISHEARD = 0.4
-"""Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 RIVALS = {
     short + end: short + other
     for short in ("thir", "four", "fif", "six", "seven", "eigh", "nine")
@@ -88,30 +68,13 @@ DOUBTFUL_SCORE = -0.6
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
-    """A sentence of the grammar that may have been said."""
-
-    words: tuple[str, ...]
-    score: float
-    """Log probability of the words given the sound."""
-    apart: float
-    """Letters by which they differ from what was heard freely."""
-    evidence: Evidence
-    actions: tuple[Action, ...] = ()
-
-    @property
-    def unknown(self) -> int:
-        """Words that a free slot took as they were heard."""
-        return sum(isinstance(word, FreeWord) for word in self.words)
-
-
-@dataclass(slots=True)
-class _Searches:
-    """The two ways to find sentences of one grammar, and what the first has found."""
+class _Guide:
+    """How a model is led along one grammar."""
 
     near: UtteranceSearch
     guided: GuidedSearch
-    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
+    singles: dict[str, int]
+    """Words that are whole sentences, each with its first piece."""
 
 
 class Steering(Scoring):
@@ -119,79 +82,86 @@ class Steering(Scoring):
 
     language: str | None
     """Of the speech; None: detected."""
-    _engine: IntentEngine
-    """Whose grammar steers."""
+    grammar: SpokenGrammar
+    """Which sentences it may have heard."""
 
     def steer(self, engine: IntentEngine) -> None:
         """By the grammar of an engine; it may be reloaded at any time."""
-        self._engine = engine
-        self._known: tuple[Any, frozenset[str], frozenset[str]] | None = None
-        self._searches: dict[str | None, _Searches] = {}
+        self.grammar = SpokenGrammar(engine)
+        self._guides: dict[str | None, _Guide] = {}
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
-    def _matcher(self, language: str | None) -> Matcher:
-        return self._engine.matcher(language if language in self._engine.languages else None)
-
-    def _parse(self, text: str, language: str | None = None) -> Interpretation:
-        return self._engine.parse(text, language=language if language in self._engine.languages else None)
-
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        encoded = self.encode(samples)
-        language = self.language or self.detect(encoded)
-        best: Opinion | None = None
-        for attempt in range(2):
-            if attempt:
-                encoded = self.encode(samples, self.longer(encoded.seconds))
-            free, mean, _ = self.greedy(encoded, language)
-            found = self._opinion(encoded, free, mean, language)
-            # What was heard at last to be refused is not done, however sure it seemed before.
-            if best is None or found.settled or _confidence(found.transcript) > _confidence(best.transcript):
-                best = found
-            if found.settled or mean > RETRY_SCORE or _confidence(best.transcript) >= SURE:
-                break
-        assert best is not None
-        self.opinion = best
-        return best.transcript
+        self.opinion = self.search(self.compare(self.listen(samples)))
+        return self.opinion.transcript
 
-    def glance(self, samples: Samples) -> Opinion:
-        """What it makes of a sound at first sight: of the sentences that are like the words heard, without the search
-        along the grammar, which takes most of the time."""
-        encoded = self.encode(samples)
+    def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
+        """The words heard freely. Settled where nothing is to be found out about them: they are a sentence of the
+        grammar, or say that something shall not be done, or there are none.
+
+        Args:
+            samples: ``(n,)``
+            longer: whether with more silence after the speech than usual.
+        """
+        encoded = self.encode(samples, self.longer(samples.size / SAMPLE_RATE)) if longer else self.encode(samples)
         language = self.language or self.detect(encoded)
         free, mean, _ = self.greedy(encoded, language)
-        return self._opinion(encoded, free, mean, language, near_only=True)
-
-    def _opinion(
-        self, encoded: Encoded, free: str, mean: float, language: str | None, *, near_only: bool = False
-    ) -> Opinion:
-        """What the model makes of a sound in which it heard some words."""
-        as_heard = Transcript(free, mean, free, language=language)
-        meaning = self._parse(free, language)
+        heard = Transcript(free, mean, free, language=language)
+        meaning = self.grammar.parse(free, language)
         if not free or self._refused(encoded, free, meaning, language):
-            return Opinion(self, encoded, as_heard, settled=True)
-        words = self._words(free, language)
+            return Opinion(self, samples, encoded, heard, settled=True)
+        words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
-        if exact and mean > DOUBTFUL_SCORE and not self._unknown(words, meaning, language):
+        if exact and mean > DOUBTFUL_SCORE and not self.grammar.unknown(words, meaning, language):
             unclear = self._unclear(encoded, words, language)
-            sure = replace(as_heard, gap=0.0, unclear=unclear, confidence=1.0)
-            return Opinion(self, encoded, sure, (tuple(words),), settled=True)
-        readings = self.readings(encoded, free, language, clear=mean > CLEAR_TALK, near_only=near_only)
-        sentences = tuple(one.words for one in readings)
-        if not readings or not self._wanted(encoded, free, readings[0], language):
-            return Opinion(self, encoded, as_heard, sentences)
-        read = as_read(as_heard, readings, self._unclear(encoded, readings[0].words, language))
-        return Opinion(self, encoded, read, sentences)
+            sure = replace(heard, gap=0.0, unclear=unclear, confidence=1.0)
+            return Opinion(self, samples, encoded, sure, (tuple(words),), settled=True)
+        return Opinion(self, samples, encoded, heard)
+
+    def compare(self, heard: Opinion) -> Opinion:
+        """What was heard, taken for one of the sentences of the grammar that are like the words. Settled where it
+        surely is one of them, or clearly none."""
+        if heard.settled:
+            return heard
+        compared = self._compared(heard, search=False)
+        confidence, gap = compared.transcript.sureness, compared.transcript.gap
+        sure = confidence >= SURE and gap is not None and gap < CLOSE_GAP
+        talk = confidence < FARFETCHED and heard.transcript.score > CLEAR_TALK
+        return replace(compared, settled=sure or talk)
+
+    def search(self, heard: Opinion) -> Opinion:
+        """What was heard, taken for one of those sentences, or of those that the model finds likeliest; if nothing sure
+        is found, with a longer input once more. This takes most of the time. Settled."""
+        if heard.settled:
+            return heard
+        found = replace(self._compared(heard, search=True), settled=True)
+        if heard.transcript.score > RETRY_SCORE or found.transcript.sureness >= SURE:
+            return found
+        again = self.listen(heard.samples, longer=True)
+        if again.settled:
+            return again  # what was heard at last to be refused is not done, however sure it seemed before
+        again = replace(self._compared(again, search=True), settled=True)
+        return again if again.transcript.sureness > found.transcript.sureness else found
+
+    def _compared(self, heard: Opinion, *, search: bool) -> Opinion:
+        """What was heard, taken for the likeliest sentence of the grammar."""
+        encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
+        readings = self.readings(heard, search=search)
+        transcript = Transcript(free, heard.transcript.score, free, language=language)
+        if readings and self._wanted(encoded, free, readings[0], language):
+            transcript = as_read(transcript, readings, self._unclear(encoded, readings[0].words, language))
+        return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
 
     def _refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
         what was not heard clearly may have been a command."""
-        negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self._words(free, language))
+        negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self.grammar.words(free, language))
         return meaning.refuses and not (negated and not self._story(encoded, free, language))
 
     def _wanted(self, encoded: Encoded, free: str, best: Reading, language: str | None) -> bool:
         """Whether a sentence was rather said than that it shall not be done, where something like that was heard."""
-        if not best.actions or not self._parse(free, language).refuses:
+        if not best.actions or not self.grammar.parse(free, language).refuses:
             return True
         refusals = [f"{no} {written(best.words, language, sentence=False)}" for no in DO_NOT]
         said, *refused = self.score(encoded, [written(best.words, language), *refusals], language)
@@ -199,98 +169,62 @@ class Steering(Scoring):
 
     # -- the sentences of the grammar --------------------------------------------------------------
 
-    def readings(
-        self,
-        encoded: Encoded,
-        free: str,
-        language: str | None = None,
-        *,
-        clear: bool = False,
-        near_only: bool = False,
-    ) -> list[Reading]:
+    def readings(self, heard: Opinion, *, search: bool = True) -> list[Reading]:
         """Sentences of the grammar that the sound may be, likeliest first.
 
         Args:
-            encoded: the sound.
-            free: what was heard freely.
-            language: of the speech.
-            clear: whether that was heard clearly, so that what is far from the grammar is no command.
-            near_only: whether those are enough that are like the words heard.
+            heard: what was heard freely.
+            search: whether the model is led along the grammar; else those are enough that are like the words heard.
         """
-        heard = self._words(free, language)
+        encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
+        words = heard.heard
         story = self._story(encoded, free, language)
 
-        def possible(words: Sequence[str]) -> bool:
-            added = len(words) > len(heard) and list(words[: len(heard)]) == heard  # nobody said the rest
-            return not added and self._possible(words, story, language)
+        def possible(sentence: Sequence[str]) -> bool:
+            return not goes_on(sentence, [words]) and self.grammar.possible(sentence, story, language)
 
-        near = [words for words in self._near(heard, language) if possible(words)]
-        found = dict(zip(near, self.score_words(encoded, near, language), strict=True))
-        readings = self._ranked(encoded, free, heard, found, language)
-        if near_only or (readings and readings[0].evidence.confidence >= SURE and readings[0].evidence.gap < CLOSE_GAP):
-            return readings
-        if clear and (not readings or readings[0].evidence.confidence < FARFETCHED):
+        def ranked() -> list[Reading]:
+            views = {sentence: (view,) for sentence, view in heard.viewed(found).items()}
+            return self.grammar.ranked(views, language)
+
+        like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
+        like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
+        found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
+        readings = ranked()
+        if not search:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
-        guided = self._search(language).guided.likeliest(
+        guided = self._guide(language).guided.likeliest(
             lambda beginnings, length: self.next_pieces(encoded, beginnings, length, language),
-            heard,
+            words,
             free,
             self.score(encoded, [free], language)[0],
             drafts,
         )
-        for words, score in guided:
-            if words in found or possible(words):
-                found[words] = max(score, found.get(words, score))
-        return self._ranked(encoded, free, heard, found, language)
+        for sentence, score in guided:
+            if sentence in found or possible(sentence):
+                found[sentence] = max(score, found.get(sentence, score))
+        return ranked()
 
-    def _ranked(
-        self,
-        encoded: Encoded,
-        free: str,
-        heard: list[str],
-        scores: dict[tuple[str, ...], float],
-        language: str | None,
-    ) -> list[Reading]:
-        """Sentences with what speaks for and against them, likeliest first."""
-        free_score = self.score(encoded, [free], language)[0]
-        views = {words: (View(score, free_score, letters_apart(words, heard)),) for words, score in scores.items()}
-        return self.ranked(views, language)
+    def _short(self, encoded: Encoded, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+        """Single words of the grammar that the sound may be, where hardly more was heard, however unlike they are
+        written: a short word is soon taken for another, and nothing in a single word tells that it was."""
+        if len(heard) > FEW_WORDS or not (singles := self._guide(language).singles):
+            return []
+        (_, row), *_ = self.next_pieces(encoded, [()], 1, language)
+        likely = sorted(singles, key=lambda word: (-row[singles[word]], word))
+        return [(word,) for word in likely[:SINGLES]]
 
-    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
-        """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
-
-        Several models are taken together as one that thinks what they do in the mean.
-        """
-        rows = []
-        for words, seen in views.items():
-            unknown = sum(isinstance(word, FreeWord) for word in words)
-            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
-            rows.append((rank, words, seen, unknown, self._parse(" ".join(words), language).actions))
-        rows.sort(key=lambda row: (-row[0], row[1]))
-        readings = []
-        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
-            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
-            telling = 1 + self._telling(words, language)
-            gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
-            score, apart = _mean([view.score for view in seen]), _mean([view.apart for view in seen])
-            evidence = Evidence(
-                # As the gap is weighed.
-                gap=math.expm1(_mean([math.log1p(gap) for gap in gaps])),
-                margin=min(FAR_AHEAD, rank - other),
-                cost=-score / (1 + len(words)),
-                apart=apart / telling,
-                unknown=unknown,
-                models=len(seen),
-                alone=len(words) == 1,
-            )
-            readings.append(Reading(words, score, apart, evidence, actions))
-        return readings
-
-    def _near(self, heard: list[str], language: str | None) -> list[tuple[str, ...]]:
-        """Utterances of the grammar like the words heard, the likest first."""
-        most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-        return [words for words, apart in self._nearest(tuple(heard), language) if apart <= most]
+    def _guide(self, language: str | None) -> _Guide:
+        """How the model is led along the grammar of a language; what it learns of it is kept until it is reloaded."""
+        near = self.grammar.search(language)
+        guide = self._guides.get(language)
+        if guide is None or guide.near is not near:
+            tokenizer = self.tokenizer(language)
+            guided = GuidedSearch(near, tokenizer, language, self.end_piece(language))
+            singles = {word: tokenizer.encode(" " + written([word], language))[0] for word in near.single_words()}
+            guide = self._guides[language] = _Guide(near, guided, singles)
+        return guide
 
     def _story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
@@ -300,66 +234,7 @@ class Steering(Scoring):
         heard = self.word_scores(encoded, free, language)
         return [word for said, (_, score) in zip(words, heard, strict=True) if score > math.log(CLEAR) for word in said]
 
-    def _possible(self, words: Sequence[str], story: Sequence[str], language: str | None) -> bool:
-        """Whether an utterance may be meant: what would not be accepted was not said, except that something shall not
-        be done; nobody says hardly anything but "oh", "now" and "so", except to stop ("halt" is such a word in German);
-        and who tells a story gives no command."""
-        if any(not _stands_for(word, words) for word in story):
-            return False
-        meaning = self._parse(" ".join(words), language)
-        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
-        return known and (meaning.stops or not self._mostly_noise(words, language))
-
-    def _words(self, draft: str, language: str | None) -> list[str]:
-        words = Utterance.of(draft, language or "en").words
-        return in_words(words) if language in (None, "en") else words
-
-    def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
-        """The utterances like some words; those of one utterance are asked for again and again."""
-        searches = self._search(language)
-        if len(searches.found) > SEARCHES:
-            searches.found.clear()
-        found = searches.found.get(heard)
-        if found is None:
-            found = searches.found[heard] = searches.near.nearest(heard, CANDIDATES, NARRATING)
-        return found
-
-    def _search(self, language: str | None) -> _Searches:
-        """The searches in the grammar of a language; what they learn of it is kept until it is reloaded."""
-        graph = self._matcher(language).likely
-        searches = self._searches.get(language)
-        if searches is None or searches.near.graph is not graph:
-            near = UtteranceSearch(graph)
-            searches = self._searches[language] = _Searches(
-                near, GuidedSearch(near, self.tokenizer(language), language, self.end_piece(language))
-            )
-        return searches
-
-    def _telling(self, words: Sequence[str], language: str | None) -> int:
-        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
-        matcher = self._matcher(language)
-        return sum(not isinstance(word, FreeWord) and (word,) not in matcher.grammar.fillers for word in words)
-
-    def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
-        """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
-        heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
-        return 2 * self._telling(words, language) < heard_anywhere
-
     # -- what was not heard clearly ----------------------------------------------------------------
-
-    def _unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None) -> bool:
-        """Whether an exact sentence has words in free slots that no list has."""
-        matcher = self._matcher(language)
-        if self._known is None or self._known[0] is not matcher:
-            self._known = (matcher, known_words(matcher), known_in_slots(matcher))
-        _, known, in_slots = self._known
-        if known.issuperset(word for word in words if not is_numeral(word)) and in_slots.issuperset(
-            said_in_slots(meaning.slots)
-        ):
-            return False
-        heard = tuple(words)
-        as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
-        return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
     def _unclear(self, encoded: Encoded, words: Sequence[str], language: str | None) -> tuple[str, ...]:
         """Words of an utterance on which its meaning hangs, and that the sound does not tell from others."""
@@ -381,63 +256,10 @@ class Steering(Scoring):
         rivals = {
             word: other
             for at, word in enumerate(words)
-            if word in RIVALS and self._possible(other := (*words[:at], RIVALS[word], *words[at + 1 :]), (), language)
+            if word in RIVALS
+            and self.grammar.possible(other := (*words[:at], RIVALS[word], *words[at + 1 :]), (), language)
         }
         if not rivals:
             return {}
         said, *others = self.score_words(encoded, [words, *rivals.values()], language)
         return {word: said - other - RIVAL_MARGIN for word, other in zip(rivals, others, strict=True)}
-
-
-@dataclass(frozen=True, slots=True)
-class Opinion:
-    """What one model makes of one stretch of sound."""
-
-    model: Steering
-    encoded: Encoded
-    transcript: Transcript
-    sentences: tuple[tuple[str, ...], ...] = ()
-    """Of the grammar, that it may have been."""
-    settled: bool = False
-    """Whether no sentences were looked for: nothing, a refusal, or a sentence of the grammar was heard."""
-
-    def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
-        """What the model thinks of sentences, its own or others'."""
-        model, language = self.model, self.transcript.language
-        free = self.transcript.free_text
-        heard = model._words(free, language)
-        (free_score,) = model.score(self.encoded, [free], language)
-        scores = model.score_words(self.encoded, sentences, language)
-        return [
-            View(score, free_score, letters_apart(words, heard)) for words, score in zip(sentences, scores, strict=True)
-        ]
-
-    def clearness(self, words: Sequence[str]) -> dict[str, float]:
-        """As :meth:`Steering.clearness`."""
-        return self.model.clearness(self.encoded, words, self.transcript.language)
-
-
-def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...]) -> Transcript:
-    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear."""
-    best, *others = readings
-    return replace(
-        heard,
-        text=" ".join(best.words),
-        gap=best.evidence.gap,
-        alternatives=tuple(" ".join(one.words) for one in others[:3]),
-        unclear=unclear,
-        confidence=best.evidence.confidence,
-    )
-
-
-def _confidence(transcript: Transcript) -> float:
-    return transcript.confidence or 0.0
-
-
-def _mean(values: Sequence[float]) -> float:
-    return sum(values) / len(values)
-
-
-def _stands_for(heard: str, words: Sequence[str]) -> bool:
-    """Whether a word that was heard is one of these, or may have been: "had" for "head"."""
-    return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)

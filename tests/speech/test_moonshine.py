@@ -101,7 +101,7 @@ def test_it_is_led_along_the_grammar(engine, moonshine, spoken, monkeypatch):
 def test_at_first_sight_it_does_not_search_the_grammar(moonshine, spoken, monkeypatch):
     monkeypatch.setattr(moonshine, "greedy", lambda *_: ("Goat four were two meet us", -0.9, False))
     monkeypatch.setattr(moonshine, "next_pieces", None)
-    assert moonshine.glance(spoken).sentences
+    assert moonshine.compare(moonshine.listen(spoken)).sentences
 
 
 def test_a_robot_that_hears_with_it_alone(intent_engine, engine):

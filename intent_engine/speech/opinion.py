@@ -1,0 +1,79 @@
+"""What a model makes of a sound: sentences of the grammar that it may have been, and what speaks for each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from intent_engine.actions import Action
+from intent_engine.language.approximate import FreeWord
+from intent_engine.speech.audio import Samples
+from intent_engine.speech.evidence import Evidence, View, letters_apart
+from intent_engine.speech.recognizer import Encoded, Transcript
+
+if TYPE_CHECKING:
+    from intent_engine.speech.steering import Steering
+
+__all__ = ["Opinion", "Reading", "as_read"]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A sentence of the grammar that may have been said."""
+
+    words: tuple[str, ...]
+    evidence: Evidence
+    actions: tuple[Action, ...] = ()
+
+    @property
+    def unknown(self) -> int:
+        """Words that a free slot took as they were heard."""
+        return sum(isinstance(word, FreeWord) for word in self.words)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Opinion:
+    """What one model makes of one stretch of sound."""
+
+    model: Steering
+    samples: Samples
+    encoded: Encoded
+    transcript: Transcript
+    sentences: tuple[tuple[str, ...], ...] = ()
+    """Of the grammar, that it may have been."""
+    settled: bool = False
+    """Whether the model has nothing more to find."""
+
+    @property
+    def heard(self) -> list[str]:
+        """The words heard freely, numbers as words."""
+        return self.model.grammar.words(self.transcript.free_text, self.transcript.language)
+
+    def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
+        """What the model thinks of sentences, its own or others'."""
+        scores = self.model.score_words(self.encoded, sentences, self.transcript.language)
+        return list(self.viewed(dict(zip(sentences, scores, strict=True))).values())
+
+    def viewed(self, scores: Mapping[tuple[str, ...], float]) -> dict[tuple[str, ...], View]:
+        """What the model thinks of sentences of which it has said how likely they are."""
+        heard = self.heard
+        (free_score,) = self.model.score(self.encoded, [self.transcript.free_text], self.transcript.language)
+        return {words: View(score, free_score, letters_apart(words, heard)) for words, score in scores.items()}
+
+    def clearness(self, words: Sequence[str]) -> dict[str, float]:
+        """As :meth:`Steering.clearness`."""
+        return self.model.clearness(self.encoded, words, self.transcript.language)
+
+
+def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...]) -> Transcript:
+    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear."""
+    best, *others = readings
+    return replace(
+        heard,
+        text=" ".join(best.words),
+        gap=best.evidence.gap,
+        alternatives=tuple(" ".join(one.words) for one in others[:3]),
+        unclear=unclear,
+        confidence=best.evidence.confidence,
+    )

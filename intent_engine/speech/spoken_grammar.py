@@ -1,0 +1,198 @@
+"""What a grammar says of words that may have been spoken, before any sound is asked: which sentences are like them,
+which may be meant at all, and which of several is the likeliest, by what models think of each.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from rapidfuzz.distance import Levenshtein
+
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.utterance import Utterance
+from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
+from intent_engine.speech.guided import WORD, word_count
+from intent_engine.speech.opinion import Reading
+from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
+
+if TYPE_CHECKING:
+    from intent_engine.engine import IntentEngine
+    from intent_engine.language.matcher import Matcher
+
+__all__ = ["NARRATING", "SpokenGrammar", "goes_on"]
+
+CANDIDATES = 8
+"""Utterances of the grammar, like the words heard, that are looked up."""
+SEARCHES = 64
+"""Searches whose results are kept."""
+FAR = 0.5
+"""Share of the letters heard that may differ in an utterance that is looked up."""
+FAR_LETTERS = 1.7
+"""Letters that may differ in any case: a short word is soon all wrong."""
+UNKNOWN_WORD = 8.0
+"""nats by which a word that no list has is less likely than those that are."""
+NARRATING = frozenset(
+    {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
+    | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
+    | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
+)
+"""English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
+MISHEARD = 0.4
+"""Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
+
+
+@dataclass(slots=True)
+class _Known:
+    """What is known of the grammar of one language, until it is reloaded."""
+
+    matcher: Matcher
+    words: frozenset[str]
+    in_slots: frozenset[str]
+    search: UtteranceSearch
+    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
+
+
+class SpokenGrammar:
+    """The grammars of one engine, which may be reloaded at any time. For one thread at a time.
+
+    Args:
+        engine: whose grammars. Languages that it has no grammar for are taken for its first.
+    """
+
+    def __init__(self, engine: IntentEngine) -> None:
+        self._engine = engine
+        self._kept: dict[str | None, _Known] = {}
+
+    def parse(self, text: str, language: str | None = None) -> Interpretation:
+        """What a text means."""
+        return self._engine.parse(text, language=self._own(language))
+
+    def words(self, text: str, language: str | None = None) -> list[str]:
+        """The words of a text, numbers as words."""
+        words = Utterance.of(text, language or "en").words
+        return in_words(words) if language in (None, "en") else words
+
+    def search(self, language: str | None = None) -> UtteranceSearch:
+        """The search for sentences that are like some words; another one when the grammar was reloaded."""
+        return self._known(language).search
+
+    def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard, the likest first."""
+        most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
+        return [words for words, apart in self._nearest(tuple(heard), language) if apart <= most]
+
+    def possible(self, words: Sequence[str], story: Iterable[str] = (), language: str | None = None) -> bool:
+        """Whether a sentence may be meant: what would not be accepted was not said, except that something shall not be
+        done; nobody says hardly anything but "oh", "now" and "so", except to stop ("halt" is such a word in German);
+        and who tells a story gives no command.
+
+        Args:
+            words: of the sentence.
+            story: words of :data:`NARRATING` that were heard.
+            language: of the speech.
+        """
+        if any(not _stands_for(word, words) for word in story):
+            return False
+        meaning = self.parse(" ".join(words), language)
+        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
+        return known and (meaning.stops or not self._mostly_noise(words, language))
+
+    def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether an exact sentence has words in free slots that no list has."""
+        known = self._known(language)
+        if known.words.issuperset(word for word in words if not is_numeral(word)) and known.in_slots.issuperset(
+            said_in_slots(meaning.slots)
+        ):
+            return False
+        heard = tuple(words)
+        as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
+        return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
+
+    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
+        """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
+
+        Several models are taken together as one that thinks what they do in the mean.
+        """
+        rows = []
+        for words, seen in views.items():
+            unknown = sum(isinstance(word, FreeWord) for word in words)
+            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
+            rows.append((rank, words, seen, unknown, self.parse(" ".join(words), language).actions))
+        rows.sort(key=lambda row: (-row[0], row[1]))
+        readings = []
+        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
+            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
+            telling = 1 + self._telling(words, language)
+            gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
+            evidence = Evidence(
+                # As the gap is weighed.
+                gap=math.expm1(_mean([math.log1p(gap) for gap in gaps])),
+                margin=min(FAR_AHEAD, rank - other),
+                cost=-_mean([view.score for view in seen]) / (1 + len(words)),
+                apart=_mean([view.apart for view in seen]) / telling,
+                unknown=unknown,
+                models=len(seen),
+                alone=len(words) == 1,
+            )
+            readings.append(Reading(words, evidence, actions))
+        return readings
+
+    def _own(self, language: str | None) -> str | None:
+        return language if language in self._engine.languages else None
+
+    def _known(self, language: str | None) -> _Known:
+        matcher = self._engine.matcher(self._own(language))
+        known = self._kept.get(language)
+        if known is None or known.matcher is not matcher:
+            words = known_words(matcher)
+            search = UtteranceSearch(matcher.likely, words)
+            known = self._kept[language] = _Known(matcher, words, known_in_slots(matcher), search)
+        return known
+
+    def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
+        """The sentences like some words; those of one utterance are asked for again and again."""
+        known = self._known(language)
+        if len(known.found) > SEARCHES:
+            known.found.clear()
+        found = known.found.get(heard)
+        if found is None:
+            found = known.found[heard] = known.search.nearest(heard, CANDIDATES, NARRATING)
+        return found
+
+    def _telling(self, words: Sequence[str], language: str | None) -> int:
+        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
+        fillers = self._known(language).matcher.grammar.fillers
+        return sum(not isinstance(word, FreeWord) and (word,) not in fillers for word in words)
+
+    def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
+        heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
+        return 2 * self._telling(words, language) < heard_anywhere
+
+
+def goes_on(words: Sequence[str], heard: Iterable[Sequence[str]]) -> bool:
+    """Whether a sentence goes on from all the words that one model heard, with such as none heard: they were not
+    said.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    said = list(words)
+    heard = [list(one) for one in heard]
+    return said not in heard and any(said[: len(one)] == one for one in heard)
+
+
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)
+
+
+def _stands_for(heard: str, words: Sequence[str]) -> bool:
+    """Whether a word that was heard is one of these, or may have been: "had" for "head"."""
+    return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)

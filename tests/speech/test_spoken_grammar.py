@@ -1,0 +1,130 @@
+"""What a grammar says of words that may have been spoken."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language.approximate import FreeWord
+from intent_engine.speech.evidence import View
+from intent_engine.speech.spoken_grammar import SpokenGrammar, goes_on
+
+
+@pytest.fixture(scope="module")
+def grammar(engine) -> SpokenGrammar:
+    return SpokenGrammar(engine)
+
+
+SENTENCES = st.sampled_from(
+    [("go", "forward", "two", "meters"), ("turn", "left"), ("stop",), ("go", "to", "the", "kitchen")]
+)
+VIEWS = st.builds(View, st.floats(-40, 0), st.floats(-40, 0), st.floats(0, 20))
+
+
+@given(st.dictionaries(SENTENCES, VIEWS, min_size=1))
+def test_two_models_that_think_the_same_rank_as_one_does(grammar, views):
+    alone = grammar.ranked({words: (view,) for words, view in views.items()})
+    both = grammar.ranked({words: (view, view) for words, view in views.items()})
+    assert [one.words for one in alone] == [one.words for one in both]
+    for one, two in zip(alone, both, strict=True):
+        assert two.evidence.models == 2
+        assert two.evidence.weighed == pytest.approx(one.evidence.weighed)
+
+
+@given(VIEWS, VIEWS)
+def test_of_two_models_neither_counts_more(grammar, one, other):
+    words = ("turn", "left")
+    (forth,), (back,) = grammar.ranked({words: (one, other)}), grammar.ranked({words: (other, one)})
+    assert forth.evidence.confidence == pytest.approx(back.evidence.confidence)
+
+
+def test_a_sentence_carries_what_it_would_do(engine, grammar):
+    (reading,) = grammar.ranked({("turn", "left"): (View(-1.0, -1.0, 0.0),)})
+    assert reading.actions == engine.parse("turn left").actions
+
+
+@pytest.mark.parametrize(
+    ("text", "unknown"),
+    [
+        ("take the cup", False),
+        ("put the cup on the table", False),
+        ("go to the kitchen and pick up the bottle", False),
+        ("take meter the living room", True),
+        ("pick up the florble", True),
+        ("go to the kitchen and pick up the meter", True),
+    ],
+)
+def test_a_word_of_the_grammar_is_no_thing_that_it_knows(engine, grammar, text, unknown):
+    meaning = engine.parse(text)
+    assert meaning.status is Status.ACCEPTED
+    assert grammar.unknown(text.split(), meaning, "en") is unknown
+
+
+@pytest.mark.parametrize(
+    ("text", "story", "possible"),
+    [
+        ("turn left", (), True),
+        ("do not turn left", (), True),
+        ("the orchestra played", (), False),
+        ("turn left", ("when",), False),
+        ("head to the kitchen", ("had",), True),
+        ("so now", (), False),
+    ],
+    ids=["a command", "a refusal", "no sentence", "a story", "what may have been misheard", "sounds"],
+)
+def test_what_may_be_meant(grammar, text, story, possible):
+    assert grammar.possible(text.split(), story) is possible
+
+
+def test_a_stop_of_words_that_may_stand_anywhere(grammar, monkeypatch):
+    """German "halt an": both are said anywhere too."""
+    monkeypatch.setattr(grammar, "_telling", lambda _words, _language: 0)
+    assert grammar.possible(("stop", "now"), (), "en")
+    assert not grammar.possible(("go", "now"), (), "en")
+
+
+def test_sentences_like_the_words_heard_are_near(grammar):
+    assert ("go", "forward", "two", "meters") in grammar.near(["go", "for", "word", "two", "meters"])
+    assert grammar.near(["xylophone"]) == []
+
+
+def test_numbers_are_words(grammar):
+    assert grammar.words("Turn left by 15 degrees!") == ["turn", "left", "by", "fifteen", "degrees"]
+
+
+def test_what_is_known_is_of_the_grammar_that_is_loaded(tmp_path):
+    """A robot that learns a command hears it."""
+    file = tmp_path / "en.yaml"
+    intent = "intents:\n  {0}:\n    sentences: [{0}]\n    action: {{type: custom, name: {0}}}\n"
+    file.write_text("language: en\n" + intent.format("dance"))
+    engine = IntentEngine.from_files(file)
+    grammar = SpokenGrammar(engine)
+    before = grammar.search()
+    assert grammar.near(["dance"]) == [("dance",)]
+    assert grammar.search() is before, "what was learnt of it is kept"
+    file.write_text("language: en\n" + intent.format("whistle"))
+    engine.reload()
+    assert grammar.near(["dance"]) == []
+    assert grammar.near(["whistle"]) == [("whistle",)]
+    assert grammar.search() is not before
+
+
+WORDS = st.lists(st.sampled_from("abc"), max_size=4)
+
+
+@given(WORDS, st.lists(WORDS, max_size=3))
+def test_what_somebody_heard_whole_goes_on_from_nothing(words, heard):
+    assert not goes_on(words, [*heard, words])
+
+
+@given(WORDS, st.lists(st.sampled_from("abc"), min_size=1, max_size=3), st.lists(WORDS, max_size=3))
+def test_what_goes_on_from_all_that_one_heard_was_not_said(begun, more, others):
+    said = begun + more
+    assert goes_on(said, [begun, *others]) is (said not in others)
+
+
+def test_free_words_are_words():
+    assert FreeWord("cup") == "cup"
