@@ -7,6 +7,8 @@ voices give the same files.
 
     python scripts/make_speech_set.py                    # out/speech_set
     intent-engine evaluate out/speech_set
+    python scripts/make_speech_set.py --forbidden        # out/forbidden_set: "don't go to the kitchen"
+    intent-engine evaluate out/forbidden_set --noise kitchen.flac --snr 6,10
 
 Voices are those that are installed. On Debian:
 
@@ -151,6 +153,29 @@ LEAD, TAIL = 0.5, 0.3
 QUIET = 0.0003
 """Standard deviation of the noise of the microphone: 70 dB below full scale."""
 
+FORBIDDEN = """
+don't go to the kitchen
+do not turn left
+don't move forward two meters
+never go to the bedroom
+please don't turn right
+robot don't go back one meter
+do not pick up the cup
+don't take the blue box from the table
+you must not go to the lounge
+please do not drive ahead
+don't go to the dock
+never pick up the knife
+don't rotate ninety degrees
+do not go forward
+don't put down the book
+please don't go to the front room
+robot do not move
+don't go back half a meter
+do not bring me the box
+don't turn around
+"""
+"""What shall not be done, each said by every other voice. In noise the first words are soon heard as others."""
 OTHERS = """
 I was going to go to the kitchen
 she went to the bedroom and turned off the light
@@ -245,12 +270,14 @@ class Voice:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=ROOT / "out" / "speech_set")
+    parser.add_argument("--out", type=Path, default=None, help="out/speech_set; out/forbidden_set")
+    parser.add_argument("--forbidden", action="store_true", help="a set of commands that shall not be done, alone")
     parser.add_argument("--commands", type=int, default=360)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--grammar", type=Path, default=ROOT / "grammars" / "en.yaml")
     parser.add_argument("--locations", type=Path, default=ROOT / "locations" / "home.yaml")
     options = parser.parse_args()
+    options.out = options.out or ROOT / "out" / ("forbidden_set" if options.forbidden else "speech_set")
     voices = find_voices()
     if len(voices) < 8:
         print(f"only {len(voices)} voices are installed; the set wants 8 or more. {__doc__}", file=sys.stderr)
@@ -258,7 +285,14 @@ def main() -> int:
     engine = IntentEngine.from_files(options.grammar, locations=options.locations)
     chance = random.Random(options.seed)
     odd = round(options.commands * SAMPLED)
-    sentences = [*plain(engine, options.commands - odd, chance), *sampled(engine, odd, options.seed), *others(engine)]
+    if options.forbidden:
+        sentences = [one for one in others(engine, FORBIDDEN) for _ in range(len(voices) // 2)]
+    else:
+        sentences = [
+            *plain(engine, options.commands - odd, chance),
+            *sampled(engine, odd, options.seed),
+            *others(engine),
+        ]
     chance.shuffle(sentences)
     audio = options.out / "audio"
     shutil.rmtree(audio, ignore_errors=True)
@@ -326,10 +360,10 @@ def label(text: str, intent: str, actions: Sequence[Any], kind: str) -> dict[str
     return {"text": text, "intent": intent, "actions": [to_json(action) for action in actions], "kind": kind}
 
 
-def others(engine: IntentEngine) -> list[dict[str, Any]]:
+def others(engine: IntentEngine, texts: str = OTHERS) -> list[dict[str, Any]]:
     """Speech that is no command; what the grammar takes for one as text is told, and stays in."""
     found = []
-    for text in OTHERS.strip().splitlines():
+    for text in texts.strip().splitlines():
         if engine.parse(text).actions:
             print(f"the grammar takes this for a command: {text}", file=sys.stderr)
         found.append({"text": text, "intent": None, "kind": "other"})

@@ -63,7 +63,7 @@ class Opinion:
 
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
-        return self.model.clearness(self.encoded, words, self.transcript.language)
+        return self.model.clearness(self.encoded, words, self.transcript.language, heard=self.heard == list(words))
 
 
 def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...]) -> Transcript:

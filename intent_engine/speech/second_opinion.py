@@ -24,6 +24,7 @@ import numpy as np
 from intent_engine.errors import WeightsError
 from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
+from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine_weights import (
@@ -183,7 +184,8 @@ class SecondOpinion:
         if not readings:
             return heard, math.inf
         best = readings[0]
-        unclear = _unclear(first.clearness(best.words), second.clearness(best.words), best.unknown > 0)
+        others = self._beside.submit(second.clearness, best.words)
+        unclear = _unclear(first.clearness(best.words), others.result())
         both = as_read(heard, readings, unclear)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
@@ -213,15 +215,20 @@ def _same(samples: Samples, known: Samples) -> bool:
     return np.allclose(samples[:same], known[:same], atol=1e-4)
 
 
-def _unclear(one: Mapping[str, float], other: Mapping[str, float], unknown: bool) -> tuple[str, ...]:
+def _unclear(one: Mapping[str, float], other: Mapping[str, float]) -> tuple[str, ...]:
     """Words that two models together did not hear clearly.
 
-    A word that no list has must be clear in the mean. Of a number that sounds like another, what both have heard adds
-    up, if neither would rather have heard the other.
+    A word that no list has must be clear in the mean. Of a number that sounds like another, and of a beginning that may
+    have been a "don't", what both have heard adds up, if neither would rather have heard the other.
     """
-    least, enough = (-math.inf, 0.0) if unknown else (-RIVAL_MARGIN, -RIVAL_MARGIN)
-    both = {word: (clear, other.get(word, clear)) for word, clear in one.items()}
-    return tuple(word for word, clear in both.items() if min(clear) < least or sum(clear) < enough)
+
+    def clear(word: str) -> bool:
+        both = (one[word], other.get(word, one[word]))
+        if isinstance(word, FreeWord):
+            return sum(both) >= 0
+        return min(both) >= -RIVAL_MARGIN and sum(both) >= -RIVAL_MARGIN
+
+    return tuple(word for word in one if not clear(word))
 
 
 def recognizer_for(

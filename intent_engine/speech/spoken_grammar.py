@@ -5,7 +5,7 @@ which may be meant at all, and which of several is the likeliest, by what models
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["NARRATING", "SpokenGrammar", "goes_on"]
+__all__ = ["FORBIDDING", "NARRATING", "SpokenGrammar", "goes_on"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -43,6 +43,8 @@ NARRATING = frozenset(
     | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
 )
 """English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
+FORBIDDING = ("don't",), ("do", "not"), ("never",)
+"""How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 MISHEARD = 0.4
 """Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 
@@ -87,7 +89,14 @@ class SpokenGrammar:
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
         return [words for words, apart in self._nearest(tuple(heard), language) if apart <= most]
 
-    def possible(self, words: Sequence[str], story: Iterable[str] = (), language: str | None = None) -> bool:
+    def possible(
+        self,
+        words: Sequence[str],
+        story: Iterable[str] = (),
+        language: str | None = None,
+        *,
+        heard: Collection[str] = (),
+    ) -> bool:
         """Whether a sentence may be meant: what would not be accepted was not said, except that something shall not be
         done; nobody says hardly anything but "oh", "now" and "so", except to stop ("halt" is such a word in German);
         and who tells a story gives no command.
@@ -96,12 +105,40 @@ class SpokenGrammar:
             words: of the sentence.
             story: words of :data:`NARRATING` that were heard.
             language: of the speech.
+            heard: all words that were heard: no other was heard in place of one of these.
         """
-        if any(not _stands_for(word, words) for word in story):
+        misheard = [word for word in words if word not in heard]
+        if any(word not in words and not _stands_for(word, misheard) for word in story):
             return False
         meaning = self.parse(" ".join(words), language)
         known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
+
+    def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """A command as it would be said if it should not be done: before it, in it after what says nothing ("please
+        don't"), and in place of that. None of what is no command, of a stop, and of other languages than English."""
+        meaning = self.parse(" ".join(words), language)
+        if language not in (None, "en") or not meaning.actions or meaning.stops:
+            return []
+        lead = self.lead(words, language)
+        begin, rest = tuple(words[:lead]), tuple(words[lead:])
+        ways = dict.fromkeys([((), tuple(words)), ((), rest), (begin, rest)])
+        return [(*kept, *no, *said) for kept, said in ways for no in FORBIDDING]
+
+    def lead(self, words: Sequence[str], language: str | None = None) -> int:
+        """How many words at the beginning of a sentence say nothing: "and then please"."""
+        grammar = self._known(language).matcher.grammar
+        count = 0
+        while count < len(words) - 1:
+            lengths = [
+                len(phrase)
+                for phrase in (*grammar.fillers, *grammar.operators.sequence)
+                if tuple(words[count : count + len(phrase)]) == phrase
+            ]
+            if not lengths:
+                break
+            count += max(lengths)
+        return count if count < len(words) else 0
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""

@@ -79,6 +79,38 @@ def test_what_may_be_meant(grammar, text, story, possible):
     assert grammar.possible(text.split(), story) is possible
 
 
+def test_no_word_is_misheard_as_one_that_was_heard(grammar):
+    """ "Please won't watch in the front room": the "front" was heard as it is, so the "won't" is none."""
+    words = ["please", "walk", "in", "the", "front", "room"]
+    assert not grammar.possible(words, ("wont",), heard=["please", "wont", "watch", "in", "the", "front", "room"])
+    assert grammar.possible(words, ("wont",), heard=["please", "walk", "in", "the", "wont", "room"])
+
+
+@pytest.mark.parametrize(
+    ("text", "forbidden"),
+    [
+        ("turn left", ["don't turn left", "do not turn left", "never turn left"]),
+        ("please turn left", ["don't please turn left", "don't turn left", "please don't turn left"]),
+        ("then well turn left", ["don't then well turn left", "don't turn left", "then well don't turn left"]),
+        ("stop", []),
+        ("do not turn left", []),
+        ("the orchestra played", []),
+    ],
+)
+def test_a_command_as_it_would_be_forbidden(engine, grammar, text, forbidden):
+    found = [" ".join(words) for words in grammar.forbidden(text.split())]
+    assert [one for one in found if "don't" in one.split() or len(forbidden) == len(found)] == forbidden
+    assert len(found) == 3 * len([one for one in found if "don't" in one.split()])
+    assert not [one for one in found if engine.parse(one).actions]
+
+
+@pytest.mark.parametrize(
+    ("text", "lead"), [("turn left", 0), ("and then please turn left", 3), ("please", 0), ("all right turn left", 2)]
+)
+def test_what_says_nothing_at_the_beginning(grammar, text, lead):
+    assert grammar.lead(text.split()) == lead
+
+
 def test_a_stop_of_words_that_may_stand_anywhere(grammar, monkeypatch):
     """German "halt an": both are said anywhere too."""
     monkeypatch.setattr(grammar, "_telling", lambda _words, _language: 0)

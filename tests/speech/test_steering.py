@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 from speech_stage import framed
 
-from intent_engine.actions import Move
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.evidence import Evidence
-from intent_engine.speech.opinion import Reading
 from intent_engine.speech.recognizer import Transcript
+
+NOT = "Do not ", "Don't ", "Never "
 
 
 @pytest.fixture
@@ -50,23 +49,30 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     ],
 )
 def test_a_word_that_nobody_knows_must_be_heard_clearly(whisper, spoken, words, unclear):
-    assert whisper._unclear(whisper.encode(spoken), words, "en") == unclear
+    found = whisper.clearness(whisper.encode(spoken), words, "en")
+    assert tuple(word for word in found if isinstance(word, FreeWord) and found[word] < 0) == unclear
 
 
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     encoded = whisper.encode(spoken)
     words = ["turn", "left", "fifteen", "degrees"]
-    for margin, unclear in ((0.1, ("fifteen",)), (3.0, ())):
-        monkeypatch.setattr(
-            whisper,
-            "score",
-            lambda _encoded, texts, _language=None, margin=margin: [
-                -1.0 if "fifteen" in text.lower() or "15" in text else -1.0 - margin for text in texts
-            ],
-        )
+
+    def heard(number: str, digits: str, margin: float) -> None:
+        def score(text: str) -> float:
+            if text.startswith(NOT):
+                return -20.0
+            return -1.0 if number in text.lower() or digits in text else -1.0 - margin
+
+        monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [score(text) for text in texts])
+
+    for margin, unclear in ((0.1, ("fifteen",)), (3.9, ("fifteen",)), (4.0, ())):
+        heard("fifteen", "15", margin)
         assert whisper._unclear(encoded, words, "en") == unclear
+    for margin, unclear in ((1.9, ("fifty",)), (2.0, ())):
+        heard("fifty", "50", margin)
+        assert whisper._unclear(encoded, ["turn", "left", "fifty", "degrees"], "en") == unclear
     assert whisper._unclear(encoded, ["go", "to", "the", "kitchen"], "en") == ()
-    monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [-1.0] * len(texts))
+    heard("fifteen", "15", 0.0)
     assert whisper._unclear(encoded, words, "en") == ("fifteen",)
     assert whisper._unclear(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
 
@@ -94,16 +100,44 @@ def test_a_refusal_in_another_language_is_always_one(whisper):
     assert whisper._refused(None, "Fahr nicht.", meaning, "de")
 
 
-@pytest.mark.parametrize(("ahead", "wanted"), [(12.0, True), (5.0, True), (4.0, False), (-3.0, False)])
-def test_a_command_in_which_a_refusal_was_heard_must_be_far_likelier_than_it(whisper, monkeypatch, ahead, wanted):
-    def score(_encoded, texts, _language):
-        assert len(texts) == 3
-        return [-9.0 - ahead if text.startswith(("Do not ", "Don't ")) else -9.0 for text in texts]
+@pytest.mark.parametrize(
+    ("text", "ahead", "unclear"),
+    [
+        ("go forward two meters", 5.4, ("go",)),
+        ("go forward two meters", 5.5, ()),
+        ("then well go to the bedroom", -6.0, ("then well",)),
+        ("stop", -6.0, ()),
+        ("the orchestra played", -6.0, ()),
+    ],
+)
+def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, monkeypatch, text, ahead, unclear):
+    """In noise "never go" is heard as "then we'll go", word by word."""
+
+    def score(_encoded, texts, _language=None):
+        return [-9.0 - ahead if text.startswith(NOT) else -9.0 for text in texts]
 
     monkeypatch.setattr(whisper, "score", score)
-    best = Reading(("go", "forward"), Evidence(0, 8, 1, 0), (Move(0.5, 1.0, 2.0),))
-    assert whisper._wanted(None, "Don't form with it.", best, "en") is wanted
-    assert whisper._wanted(None, "So far with it.", best, "en"), "nothing like a refusal was heard"
+    assert whisper._unclear(None, text.split(), "en") == unclear
+
+
+@pytest.mark.parametrize(
+    ("text", "heard", "asked"),
+    [
+        ("go forward two meters", True, False),
+        ("go forward two meters", False, True),
+        ("please go forward two meters", True, True),
+        ("retreat two meters", True, True),
+    ],
+)
+def test_a_command_that_begins_like_no_dont_is_not_compared(whisper, spoken, monkeypatch, text, heard, asked):
+    encoded = whisper.encode(spoken)
+    compared = []
+    monkeypatch.setattr(
+        whisper, "score_words", lambda _sound, texts, _language: compared.append(1) or [0.0] * len(texts)
+    )
+    ahead = whisper._ahead(encoded, text.split(), "en", heard=heard)
+    assert bool(compared) is asked
+    assert (ahead > 5.5) is not asked
 
 
 @pytest.mark.parametrize(("score", "looked"), [(-0.1, False), (-0.9, True)], ids=["clear", "mumbled"])
