@@ -66,7 +66,7 @@ class Opinion:
         return self.model.clearness(self.encoded, words, self.transcript.language, heard=self.heard == list(words))
 
 
-def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...]) -> Transcript:
+def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...] = ()) -> Transcript:
     """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear."""
     best, *others = readings
     return replace(

@@ -83,6 +83,10 @@ class Steered(Recognizer, Protocol):
         """As :meth:`~intent_engine.speech.steering.Steering.search`."""
         ...
 
+    def clear(self, heard: Opinion) -> Transcript:
+        """As :meth:`~intent_engine.speech.steering.Steering.clear`."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class _Look:
@@ -137,7 +141,7 @@ class SecondOpinion:
         confidence = first.transcript.sureness
         word = confidence >= SURE_OF_A_WORD and " " not in first.transcript.text.strip()
         if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
-            return _Look(samples, first, None, first.transcript, False)
+            return _Look(samples, first, None, self._first.clear(first), False)
         second = (asked or self._ask(samples)).result()
         both, apart = self._weighed(first, second)
         sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not both.unclear
@@ -184,8 +188,10 @@ class SecondOpinion:
         if not readings:
             return heard, math.inf
         best = readings[0]
-        others = self._beside.submit(second.clearness, best.words)
-        unclear = _unclear(first.clearness(best.words), others.result())
+        unclear: tuple[str, ...] = ()
+        if self._grammar.acted_on(best.evidence.confidence, heard.language):
+            others = self._beside.submit(second.clearness, best.words)
+            unclear = _unclear(first.clearness(best.words), others.result())
         both = as_read(heard, readings, unclear)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from rapidfuzz.distance import Levenshtein
 
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
@@ -57,6 +58,8 @@ class _Known:
     words: frozenset[str]
     in_slots: frozenset[str]
     search: UtteranceSearch
+    least: float
+    """Confidence from which anything is acted on."""
     found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
 
 
@@ -114,16 +117,19 @@ class SpokenGrammar:
         known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
+    def acted_on(self, confidence: float, language: str | None = None) -> bool:
+        """Whether a sentence that is so sure may be acted on. (A stop is, from less, and however unclear.)"""
+        return confidence >= self._known(language).least
+
     def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
-        """A command as it would be said if it should not be done: before it, in it after what says nothing ("please
+        """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
         don't"), and in place of that. None of what is no command, of a stop, and of other languages than English."""
         meaning = self.parse(" ".join(words), language)
         if language not in (None, "en") or not meaning.actions or meaning.stops:
             return []
         lead = self.lead(words, language)
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
-        ways = dict.fromkeys([((), tuple(words)), ((), rest), (begin, rest)])
-        return [(*kept, *no, *said) for kept, said in ways for no in FORBIDDING]
+        return [(*kept, *no, *rest) for kept in dict.fromkeys(((), begin)) for no in FORBIDDING]
 
     def lead(self, words: Sequence[str], language: str | None = None) -> int:
         """How many words at the beginning of a sentence say nothing: "and then please"."""
@@ -189,7 +195,9 @@ class SpokenGrammar:
         if known is None or known.matcher is not matcher:
             words = known_words(matcher)
             search = UtteranceSearch(matcher.likely, words)
-            known = self._kept[language] = _Known(matcher, words, known_in_slots(matcher), search)
+            asked = [intent.min_confidence for intent in matcher.grammar.intents.values()]
+            least = min([SURE_ENOUGH, *(one for one in asked if one is not None)])
+            known = self._kept[language] = _Known(matcher, words, known_in_slots(matcher), search, least)
         return known
 
     def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.guided import GuidedSearch
@@ -101,8 +102,9 @@ class Steering(Scoring):
         """What it made of the sound that it heard last."""
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        self.opinion = self.search(self.compare(self.listen(samples)))
-        return self.opinion.transcript
+        heard = self.listen(samples)
+        self.opinion = self.search(self.compare(heard))
+        return heard.transcript if heard.settled else self.clear(self.opinion)
 
     def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
         """The words heard freely. Settled where nothing is to be found out about them: they are a sentence of the
@@ -154,12 +156,20 @@ class Steering(Scoring):
 
     def _compared(self, heard: Opinion, *, search: bool) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
-        encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
+        free, language = heard.transcript.free_text, heard.transcript.language
         readings = self.readings(heard, search=search)
         transcript = Transcript(free, heard.transcript.score, free, language=language)
         if readings:
-            transcript = as_read(transcript, readings, self._unclear(encoded, readings[0].words, language))
+            transcript = as_read(transcript, readings)
         return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
+
+    def clear(self, heard: Opinion) -> Transcript:
+        """What was heard, with the words that were not heard clearly, if it may be acted on."""
+        transcript = heard.transcript
+        if transcript.confidence is None or not self.grammar.acted_on(transcript.confidence, transcript.language):
+            return transcript
+        unclear = self._unclear(heard.encoded, heard.sentences[0], transcript.language)
+        return replace(transcript, unclear=transcript.unclear or unclear)
 
     def _refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
@@ -185,8 +195,11 @@ class Steering(Scoring):
             begin, *noes = (float(row[self._first_piece(said, language)]) for said in (words, *FORBIDDING))
             if begin - max(noes) >= SURELY_SAID:
                 return begin - max(noes)
-        said, *refused = self.score_words(encoded, [words, *forbidden], language)
-        return said - max(refused)
+        spelled = {True: in_digits(words), False: list(words)}
+        scores = self.score(encoded, [written(one, language) for one in spelled.values()], language)
+        said, digits = max(zip(scores, spelled, strict=True))
+        forbidden = [in_digits(one) if digits else one for one in forbidden]
+        return said - max(self.score(encoded, [written(one, language) for one in forbidden], language))
 
     # -- the sentences of the grammar --------------------------------------------------------------
 

@@ -90,8 +90,8 @@ def test_no_word_is_misheard_as_one_that_was_heard(grammar):
     ("text", "forbidden"),
     [
         ("turn left", ["don't turn left", "do not turn left", "never turn left"]),
-        ("please turn left", ["don't please turn left", "don't turn left", "please don't turn left"]),
-        ("then well turn left", ["don't then well turn left", "don't turn left", "then well don't turn left"]),
+        ("please turn left", ["don't turn left", "please don't turn left"]),
+        ("then well turn left", ["don't turn left", "then well don't turn left"]),
         ("stop", []),
         ("do not turn left", []),
         ("the orchestra played", []),

@@ -132,9 +132,7 @@ def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, 
 def test_a_command_that_begins_like_no_dont_is_not_compared(whisper, spoken, monkeypatch, text, heard, asked):
     encoded = whisper.encode(spoken)
     compared = []
-    monkeypatch.setattr(
-        whisper, "score_words", lambda _sound, texts, _language: compared.append(1) or [0.0] * len(texts)
-    )
+    monkeypatch.setattr(whisper, "score", lambda _sound, texts, _language: compared.append(1) or [0.0] * len(texts))
     ahead = whisper._ahead(encoded, text.split(), "en", heard=heard)
     assert bool(compared) is asked
     assert (ahead > 5.5) is not asked
