@@ -79,6 +79,16 @@ class Peer:
         until(lambda: self.node.count_publishers(f"{self.namespace}/voice_commands/status") >= 1)
         until(lambda: self.node.count_publishers(f"{self.namespace}/cmd_vel") >= 2, "both publish velocities")
 
+    def reach(self) -> None:
+        """Be heard, and hear: each side finds the other for itself, so one may be deaf when the other can speak."""
+
+        def heard() -> bool:
+            self.say("what lovely weather")
+            time.sleep(0.05)
+            return bool(self.heard_texts())
+
+        until(heard, "the node hears and is heard")
+
     def say(self, text: str) -> None:
         self.text.publish(String(data=text))
 
