@@ -10,7 +10,7 @@ against the sound, in one pass each; and where none of them is sure, the model i
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -102,9 +102,8 @@ class Steering(Scoring):
         """What it made of the sound that it heard last."""
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        heard = self.listen(samples)
-        self.opinion = self.search(self.compare(heard))
-        return heard.transcript if heard.settled else self.clear(self.opinion)
+        self.opinion = self.search(self.compare(self.listen(samples)))
+        return self.clear(self.opinion)
 
     def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
         """The words heard freely. Settled where nothing is to be found out about them: they are a sentence of the
@@ -124,7 +123,7 @@ class Steering(Scoring):
         words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
         if exact and mean > DOUBTFUL_SCORE and not self.grammar.unknown(words, meaning, language):
-            unclear = self._unclear(encoded, words, language, heard=True)
+            unclear = _below(self.clearness(encoded, words, language, heard=True))
             sure = replace(heard, gap=0.0, unclear=unclear, confidence=1.0)
             return Opinion(self, samples, encoded, sure, (tuple(words),), settled=True)
         return Opinion(self, samples, encoded, heard)
@@ -166,10 +165,10 @@ class Steering(Scoring):
     def clear(self, heard: Opinion) -> Transcript:
         """What was heard, with the words that were not heard clearly, if it may be acted on."""
         transcript = heard.transcript
-        if transcript.confidence is None or not self.grammar.acted_on(transcript.confidence, transcript.language):
+        known = heard.settled and transcript.confidence == 1.0  # heard word by word, and looked at already
+        if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
-        unclear = self._unclear(heard.encoded, heard.sentences[0], transcript.language)
-        return replace(transcript, unclear=transcript.unclear or unclear)
+        return replace(transcript, unclear=_below(heard.clearness(heard.sentences[0])))
 
     def _refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
@@ -274,12 +273,6 @@ class Steering(Scoring):
 
     # -- what was not heard clearly ----------------------------------------------------------------
 
-    def _unclear(
-        self, encoded: Encoded, words: Sequence[str], language: str | None, *, heard: bool = False
-    ) -> tuple[str, ...]:
-        """Words of an utterance on which its meaning hangs, and that the sound does not tell from others."""
-        return tuple(word for word, clear in self.clearness(encoded, words, language, heard=heard).items() if clear < 0)
-
     def clearness(
         self, encoded: Encoded, words: Sequence[str], language: str | None = None, *, heard: bool = False
     ) -> dict[str, float]:
@@ -324,3 +317,8 @@ class Steering(Scoring):
             word: said - other - RIVAL_MARGIN + (TEEN if word.endswith("ty") else -TEEN)
             for word, other in zip(rivals, others, strict=True)
         }
+
+
+def _below(clearness: Mapping[str, float]) -> tuple[str, ...]:
+    """Words that were not heard as clearly as they must be."""
+    return tuple(word for word, clear in clearness.items() if clear < 0)

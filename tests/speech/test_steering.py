@@ -15,6 +15,10 @@ from intent_engine.speech.recognizer import Transcript
 NOT = "Do not ", "Don't ", "Never "
 
 
+def unclear_words(whisper, *asked) -> tuple[str, ...]:
+    return tuple(word for word, clear in whisper.clearness(*asked).items() if clear < 0)
+
+
 @pytest.fixture
 def hears(whisper, monkeypatch):
     """The real model, but its free words are given: what it thinks of the grammar's sentences is its own."""
@@ -67,14 +71,16 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
 
     for margin, unclear in ((0.1, ("fifteen",)), (3.9, ("fifteen",)), (4.0, ())):
         heard("fifteen", "15", margin)
-        assert whisper._unclear(encoded, words, "en") == unclear
+        assert unclear_words(whisper, encoded, words, "en") == unclear
     for margin, unclear in ((1.9, ("fifty",)), (2.0, ())):
         heard("fifty", "50", margin)
-        assert whisper._unclear(encoded, ["turn", "left", "fifty", "degrees"], "en") == unclear
-    assert whisper._unclear(encoded, ["go", "to", "the", "kitchen"], "en") == ()
+        assert unclear_words(whisper, encoded, ["turn", "left", "fifty", "degrees"], "en") == unclear
+    assert unclear_words(whisper, encoded, ["go", "to", "the", "kitchen"], "en") == ()
     heard("fifteen", "15", 0.0)
-    assert whisper._unclear(encoded, words, "en") == ("fifteen",)
-    assert whisper._unclear(encoded, ["serve", "sixteen", "ounces"], "en") == (), "the grammar has no sixty of them"
+    assert unclear_words(whisper, encoded, words, "en") == ("fifteen",)
+    assert unclear_words(whisper, encoded, ["serve", "sixteen", "ounces"], "en") == (), (
+        "the grammar has no sixty of them"
+    )
 
 
 @pytest.mark.parametrize(
@@ -117,7 +123,7 @@ def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, 
         return [-9.0 - ahead if text.startswith(NOT) else -9.0 for text in texts]
 
     monkeypatch.setattr(whisper, "score", score)
-    assert whisper._unclear(None, text.split(), "en") == unclear
+    assert unclear_words(whisper, None, text.split(), "en") == unclear
 
 
 @pytest.mark.parametrize(
