@@ -57,6 +57,7 @@ def test_stop_text_stops_and_nothing_follows(talk):
     first_zero = talk.twists.index((0.0, 0.0))
     time.sleep(0.3)
     assert not any(any(twist) for twist in talk.twists[first_zero:])
+    until(lambda: talk.goals("canceled"))
     assert [goal["reason"] for goal in talk.goals("canceled")] == ["stop"]
 
 
@@ -75,6 +76,7 @@ def test_a_newer_command_takes_the_place_of_the_older(talk):
     until(talk.moving)
     talk.say("turn left")
     until(lambda: talk.twists and talk.twists[-1] == (0.0, 0.5))
+    until(lambda: talk.goals("canceled"))  # another topic, which may come later
     assert [goal["reason"] for goal in talk.goals("canceled")] == ["preempted"]
 
 
