@@ -13,7 +13,7 @@ what speaks for the sentence that is the likeliest for both, and whether it was 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,9 +28,11 @@ from intent_engine.evaluation.sound import Noise, SamplesSource, load, mix
 from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
+from intent_engine.speech.audio import Samples
 from intent_engine.speech.evidence import WEIGHTS_OF_SEVERAL
 from intent_engine.speech.opinion import Opinion, Reading
-from intent_engine.speech.second_opinion import SecondOpinion
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.second_opinion import SecondOpinion, Steered
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 
 
@@ -40,6 +42,9 @@ class Example:
 
     id: str
     kind: str
+    said: str
+    taken: str
+    """The sentence that is the likeliest for both."""
     evidence: dict[str, float]
     alone: bool
     right: bool
@@ -53,10 +58,27 @@ class Noted(SecondOpinion):
     """Two models, whose likeliest sentence is kept."""
 
     last: Reading | None = None
+    """Of what was heard last: before the end of an utterance others were looked at, and for what was heard word by word
+    none was."""
+
+    def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
+        super().__init__(engine, first, second)
+        self._noted: dict[str, Reading] = {}
+
+    def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
+        heard = super().transcribe(samples, final=final)
+        self.last = self._noted.get(heard.text)
+        return heard
+
+    def forget(self) -> None:
+        """As if nothing had been heard."""
+        self._noted.clear()
+        self.last = None
 
     def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
         found = super().joint(first, second)
-        self.last = found[0] if found else None
+        if found:
+            self._noted[" ".join(found[0].words)] = found[0]
         return found
 
 
@@ -71,7 +93,7 @@ def examples(
         sound = load(row)
         if snr is not None and noise is not None:
             sound = mix(sound, noise.piece(row.id, sound.size), snr)
-        both.last = None
+        both.forget()
         listener.hear(SamplesSource(sound))
         best = both.last
         if best is None or best.unknown:  # whether a word that no list has was heard is judged apart
@@ -82,7 +104,9 @@ def examples(
             and meaning.status is Status.ACCEPTED
             and judge(row, Condition("both", snr), Hearing(acts=[Act(meaning, 0.0, 0.0)])).verdict is Verdict.RIGHT
         )
-        yield Example(row.id, kind, best.evidence.weighed, best.evidence.alone, right)
+        yield Example(
+            row.id, kind, row.text or "", " ".join(best.words), best.evidence.weighed, best.evidence.alone, right
+        )
 
 
 def main() -> None:

@@ -113,22 +113,27 @@ class MoonshineRecognizer:
 
     def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
         """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
-        rows, *known = self._begin.run(None, {"input_ids": [[BEGINNING]], "encoder_hidden_states": encoded.features})
+        pieces, rows = self._greedy(encoded)
+        score = sum(float(row.max()) for row in rows) / max(len(rows), 1)
+        text = self._tokenizer.decode(pieces)
+        folded = fold_loop(text)
+        return folded, score, folded != text
+
+    def _greedy(self, encoded: Encoded) -> tuple[list[int], list[npt.NDArray[np.float32]]]:
+        """The likeliest pieces, and the log probabilities of every piece in the place of each, and after the last."""
+        begun, *known = self._begin.run(None, {"input_ids": [[BEGINNING]], "encoder_hidden_states": encoded.features})
         past = {_past(name): value for name, value in zip(self._told, known, strict=True)}
         pieces: list[int] = []
-        score = 0.0
+        rows: list[npt.NDArray[np.float32]] = []
         for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
-            row = _log_probabilities(rows[0, -1])
-            piece = int(row.argmax())
-            score += float(row[piece])
+            rows.append(_log_probabilities(begun[0, -1]))
+            piece = int(rows[-1].argmax())
             if piece == END:
                 break
             pieces.append(piece)
-            rows, *known = self._step.run(None, {"input_ids": [[piece]], **past})
+            begun, *known = self._step.run(None, {"input_ids": [[piece]], **past})
             past.update((_past(name), value) for name, value in zip(self._told_by_step, known, strict=True))
-        text = self._tokenizer.decode(pieces)
-        folded = fold_loop(text)
-        return folded, score / (len(pieces) + 1), folded != text
+        return pieces, rows
 
     def rows(self, encoded: Encoded, beginnings: Sequence[Sequence[int]]) -> Iterator[npt.NDArray[np.float32]]:
         """For each of some beginnings of a text, the log probabilities of every piece at each of its places, and after
@@ -155,6 +160,11 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
 
     def longer(self, seconds: float) -> float:
         return seconds + RETRY_MARGIN
+
+    def _greedy(self, encoded: Encoded) -> tuple[list[int], list[npt.NDArray[np.float32]]]:
+        pieces, rows = super()._greedy(encoded)
+        self._decoded = (encoded, {tuple(pieces[:place]): row for place, row in enumerate(rows)})
+        return pieces, rows
 
     def end_piece(self, language: str | None = None) -> int:
         return END

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.audio import Samples
@@ -15,7 +16,7 @@ from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, max_length
 from intent_engine.speech.writing import written
 
-__all__ = ["Scoring", "ScoringWhisper"]
+__all__ = ["Rows", "Scoring", "ScoringWhisper"]
 
 SCORED_MARGIN = 1.5
 """s of silence after the speech that texts are scored against. With half a second one text in ten was taken for three
@@ -26,6 +27,12 @@ ENCODED_PER_SECOND = 50
 """Vectors of Whisper's encoder."""
 LEAST = 1e-12
 """Least probability of a piece."""
+MOST_KEPT = 64
+"""Pieces of what was heard freely, beyond which it is no command, and 0.2 MB for each are not kept."""
+
+Rows: TypeAlias = Mapping[tuple[int, ...], npt.NDArray[np.float32]]
+"""How likely every piece is after some beginnings of a text: ``(vocabulary,)`` log probabilities, up to a constant in
+each."""
 
 
 class Scoring(ABC):
@@ -33,6 +40,9 @@ class Scoring(ABC):
 
     _scored: tuple[Encoded | None, dict[str, float]] = (None, {})
     """The sound that was asked about last, and what was said of it."""
+
+    _decoded: tuple[Encoded | None, Rows] = (None, {})
+    """The sound that was last heard freely, and what the model made of it on the way."""
 
     @abstractmethod
     def encode(self, samples: Samples, seconds: float = 0.0) -> Encoded:
@@ -73,6 +83,11 @@ class Scoring(ABC):
         Yields:
             (beginning, ``(vocabulary,)`` log probabilities).
         """
+
+    def decoded(self, encoded: Encoded) -> Rows:
+        """What the model made of a sound when it heard it freely: all that it wrote is a beginning. Nothing, if it has
+        heard another since."""
+        return self._decoded[1] if self._decoded[0] is encoded else {}
 
     @abstractmethod
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
@@ -116,6 +131,13 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
 
     def longer(self, seconds: float) -> float:
         return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
+
+    def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
+        result = self._greedy(encoded, language, return_logits_vocab=True)
+        tokens = tuple(result.sequences_ids[0])
+        told = result.logits[0] if len(tokens) <= MOST_KEPT else ()
+        self._decoded = (encoded, {tokens[:place]: np.asarray(row).ravel() for place, row in enumerate(told)})
+        return list(tokens), float(result.scores[0])
 
     def end_piece(self, language: str | None = None) -> int:
         """The full stop."""

@@ -117,6 +117,10 @@ class SpokenGrammar:
         known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
+    def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether a sentence asks for something else."""
+        return self.parse(" ".join(words), language).actions != meaning.actions
+
     def acted_on(self, confidence: float, language: str | None = None) -> bool:
         """Whether a sentence that is so sure may be acted on. (A stop is, from less, and however unclear.)"""
         return confidence >= self._known(language).least

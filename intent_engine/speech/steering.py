@@ -9,6 +9,7 @@ against the sound, in one pass each; and where none of them is sure, the model i
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -22,7 +23,8 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Encoded, Transcript
-from intent_engine.speech.scoring import Scoring
+from intent_engine.speech.rivals import Rivals
+from intent_engine.speech.scoring import Rows, Scoring
 from intent_engine.speech.spoken_grammar import FORBIDDING, NARRATING, SpokenGrammar, goes_on
 from intent_engine.speech.writing import written
 
@@ -37,6 +39,14 @@ FEW_WORDS = 2
 """where no more words were heard than these."""
 DRAFTS = 3
 """Utterances from which the model is led along the automaton."""
+MOST_RIVALS = 6
+"""Commands that are scored because they differ in one word from the likeliest."""
+RIVAL_ROUNDS = 2
+"""Times that they are looked for: the second, where another is the likeliest then."""
+NEAR = 4.0
+"""nats by which the first piece of a word may be less likely than that of the word in whose place it may stand,"""
+CLOSE = 1.5
+"""and where a sentence was heard word by word; by so many nats the other must be less likely as a whole."""
 CLEAR = 0.6
 """Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
 NOT_SAID = 5.5
@@ -82,6 +92,7 @@ class _Guide:
 
     near: UtteranceSearch
     guided: GuidedSearch
+    rivals: Rivals
     singles: dict[str, int]
     """Words that are whole sentences, each with its first piece."""
 
@@ -98,6 +109,7 @@ class Steering(Scoring):
         """By the grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
         self._guides: dict[str | None, _Guide] = {}
+        self._followed: tuple[Encoded, tuple[str, ...], Rows] | None = None
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
@@ -123,9 +135,10 @@ class Steering(Scoring):
         words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
         if exact and mean > DOUBTFUL_SCORE and not self.grammar.unknown(words, meaning, language):
-            unclear = _below(self.clearness(encoded, words, language, heard=True))
-            sure = replace(heard, gap=0.0, unclear=unclear, confidence=1.0)
-            return Opinion(self, samples, encoded, sure, (tuple(words),), settled=True)
+            close = self._close(encoded, words, language)
+            unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
+            sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
+            return Opinion(self, samples, encoded, sure, (tuple(words), *close), settled=True)
         return Opinion(self, samples, encoded, heard)
 
     def compare(self, heard: Opinion) -> Opinion:
@@ -189,8 +202,8 @@ class Steering(Scoring):
         if not forbidden:
             return math.inf
         if heard and not self.grammar.lead(words, language):
-            # A short call tells how likely the first pieces are; what follows is hardly likelier after a "don't".
-            (_, row), *_ = self.next_pieces(encoded, [()], 1, language)
+            # One call tells how likely the first pieces are; what follows is hardly likelier after a "don't".
+            row = self._along(encoded, words, language)[()]
             begin, *noes = (float(row[self._first_piece(said, language)]) for said in (words, *FORBIDDING))
             if begin - max(noes) >= SURELY_SAID:
                 return begin - max(noes)
@@ -225,6 +238,15 @@ class Steering(Scoring):
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
         readings = ranked()
         if not search:
+            for _ in range(RIVAL_ROUNDS):
+                if not readings or readings[0].evidence.confidence < FARFETCHED:
+                    break
+                rivals = self._rivals(encoded, readings[0].words, language, NEAR)
+                beside = [sentence for sentence in rivals if sentence not in found and possible(sentence)]
+                if not beside:
+                    break
+                found.update(zip(beside, self.score_words(encoded, beside, language), strict=True))
+                readings = ranked()
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
         guided = self._guide(language).guided.likeliest(
@@ -238,6 +260,41 @@ class Steering(Scoring):
             if sentence in found or possible(sentence):
                 found[sentence] = max(score, found.get(sentence, score))
         return ranked()
+
+    def _rivals(
+        self, encoded: Encoded, words: Sequence[str], language: str | None, near: float
+    ) -> dict[tuple[str, ...], str]:
+        """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
+        first."""
+        meaning = self.grammar.parse(" ".join(words), language)
+        if len(words) == 1 or meaning.stops:
+            return {}
+        rivals = self._guide(language).rivals.beside(words, self._along(encoded, words, language), near)
+        others = (
+            sentence
+            for sentence in rivals
+            if self.grammar.possible(sentence, (), language) and self.grammar.means_else(sentence, meaning, language)
+        )
+        return {sentence: rivals[sentence] for sentence in itertools.islice(others, MOST_RIVALS)}
+
+    def _close(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:
+        """Other commands that may have been said where one was heard word by word, each with the word in question."""
+        rivals = self._rivals(encoded, words, language, CLOSE)
+        if not rivals:
+            return {}
+        said, *others = self.score_words(encoded, [words, *rivals], language)
+        return {one: word for (one, word), score in zip(rivals.items(), others, strict=True) if said - score < CLOSE}
+
+    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None) -> Rows:
+        """What the model makes of each place of a sentence: as it heard it freely, or asked anew; the last is kept."""
+        known = self._followed
+        if known is None or known[0] is not encoded or known[1] != tuple(words):
+            rivals = self._guide(language).rivals
+            rows = self.decoded(encoded)
+            if any(row is None for row in rivals.before(words, rows).values()):
+                rows = dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
+            known = self._followed = encoded, tuple(words), rows
+        return known[2]
 
     def _short(self, encoded: Encoded, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         """Single words of the grammar that the sound may be, where hardly more was heard, however unlike they are
@@ -256,7 +313,7 @@ class Steering(Scoring):
             tokenizer = self.tokenizer(language)
             guided = GuidedSearch(near, tokenizer, language, self.end_piece(language))
             singles = {word: self._first_piece([word], language) for word in near.single_words()}
-            guide = self._guides[language] = _Guide(near, guided, singles)
+            guide = self._guides[language] = _Guide(near, guided, Rivals(near, tokenizer, language), singles)
         return guide
 
     def _first_piece(self, words: Sequence[str], language: str | None) -> int:

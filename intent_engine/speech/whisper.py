@@ -160,16 +160,20 @@ class WhisperRecognizer:
 
     def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
         """The likeliest tokens, with their mean log probability."""
+        result = self._greedy(encoded, language)
+        return list(result.sequences_ids[0]), float(result.scores[0])
+
+    def _greedy(self, encoded: Encoded, language: str | None, **options: Any) -> Any:
         prompt = self.prompt(language)
         limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
-        result = self._model.model.generate(
+        return self._model.model.generate(
             encoded.features,
             [prompt],
             beam_size=1,
             max_length=max_length(len(prompt), limit),
             return_scores=True,
+            **options,
         )[0]
-        return list(result.sequences_ids[0]), float(result.scores[0])
 
     def close(self) -> None:
         unload = getattr(self._model.model, "unload_model", None)

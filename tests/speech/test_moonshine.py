@@ -13,6 +13,7 @@ import pytest
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.free import free_recognizer
+from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.moonshine import MoonshineRecognizer
 from intent_engine.speech.moonshine_pieces import END, MoonshinePieces
 from intent_engine.speech.moonshine_weights import (
@@ -100,8 +101,20 @@ def test_it_is_led_along_the_grammar(engine, moonshine, spoken, monkeypatch):
 
 def test_at_first_sight_it_does_not_search_the_grammar(moonshine, spoken, monkeypatch):
     monkeypatch.setattr(moonshine, "greedy", lambda *_: ("Goat four were two meet us", -0.9, False))
-    monkeypatch.setattr(moonshine, "next_pieces", None)
+    monkeypatch.setattr(GuidedSearch, "likeliest", None)
     assert moonshine.compare(moonshine.listen(spoken)).sentences
+
+
+def test_what_it_thought_while_it_heard_is_kept(moonshine, spoken):
+    encoded = moonshine.encode(spoken)
+    moonshine.greedy(encoded)
+    kept = moonshine.decoded(encoded)
+    asked = dict(moonshine.next_pieces(encoded, [max(kept, key=len)], 1))
+    for beginning, row in kept.items():
+        words = np.flatnonzero(asked[beginning] > -4.0)
+        words = words[words != END]  # asked, that is all that ends a sentence
+        assert np.abs((row - asked[beginning])[words]).max(initial=0.0) < 1.0
+    assert moonshine.decoded(moonshine.encode(spoken)) == {}, "of another sound nothing is known"
 
 
 def test_a_robot_that_hears_with_it_alone(intent_engine, engine):

@@ -1,0 +1,153 @@
+"""Sentences that differ in one word from one that was probably said: what else may have been said there.
+
+A sentence that is like the words heard seems sure as long as nothing else was thought of: "put down the mug", of which
+one model heard "put down the rug", is far ahead of all others, until somebody asks about "book".
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.scoring import Rows
+from intent_engine.speech.writing import written
+
+__all__ = ["Rivals"]
+
+AT_A_PLACE = 3
+"""Words at most for one place of a sentence."""
+MAX_KEPT = 4000
+"""Places of the grammar whose words are kept."""
+
+
+class Rivals:
+    """Finds what else may have been said, with one model's pieces and one grammar.
+
+    Args:
+        search: of the grammar, which knows the words after each of its states.
+        tokenizer: of the model, as faster-whisper's.
+        language: of the grammar.
+    """
+
+    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None) -> None:
+        self._search = search
+        self._tokenizer = tokenizer
+        self._language = language
+        self._firsts: dict[tuple[str, bool], list[int]] = {}
+        self._kept: dict[tuple[Any, bool], tuple[list[str], npt.NDArray[np.int64]]] = {}
+
+    def pieces(self, words: Sequence[str]) -> tuple[int, ...]:
+        """Of a sentence as the model writes it."""
+        return self._pieces(words) if words else ()
+
+    def before(self, words: Sequence[str], rows: Rows) -> dict[int, npt.NDArray[np.float32] | None]:
+        """For the places of a sentence what a model made of them; None where it was not asked about one. Of numbers of
+        several words it says nothing: they are mostly written in digits.
+
+        Args:
+            words: of the sentence.
+            rows: what it made of some beginnings.
+        """
+        places: list[int] = []
+        for number, run in itertools.groupby(range(len(words)), lambda place: words[place] in NUMBER_WORDS):
+            run_places = list(run)
+            if not number or len(run_places) == 1:
+                places += run_places
+        beginnings = {place: self._beginnings(words[:place]) for place in places}
+        return {place: next((rows[one] for one in some if one in rows), None) for place, some in beginnings.items()}
+
+    def _beginnings(self, words: Sequence[str]) -> list[tuple[int, ...]]:
+        """The pieces of the words that a sentence begins with, however they are written."""
+        if not words:
+            return [()]
+        return [self._pieces(one, capital) for one in self._spelled(words) for capital in (True, False)]
+
+    def _pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
+        return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
+
+    def beside(self, words: Sequence[str], rows: Rows, near: float) -> dict[tuple[str, ...], str]:
+        """Sentences beside one, likeliest first, each with the word of it in whose place they have another.
+
+        Args:
+            words: of a sentence of the grammar.
+            rows: how likely the model finds every piece in its places.
+            near: nats by which the first piece of another word may be less likely.
+        """
+        graph = self._search.graph
+        state = graph.start()
+        found: list[tuple[float, tuple[str, ...], str]] = []
+        before = self.before(words, rows)
+        for place, word in enumerate(words):
+            row = before.get(place)
+            others, pieces = self._words_after(state, place == 0)
+            if row is not None:
+                said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
+                for behind, other in _likeliest(others, row[pieces] - said, near, word):
+                    sentence = (*words[:place], other, *words[place + 1 :])
+                    if self._whole(sentence):
+                        found.append((behind, sentence, word))
+            state = graph.step(state, word)
+            if state is None:
+                break
+        return {sentence: word for _, sentence, word in sorted(found)}
+
+    def _whole(self, words: Sequence[str]) -> bool:
+        """Whether the grammar has the sentence."""
+        graph = self._search.graph
+        state = graph.start()
+        for word in words:
+            state = graph.step(state, word)
+            if state is None:
+                return False
+        return bool(graph.accepting(state))
+
+    def _spelled(self, words: Sequence[str]) -> list[tuple[str, ...]]:
+        """Words, and the same with numbers in digits."""
+        numbers = self._language in (None, "en") and not NUMBER_WORDS.isdisjoint(words)
+        return [tuple(words), in_digits(words)] if numbers else [tuple(words)]
+
+    def _first_pieces(self, word: str, first: bool) -> list[int]:
+        """Of a word, and of a number in digits."""
+        found = self._firsts.get((word, first))
+        if found is None:
+            capitals = (True, False) if first else (False,)
+            found = [self._pieces(one, capital)[0] for one in self._spelled([word]) for capital in capitals]
+            self._firsts[word, first] = found
+        return found
+
+    def _words_after(self, state: Any, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
+        """The words that may follow, and the first piece of each."""
+        known = self._kept.get((state, first))
+        if known is None:
+            if len(self._kept) >= MAX_KEPT:
+                self._kept.clear()
+            _, likely, _ = self._search.words_after(state)
+            pairs = [(word, piece) for word in sorted(likely) for piece in self._first_pieces(word, first)]
+            known = [word for word, _ in pairs], np.array([piece for _, piece in pairs], dtype=np.int64)
+            self._kept[state, first] = known
+        return known
+
+
+def _likeliest(words: Sequence[str], ahead: npt.NDArray[np.float32], near: float, said: str) -> list[tuple[float, str]]:
+    """(nats behind, word) of the likeliest words but one.
+
+    Args:
+        words: of which each may be here several times.
+        ahead: nats by which each is likelier than that one.
+        near: nats by which one may be less likely.
+        said: that one.
+    """
+    found: dict[str, float] = {}
+    for at in np.argsort(-ahead, kind="stable").tolist():
+        if -ahead[at] > near or len(found) == AT_A_PLACE:
+            break
+        if words[at] != said:
+            found.setdefault(words[at], -float(ahead[at]))
+    return [(behind, word) for word, behind in found.items()]
