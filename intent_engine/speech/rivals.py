@@ -16,6 +16,7 @@ import numpy.typing as npt
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows
 from intent_engine.speech.writing import written
 
@@ -86,7 +87,7 @@ class Rivals:
         before = self.before(words, rows)
         for place, word in enumerate(words):
             row = before.get(place)
-            others, pieces = self._words_after(state, place == 0)
+            others, pieces = self._words_after(state, word, place == 0)
             if row is not None:
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
@@ -122,16 +123,19 @@ class Rivals:
             self._firsts[word, first] = found
         return found
 
-    def _words_after(self, state: Any, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
-        """The words that may follow, and the first piece of each."""
+    def _words_after(self, state: Any, said: str, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
+        """The words that may follow, each with a first piece; of very many those that are like the one said."""
         known = self._kept.get((state, first))
         if known is None:
-            if len(self._kept) >= MAX_KEPT:
-                self._kept.clear()
             _, likely, _ = self._search.words_after(state)
-            pairs = [(word, piece) for word in sorted(likely) for piece in self._first_pieces(word, first)]
+            many = len(likely) > MANY_WORDS
+            words = sorted({word for _, word in self._search.like(state, said)} if many else likely)
+            pairs = [(word, piece) for word in words for piece in self._first_pieces(word, first)]
             known = [word for word, _ in pairs], np.array([piece for _, piece in pairs], dtype=np.int64)
-            self._kept[state, first] = known
+            if not many:
+                if len(self._kept) >= MAX_KEPT:
+                    self._kept.clear()
+                self._kept[state, first] = known
         return known
 
 

@@ -31,6 +31,16 @@ def test_what_was_heard_as_it_is_and_has_no_rival_was_said(models):
     assert Evidence(gap=3.0, margin=1.0, cost=3.0, apart=3.0, models=models).confidence < 0.1
 
 
+@given(EVIDENCE, st.floats(0.0, 8.0))
+def test_of_two_that_are_as_likely_none_is_sure(evidence, margin):
+    """Two models' nats add up; a single word, beside which all others were looked at, is weighed as a whole."""
+    sentence = replace(evidence, models=2, alone=False, margin=margin)
+    assert sentence.confidence <= sentence.share
+    assert replace(sentence, margin=0.0).confidence <= 0.5
+    assert sentence.share + replace(sentence, margin=-margin).share == pytest.approx(1.0)
+    assert replace(sentence, alone=True).share == replace(sentence, models=1).share == 1.0
+
+
 def test_letters_that_differ_weigh_beside_the_score():
     assert View(-3.0, -1.0, 0.0).value == -3.0
     assert View(-3.0, -1.0, 5.0).value < View(-3.0, -1.0, 4.0).value < -3.0

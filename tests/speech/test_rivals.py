@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from speech_stage import ROOT
 
+from intent_engine.engine import IntentEngine
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.rivals import AT_A_PLACE, Rivals
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import written
 
 NEAR = 3.0
@@ -86,6 +91,18 @@ def test_a_place_that_was_not_asked_about_is_told(rivals, tokenizer):
     before = rivals.before(["pick", "up", "the", "box"], rows)
     assert [place for place, row in before.items() if row is None] == [3]
     assert rivals.beside(["pick", "up", "the", "box"], rows, NEAR) is not None
+
+
+def test_among_very_many_names_those_like_the_one_said_are_asked_about(tokenizer, tmp_path):
+    syllables = ["ba", "do", "fi", "gu", "ke", "lo", "mi", "nu", "po", "ra", "se", "ti", "vo"]
+    others = ("".join(three) + " room" for three in itertools.product(syllables, repeat=3))
+    lines = [f"  {name}: {{x: 1.0, y: {at}.0}}\n" for at, name in enumerate(["berlin hall", "merlin hall", *others])]
+    (tmp_path / "map.yaml").write_text("frame: map\nlocations:\n" + "".join(lines))
+    grammar = SpokenGrammar(IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=tmp_path / "map.yaml"))
+    words = ("go", "to", "merlin", "hall")
+    rows = rows_of(tokenizer, "Go to Merlin Hall", {"berlin": -1.0, "merlin": -1.0, "mer": -1.0, "ber": -1.0})
+    found = Rivals(grammar.search("en"), tokenizer, "en").beside(words, rows, NEAR)
+    assert found["go", "to", "berlin", "hall"] == "merlin"
 
 
 @given(st.sampled_from(SENTENCES), st.integers(0, 2**32 - 1), st.booleans())

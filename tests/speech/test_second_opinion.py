@@ -15,7 +15,7 @@ from intent_engine.errors import WeightsError
 from intent_engine.judgement import SURE_ENOUGH_TO_STOP
 from intent_engine.runtime import SECOND_LOOK, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.evidence import View
+from intent_engine.speech.evidence import View, letters_apart
 from intent_engine.speech.moonshine_weights import MOONSHINE
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import NONE, SURE_TOGETHER, SecondOpinion, recognizer_for, second_model
@@ -49,7 +49,10 @@ class Thinks:
         return self.transcript.free_text.split()
 
     def views(self, sentences):
-        return [View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, 0.0) for words in sentences]
+        return [
+            View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, letters_apart(words, self.heard))
+            for words in sentences
+        ]
 
     def clearness(self, _words):
         return self.clear
@@ -96,7 +99,7 @@ def two(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> tupl
     return SecondOpinion(engine, one, lambda: other), one, other
 
 
-UNSURE = Thinks(heard(FORWARD, 0.5), {FORWARD: -9.0})
+UNSURE = Thinks(heard(FORWARD, 0.5), {FORWARD: -14.0})
 
 # -- when it is asked --------------------------------------------------------------------------------------------
 
@@ -273,8 +276,8 @@ def test_who_agrees_is_believed_sooner_than_who_differs(engine, score, another):
 
 
 def test_the_likelier_for_both_is_taken_though_neither_put_it_first(engine):
-    first = Thinks(heard(FORWARD, 0.5), {FORWARD: -1.0, "go back": -2.0, LEFT: -15.0})
-    second = Thinks(heard(LEFT, 0.5), {LEFT: -1.0, "go back": -2.0, FORWARD: -15.0})
+    first = Thinks(heard("goat bad", 0.5), {FORWARD: -1.0, "go back": -2.0, LEFT: -15.0})
+    second = Thinks(heard("go pack", 0.5), {LEFT: -1.0, "go back": -2.0, FORWARD: -15.0})
     assert both_think(engine, first, second).text == "go back"
 
 
