@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
-from intent_engine.speech.whisper import WhisperRecognizer
+from intent_engine.speech.whisper import WhisperRecognizer, logits_row
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -216,16 +216,11 @@ class WhisperReflex:
 
     def _next(self, features: Any, begun: Sequence[int]) -> Any:
         """Probability of each token after a beginning, ``(tokens,)``."""
-        import ctranslate2
-
         # max_length counts two for each token to write.
         result = self._whisper.engine.generate(
             features, [[*self._prompt, *begun]], max_length=2, beam_size=1, return_logits_vocab=True
         )[0]
-        logits = result.logits[0]
-        if isinstance(logits, ctranslate2.StorageView):
-            logits = logits.to_device(ctranslate2.Device.cpu)
-        scores = np.asarray(logits, dtype=np.float32).reshape(-1)
+        scores = logits_row(result.logits[0][0])
         scores = np.exp(scores - scores.max())
         return scores / scores.sum()
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.recognizer import Encoded
-from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, max_length
+from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
 from intent_engine.speech.writing import written
 
 __all__ = ["Rows", "Scoring", "ScoringWhisper"]
@@ -136,7 +136,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         result = self._greedy(encoded, language, return_logits_vocab=True)
         tokens = tuple(result.sequences_ids[0])
         told = result.logits[0] if len(tokens) <= MOST_KEPT else ()
-        self._decoded = (encoded, {tokens[:place]: np.asarray(row).ravel() for place, row in enumerate(told)})
+        self._decoded = (encoded, {tokens[:place]: logits_row(logits) for place, logits in enumerate(told)})
         return list(tokens), float(result.scores[0])
 
     def end_piece(self, language: str | None = None) -> int:
@@ -164,7 +164,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
             for place, logits in enumerate(result.logits[0]):
                 if place > len(tokens):
                     break
-                row = np.asarray(logits).ravel()
+                row = logits_row(logits)
                 top = row.max()
                 yield tokens[:place], row - (top + np.log(np.exp(row - top).sum()))
 

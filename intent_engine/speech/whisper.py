@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
@@ -21,7 +22,7 @@ from intent_engine.speech.pieces import mended
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
-__all__ = ["WhisperRecognizer", "max_length"]
+__all__ = ["WhisperRecognizer", "logits_row", "max_length"]
 
 FRAMES_PER_SECOND = 100
 MIN_SECONDS = 5.0
@@ -179,6 +180,15 @@ class WhisperRecognizer:
         unload = getattr(self._model.model, "unload_model", None)
         if unload is not None:
             unload()
+
+
+def logits_row(logits: Any) -> npt.NDArray[np.float32]:
+    """CTranslate2's logits of one place, ``(vocabulary,)``, from wherever the model is."""
+    import ctranslate2
+
+    if isinstance(logits, ctranslate2.StorageView) and logits.device != "cpu":
+        logits = logits.to_device(ctranslate2.Device.cpu)
+    return np.asarray(logits, dtype=np.float32).reshape(-1)
 
 
 def max_length(prompt: int, wanted: int) -> int:

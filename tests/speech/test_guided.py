@@ -70,7 +70,7 @@ def test_it_finds_what_the_model_wants_to_say(search, whisper, words, text):
     assert model.calls <= guided.CALLS
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=12, deadline=None)
 @given(seed=st.integers(0, 10_000))
 def test_whatever_the_model_wants_only_sentences_of_the_grammar_come_out(search, engine, seed):
     chance = np.random.default_rng(seed)

@@ -117,6 +117,7 @@ def test_what_it_thought_while_it_heard_is_kept(moonshine, spoken):
     assert moonshine.decoded(moonshine.encode(spoken)) == {}, "of another sound nothing is known"
 
 
+@pytest.mark.slow
 def test_a_robot_that_hears_with_it_alone(intent_engine, engine):
     done = intent_engine("run", "--json", "--model", MOONSHINE, "examples/demo.flac")
     assert done.returncode == 0, done.stderr
