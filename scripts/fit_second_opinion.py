@@ -29,7 +29,7 @@ from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import Samples
-from intent_engine.speech.evidence import WEIGHTS_ALONE, WEIGHTS_OF_SEVERAL
+from intent_engine.speech.evidence import WEIGHTS_OF_SEVERAL
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import SecondOpinion, Steered
@@ -50,13 +50,8 @@ class Example:
     right: bool
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """Of what is weighed."""
-        return tuple(WEIGHTS_ALONE if self.alone else WEIGHTS_OF_SEVERAL)
-
-    @property
     def weighed(self) -> list[float]:
-        return [*(self.evidence[name] for name in self.names), 1.0]
+        return [*(self.evidence[name] for name in WEIGHTS_OF_SEVERAL), 1.0]
 
 
 class Noted(SecondOpinion):
@@ -118,10 +113,9 @@ def main() -> None:
     found = gather(options(__doc__, Path("out/opinions.jsonl")), Example, examples)
     for alone, name in ((False, "OF_SEVERAL"), (True, "ALONE")):
         print(f"\n{'single words' if alone else 'sentences'}")
-        mine = [one for one in found if one.alone is alone]
-        *weights, bias = (round(float(weight), 2) for weight in report(mine))
+        *weights, bias = (round(float(weight), 2) for weight in report([one for one in found if one.alone is alone]))
         print(f"BIAS_{name} =", bias)
-        print(f"WEIGHTS_{name} =", dict(zip(mine[0].names, weights, strict=True)))
+        print(f"WEIGHTS_{name} =", dict(zip(WEIGHTS_OF_SEVERAL, weights, strict=True)))
 
 
 if __name__ == "__main__":

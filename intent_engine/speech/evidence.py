@@ -70,13 +70,13 @@ class Evidence:
         bias, weights = BIAS, WEIGHTS
         if self.models > 1:
             bias, weights = (BIAS_ALONE, WEIGHTS_ALONE) if self.alone else (BIAS_OF_SEVERAL, WEIGHTS_OF_SEVERAL)
-        value = bias + UNKNOWN * self.unknown + sum(weight * self.weighed[name] for name, weight in weights.items())
+        value = bias + UNKNOWN * self.unknown + sum(weights[name] * amount for name, amount in self.weighed.items())
         return _probability(value) * self.share
 
     @property
     def share(self) -> float:
         """Of it and the next sentence that means something else, the probability that it was this one, by what several
-        models heard independently of each other."""
+        models heard independently of each other. Weights of one model and of single words know nothing of it."""
         return 1.0 if self.models == 1 or self.alone else _probability(self.models * self.margin)
 
 

@@ -114,7 +114,7 @@ class MoonshineRecognizer:
     def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:
         """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
         pieces, rows = self._greedy(encoded)
-        score = sum(float(row.max()) for row in rows) / max(len(rows), 1)
+        score = sum(float(row.max()) for row in rows) / len(rows)
         text = self._tokenizer.decode(pieces)
         folded = fold_loop(text)
         return folded, score, folded != text

@@ -15,10 +15,9 @@ import numpy.typing as npt
 
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows
-from intent_engine.speech.writing import written
+from intent_engine.speech.writing import spellings, written
 
 __all__ = ["Rivals"]
 
@@ -44,9 +43,9 @@ class Rivals:
         self._firsts: dict[tuple[str, bool], list[int]] = {}
         self._kept: dict[tuple[Any, bool], tuple[list[str], npt.NDArray[np.int64]]] = {}
 
-    def pieces(self, words: Sequence[str]) -> tuple[int, ...]:
-        """Of a sentence as the model writes it."""
-        return self._pieces(words) if words else ()
+    def pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
+        """Of a sentence as the model writes it, or writes the middle of one."""
+        return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
 
     def before(self, words: Sequence[str], rows: Rows) -> dict[int, npt.NDArray[np.float32] | None]:
         """For the places of a sentence what a model made of them; None where it was not asked about one. Of numbers of
@@ -68,10 +67,7 @@ class Rivals:
         """The pieces of the words that a sentence begins with, however they are written."""
         if not words:
             return [()]
-        return [self._pieces(one, capital) for one in self._spelled(words) for capital in (True, False)]
-
-    def _pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
-        return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
+        return [self.pieces(one, capital) for one in spellings(words, self._language) for capital in (True, False)]
 
     def beside(self, words: Sequence[str], rows: Rows, near: float) -> dict[tuple[str, ...], str]:
         """Sentences beside one, likeliest first, each with the word of it in whose place they have another.
@@ -91,35 +87,29 @@ class Rivals:
             if row is not None:
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
-                    sentence = (*words[:place], other, *words[place + 1 :])
-                    if self._whole(sentence):
-                        found.append((behind, sentence, word))
+                    onward = (other, *words[place + 1 :])
+                    if self._leads(state, onward):
+                        found.append((behind, (*words[:place], *onward), word))
             state = graph.step(state, word)
             if state is None:
                 break
         return {sentence: word for _, sentence, word in sorted(found)}
 
-    def _whole(self, words: Sequence[str]) -> bool:
-        """Whether the grammar has the sentence."""
+    def _leads(self, state: Any, words: Sequence[str]) -> bool:
+        """Whether words lead from a state of the grammar to the end of a sentence."""
         graph = self._search.graph
-        state = graph.start()
         for word in words:
             state = graph.step(state, word)
             if state is None:
                 return False
         return bool(graph.accepting(state))
 
-    def _spelled(self, words: Sequence[str]) -> list[tuple[str, ...]]:
-        """Words, and the same with numbers in digits."""
-        numbers = self._language in (None, "en") and not NUMBER_WORDS.isdisjoint(words)
-        return [tuple(words), in_digits(words)] if numbers else [tuple(words)]
-
     def _first_pieces(self, word: str, first: bool) -> list[int]:
         """Of a word, and of a number in digits."""
         found = self._firsts.get((word, first))
         if found is None:
             capitals = (True, False) if first else (False,)
-            found = [self._pieces(one, capital)[0] for one in self._spelled([word]) for capital in capitals]
+            found = [self.pieces(one, capital)[0] for one in spellings([word], self._language) for capital in capitals]
             self._firsts[word, first] = found
         return found
 

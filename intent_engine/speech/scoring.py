@@ -10,11 +10,10 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
-from intent_engine.speech.writing import written
+from intent_engine.speech.writing import spellings, written
 
 __all__ = ["Rows", "Scoring", "ScoringWhisper"]
 
@@ -109,7 +108,7 @@ class Scoring(ABC):
     ) -> list[float]:
         """Log probability of sentences in plain words, each in the likelier of its spellings: with numbers in words or
         in digits."""
-        texts = [_spellings(words, language) for words in sentences]
+        texts = [[written(one, language) for one in spellings(words, language)] for words in sentences]
         scores = iter(self.score(encoded, [text for spelled in texts for text in spelled], language))
         return [max(next(scores) for _ in spelled) for spelled in texts]
 
@@ -188,8 +187,3 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)
         features = np.repeat(np.asarray(encoded.features)[:, :spoken], count, axis=0)
         return ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
-
-
-def _spellings(words: Sequence[str], language: str | None) -> list[str]:
-    numbers = (words, in_digits(words)) if language in (None, "en") else (words,)
-    return list(dict.fromkeys(written(one, language) for one in numbers))

@@ -11,9 +11,12 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
@@ -109,7 +112,6 @@ class Steering(Scoring):
         """By the grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
         self._guides: dict[str | None, _Guide] = {}
-        self._followed: tuple[Encoded, tuple[str, ...], Rows] | None = None
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
@@ -202,8 +204,8 @@ class Steering(Scoring):
         if not forbidden:
             return math.inf
         if heard and not self.grammar.lead(words, language):
-            # One call tells how likely the first pieces are; what follows is hardly likelier after a "don't".
-            row = self._along(encoded, words, language)[()]
+            # How likely the first pieces are is known; what follows is hardly likelier after a "don't".
+            row = self._beginning(encoded, language)
             begin, *noes = (float(row[self._first_piece(said, language)]) for said in (words, *FORBIDDING))
             if begin - max(noes) >= SURELY_SAID:
                 return begin - max(noes)
@@ -241,8 +243,8 @@ class Steering(Scoring):
             for _ in range(RIVAL_ROUNDS):
                 if not readings or readings[0].evidence.confidence < FARFETCHED:
                     break
-                rivals = self._rivals(encoded, readings[0].words, language, NEAR)
-                beside = [sentence for sentence in rivals if sentence not in found and possible(sentence)]
+                rivals = self._rivals(encoded, readings[0].words, language, NEAR, possible)
+                beside = [sentence for sentence in rivals if sentence not in found]
                 if not beside:
                     break
                 found.update(zip(beside, self.score_words(encoded, beside, language), strict=True))
@@ -262,10 +264,23 @@ class Steering(Scoring):
         return ranked()
 
     def _rivals(
-        self, encoded: Encoded, words: Sequence[str], language: str | None, near: float
+        self,
+        encoded: Encoded,
+        words: Sequence[str],
+        language: str | None,
+        near: float,
+        possible: Callable[[Sequence[str]], bool],
     ) -> dict[tuple[str, ...], str]:
         """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
-        first."""
+        first.
+
+        Args:
+            encoded: the sound.
+            words: of the sentence.
+            language: of the speech.
+            near: nats by which the first piece of another word may be less likely.
+            possible: whether a sentence may have been said.
+        """
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:
             return {}
@@ -273,35 +288,39 @@ class Steering(Scoring):
         others = (
             sentence
             for sentence in rivals
-            if self.grammar.possible(sentence, (), language) and self.grammar.means_else(sentence, meaning, language)
+            if possible(sentence) and self.grammar.means_else(sentence, meaning, language)
         )
         return {sentence: rivals[sentence] for sentence in itertools.islice(others, MOST_RIVALS)}
 
     def _close(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:
         """Other commands that may have been said where one was heard word by word, each with the word in question."""
-        rivals = self._rivals(encoded, words, language, CLOSE)
+        rivals = self._rivals(
+            encoded, words, language, CLOSE, lambda sentence: self.grammar.possible(sentence, (), language)
+        )
         if not rivals:
             return {}
         said, *others = self.score_words(encoded, [words, *rivals], language)
         return {one: word for (one, word), score in zip(rivals.items(), others, strict=True) if said - score < CLOSE}
 
     def _along(self, encoded: Encoded, words: Sequence[str], language: str | None) -> Rows:
-        """What the model makes of each place of a sentence: as it heard it freely, or asked anew; the last is kept."""
-        known = self._followed
-        if known is None or known[0] is not encoded or known[1] != tuple(words):
-            rivals = self._guide(language).rivals
-            rows = self.decoded(encoded)
-            if any(row is None for row in rivals.before(words, rows).values()):
-                rows = dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
-            known = self._followed = encoded, tuple(words), rows
-        return known[2]
+        """What the model makes of each place of a sentence: as it heard it freely, or asked anew."""
+        rivals = self._guide(language).rivals
+        rows = self.decoded(encoded)
+        if all(row is not None for row in rivals.before(words, rows).values()):
+            return rows
+        return dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
+
+    def _beginning(self, encoded: Encoded, language: str | None) -> npt.NDArray[np.float32]:
+        """How likely every piece is to be the first: as it was heard freely, or asked anew."""
+        rows = self.decoded(encoded) or dict(self.next_pieces(encoded, [()], 1, language))
+        return rows[()]
 
     def _short(self, encoded: Encoded, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         """Single words of the grammar that the sound may be, where hardly more was heard, however unlike they are
         written: a short word is soon taken for another, and nothing in a single word tells that it was."""
         if len(heard) > FEW_WORDS or not (singles := self._guide(language).singles):
             return []
-        (_, row), *_ = self.next_pieces(encoded, [()], 1, language)
+        row = self._beginning(encoded, language)
         likely = sorted(singles, key=lambda word: (-row[singles[word]], word))
         return [(word,) for word in likely[:SINGLES]]
 

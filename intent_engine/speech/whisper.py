@@ -186,7 +186,7 @@ def logits_row(logits: Any) -> npt.NDArray[np.float32]:
     """CTranslate2's logits of one place, ``(vocabulary,)``, from wherever the model is."""
     import ctranslate2
 
-    if isinstance(logits, ctranslate2.StorageView) and logits.device != "cpu":
+    if logits.device != "cpu":
         logits = logits.to_device(ctranslate2.Device.cpu)
     return np.asarray(logits, dtype=np.float32).reshape(-1)
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = ["written"]
+from intent_engine.language.numbers.spelled import in_digits
+
+__all__ = ["spellings", "written"]
 
 _WRITTEN = {
     "i": "I",
@@ -35,3 +37,9 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
     """
     text = " ".join(_WRITTEN.get(word, word) for word in words) if language in (None, "en") else " ".join(words)
     return text[:1].upper() + text[1:] if sentence else text
+
+
+def spellings(words: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+    """Words as they may be spelled: with numbers in words, and in digits."""
+    numbers = (tuple(words), in_digits(words)) if language in (None, "en") else (tuple(words),)
+    return list(dict.fromkeys(numbers))

@@ -174,5 +174,5 @@ def test_a_command_with_a_close_rival_is_not_sure(whisper, spoken, monkeypatch):
 
 def test_a_stop_has_no_rival(whisper, spoken):
     encoded = whisper.encode(spoken)
-    assert whisper._rivals(encoded, ("robot", "stop"), "en", 50.0) == {}
-    assert whisper._rivals(encoded, ("go", "forward", "two", "meters"), "en", 50.0)
+    assert whisper._rivals(encoded, ("robot", "stop"), "en", 50.0, bool) == {}
+    assert whisper._rivals(encoded, ("go", "forward", "two", "meters"), "en", 50.0, bool)
