@@ -13,7 +13,7 @@ as in Laurikari, "NFAs with tagged transitions" (2000), with preference in place
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any, TypeAlias
 
 from intent_engine.errors import ConfigError
@@ -86,6 +86,8 @@ class Automaton:
         networks: the networks that calls name.
         root: where every walk begins; its calls and edges lead to the sentences.
         loose: also enter the networks for names that may be misspelled, and read sound-alikes.
+        traced: whether sentences are read back, and ways on; else it is only walked, which is learnt in half the time,
+            since two ways that differ in preference lead to one state.
         is_numeral: tells whether a word is a numeral.
         is_number_word: tells whether a word is a number word of the language.
         closed_words: words that a free slot never swallows.
@@ -98,6 +100,7 @@ class Automaton:
         root: State,
         *,
         loose: bool = False,
+        traced: bool = True,
         is_numeral: Callable[[str], bool],
         is_number_word: Callable[[str], bool],
         closed_words: frozenset[str] = frozenset(),
@@ -106,6 +109,7 @@ class Automaton:
         self._networks = networks
         self._root = root
         self._loose = loose
+        self._traced = traced
         self._is_numeral = is_numeral
         self._is_number_word = is_number_word
         self._closed = closed_words
@@ -115,7 +119,7 @@ class Automaton:
         self._forget()
 
     def _forget(self) -> None:
-        self._kept: dict[tuple[int, ...], WordState] = {}
+        self._kept: dict[tuple[int, ...] | frozenset[int], WordState] = {}
         self._start: WordState | None = None
         # Of these there are few, in very many sets and steps: each is kept once.
         self._members: dict[tuple[int, int], _Member] = {}
@@ -123,6 +127,7 @@ class Automaton:
         self._ways: dict[tuple[_Passed, ...], tuple[_Passed, ...]] = {}
         self._meetings: dict[tuple[tuple[int, int], tuple[Mark, ...]], _Reached] = {}
         self._closures: dict[tuple[int, int], tuple[_Reached, ...]] = {}
+        self._places: dict[tuple[int, int], dict[int, _Member]] = {}
 
     # -- walking ----------------------------------------------------------------------------------------------
 
@@ -234,7 +239,8 @@ class Automaton:
             return None
         # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from
         # the table" is a thing and where it is, "lift up the cup" no "up the cup".
-        return self._close(onward + guessed + swallowed)
+        entries = onward + guessed + swallowed
+        return self._close(entries) if self._traced else (self._merge(entries), ())
 
     def _close(self, entries: Iterable[_Entry]) -> _Taken:
         """Follow every step that reads no word, in order of preference; keep the places where a word is read."""
@@ -248,17 +254,31 @@ class Automaton:
                     members.append(member)
                     came = (origin, (*marks, *further) if further else marks)
                     passed.append(self._passed.setdefault(came, came))
+        state = self._state(tuple(map(id, members)), members)
+        ways = tuple(passed)
+        return state, self._ways.setdefault(ways, ways)
+
+    def _merge(self, entries: Iterable[_Entry]) -> WordState:
+        """The same without what is passed on the way, nor the order."""
+        members: dict[int, _Member] = {}
+        for place, stack in {(id(place), id(stack)): (place, stack) for place, stack, *_ in entries}.values():
+            reached = self._places.get((id(place), id(stack)))
+            if reached is None:
+                reached = {id(member): member for member, _ in self._reached(place, stack)}
+                self._places[id(place), id(stack)] = reached
+            members.update(reached)
+        return self._state(frozenset(members), members.values())
+
+    def _state(self, key: tuple[int, ...] | frozenset[int], members: Collection[_Member]) -> WordState:
         if len(members) > MAX_MEMBERS:
             raise ConfigError(TOO_AMBIGUOUS)
-        identities = tuple(map(id, members))
-        state = self._kept.get(identities)
+        state = self._kept.get(key)
         if state is None:
             if len(self._kept) >= MAX_KEPT:
                 self._forget()
             accepts = tuple(at for at, (place, stack) in enumerate(members) if place.final and stack.target is None)
-            state = self._kept[identities] = WordState(tuple(members), accepts)
-        ways = tuple(passed)
-        return state, self._ways.setdefault(ways, ways)
+            state = self._kept[key] = WordState(tuple(members), accepts)
+        return state
 
     def _closure(self, place: State, stack: _Stack) -> tuple[_Reached, ...]:
         """The places where a word is read that are reached from one without reading any, most wanted first, with what

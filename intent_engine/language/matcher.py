@@ -60,12 +60,13 @@ class Matcher:
 
     # -- building ---------------------------------------------------------------------------------------------
 
-    def _automaton(self, root: State, *, loose: bool) -> Automaton:
+    def _automaton(self, root: State, *, loose: bool, traced: bool = True) -> Automaton:
         language = self.grammar.language
         return Automaton(
             self.networks,
             root,
             loose=loose,
+            traced=traced,
             is_numeral=quantities.is_numeral,
             is_number_word=lambda word: quantities.is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
@@ -88,7 +89,7 @@ class Matcher:
     @cached_property
     def likely(self) -> Automaton:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
-        the middle of a misheard sentence is noise, and one that was said there is heard as it is."""
+        the middle of a misheard sentence is noise, and one that was said there is heard as it is. It is only walked."""
         return self._utterances(stop_anywhere=False)
 
     @cached_property
@@ -153,7 +154,7 @@ class Matcher:
             alone.final = True
             begin.edges.append(Edge(alone, call=Call("stop")))
         end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
-        return self._automaton(begin, loose=False)
+        return self._automaton(begin, loose=False, traced=stop_anywhere)
 
     def _add_networks(self) -> None:
         grammar = self.grammar

@@ -61,6 +61,10 @@ class Opinion:
         (free_score,) = self.model.score(self.encoded, [self.transcript.free_text], self.transcript.language)
         return {words: View(score, free_score, letters_apart(words, heard)) for words, score in scores.items()}
 
+    def beside(self, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        """As :meth:`Steering.beside`."""
+        return self.model.beside(self, words)
+
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
         return self.model.clearness(self.encoded, words, self.transcript.language, heard=self.heard == list(words))

@@ -7,7 +7,7 @@ one model heard "put down the rug", is far ahead of all others, until somebody a
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -47,53 +47,74 @@ class Rivals:
         """Of a sentence as the model writes it, or writes the middle of one."""
         return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
 
-    def before(self, words: Sequence[str], rows: Rows) -> dict[int, npt.NDArray[np.float32] | None]:
-        """For the places of a sentence what a model made of them; None where it was not asked about one. Of numbers of
-        several words it says nothing: they are mostly written in digits.
+    def before(
+        self, words: Sequence[str], rows: Rows, *, numbers: bool = False
+    ) -> dict[int, npt.NDArray[np.float32] | None]:
+        """For the places of a sentence what a model made of them; None where it was not asked about one.
 
         Args:
             words: of the sentence.
             rows: what it made of some beginnings.
+            numbers: whether also for the words of numbers of several words. They are mostly written in digits, so that
+                they are known only where the model was asked about the sentence in words.
         """
-        places: list[int] = []
+        places: dict[int, list[tuple[int, ...]]] = {}
         for number, run in itertools.groupby(range(len(words)), lambda place: words[place] in NUMBER_WORDS):
             run_places = list(run)
-            if not number or len(run_places) == 1:
-                places += run_places
-        beginnings = {place: self._beginnings(words[:place]) for place in places}
-        return {place: next((rows[one] for one in some if one in rows), None) for place, some in beginnings.items()}
+            several = number and len(run_places) > 1
+            if numbers or not several:
+                places.update((place, self._beginnings(words[:place], in_words=several)) for place in run_places)
+        return {place: next((rows[one] for one in some if one in rows), None) for place, some in places.items()}
 
-    def _beginnings(self, words: Sequence[str]) -> list[tuple[int, ...]]:
-        """The pieces of the words that a sentence begins with, however they are written."""
+    def _beginnings(self, words: Sequence[str], *, in_words: bool) -> list[tuple[int, ...]]:
+        """The pieces of the words that a sentence begins with, however they are written, or with numbers in words."""
         if not words:
             return [()]
-        return [self.pieces(one, capital) for one in spellings(words, self._language) for capital in (True, False)]
+        spelled = [tuple(words)] if in_words else spellings(words, self._language)
+        return [self.pieces(one, capital) for one in spelled for capital in (True, False)]
 
-    def beside(self, words: Sequence[str], rows: Rows, near: float) -> dict[tuple[str, ...], str]:
-        """Sentences beside one, likeliest first, each with the word of it in whose place they have another.
+    def beside(
+        self, words: Sequence[str], rows: Rows, near: float, *, numbers: bool = False
+    ) -> dict[tuple[str, ...], str]:
+        """Sentences beside one, likeliest first, each with the word of it in whose place they have another; or with a
+        word of a number that it has not, or not with one that it has.
 
         Args:
             words: of a sentence of the grammar.
             rows: how likely the model finds every piece in its places.
             near: nats by which the first piece of another word may be less likely.
+            numbers: whether numbers of several words may be others.
         """
         graph = self._search.graph
         state = graph.start()
         found: list[tuple[float, tuple[str, ...], str]] = []
-        before = self.before(words, rows)
+        before = self.before(words, rows, numbers=numbers)
         for place, word in enumerate(words):
             row = before.get(place)
             others, pieces = self._words_after(state, word, place == 0)
             if row is not None:
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
+                counted = numbers and not NUMBER_WORDS.isdisjoint(words[max(place - 1, 0) : place + 1])
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
-                    onward = (other, *words[place + 1 :])
-                    if self._leads(state, onward):
-                        found.append((behind, (*words[:place], *onward), word))
+                    found += [
+                        (behind, (*words[:place], *onward), word)
+                        for onward in self._onward(tuple(words[place:]), other, counted=counted)
+                        if self._leads(state, onward)
+                    ]
             state = graph.step(state, word)
             if state is None:
                 break
         return {sentence: word for _, sentence, word in sorted(found)}
+
+    @staticmethod
+    def _onward(words: tuple[str, ...], other: str, *, counted: bool) -> Iterator[tuple[str, ...]]:
+        """Words with another in place of the first; of a number also with it before the first, and without the first,
+        if it is the second."""
+        yield (other, *words[1:])
+        if counted and other in NUMBER_WORDS:
+            yield (other, *words)
+        if counted and words[0] in NUMBER_WORDS and words[1:2] == (other,):
+            yield words[1:]
 
     def _leads(self, state: Any, words: Sequence[str]) -> bool:
         """Whether words lead from a state of the grammar to the end of a sentence."""

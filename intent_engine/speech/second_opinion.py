@@ -14,10 +14,10 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -36,9 +36,10 @@ from intent_engine.speech.moonshine_weights import (
 )
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Recognizer, Transcript
-from intent_engine.speech.spoken_grammar import SpokenGrammar, goes_on
+from intent_engine.speech.spoken_grammar import SpokenGrammar, end_left_out
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK, RIVAL_MARGIN
+from intent_engine.speech.weighing import doubted
 from intent_engine.speech.weights import find_weights
 
 if TYPE_CHECKING:
@@ -190,24 +191,37 @@ class SecondOpinion:
         best = readings[0]
         unclear: tuple[str, ...] = ()
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
-            others = self._beside.submit(second.clearness, best.words)
-            unclear = _unclear(first.clearness(best.words), others.result())
+            clear = self._each(lambda one: one.clearness(best.words), (first, second))
+            unclear = (*_unclear(*clear), *self._heard_otherwise(best, first, second))
         both = as_read(heard, readings, unclear)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
         return both, min(letters_apart(best.words, one.heard) for one in (first, second))
 
+    def _heard_otherwise(self, best: Reading, *opinions: Opinion) -> list[str]:
+        """Words in free slots that no list has and that not all heard: nothing else tells that they were said. And the
+        last words that were heard, if they are left out."""
+        language = opinions[0].transcript.language
+        heard = [one.heard for one in opinions]
+        unlisted = self._grammar.unlisted(self._grammar.parse(" ".join(best.words), language), language)
+        left_out = end_left_out(best.words, heard)
+        says_something = left_out and not self._grammar.says_nothing(left_out, language)
+        return [
+            *(word for word in unlisted if not all(word in one for one in heard)),
+            *([" ".join(left_out)] if says_something else []),
+        ]
+
     def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
-        """The sentences that one of two models thought of, with what both think of them, likeliest first."""
-        heard = [one.heard for one in (first, second) if one.heard]
-        thought_of = dict.fromkeys((*first.sentences, *second.sentences))
-        sentences = tuple(words for words in thought_of if not goes_on(words, heard))
-        if not sentences:
-            return []
-        others = self._beside.submit(second.views, sentences)
-        views = zip(first.views(sentences), others.result(), strict=True)
-        return self._grammar.ranked(dict(zip(sentences, views, strict=True)), first.transcript.language)
+        """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both
+        think of them, likeliest first."""
+        return doubted(self._grammar, (first, second), self._each)
+
+    def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
+        """The same asked of two models, side by side."""
+        first, second = opinions
+        other = self._beside.submit(ask, second)
+        return [ask(first), other.result()]
 
     def _meaning(self, heard: Transcript) -> Interpretation:
         return self._grammar.parse(heard.text, heard.language)

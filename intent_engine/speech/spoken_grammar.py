@@ -17,7 +17,7 @@ from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
-from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
+from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["FORBIDDING", "NARRATING", "SpokenGrammar", "goes_on"]
+__all__ = ["FORBIDDING", "NARRATING", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -48,6 +48,13 @@ FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 MISHEARD = 0.4
 """Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
+UNHEARD_LETTERS = 6
+"""Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
+LEFT_OUT_LETTERS = 4
+"""and of the last words that were heard, from which they are not left out."""
+BEYOND = 0.75
+"""The share of the letters of such words by which the rest is nearer to the other. Of 516 commands that were right in
+doubt it takes none, of 29 that were wrong it takes five."""
 
 
 @dataclass(slots=True)
@@ -150,16 +157,23 @@ class SpokenGrammar:
             count += max(lengths)
         return count if count < len(words) else 0
 
+    def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words change nothing, wherever they stand: "please"."""
+        return self.lead([*words, ""], language) == len(words)
+
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
-        known = self._known(language)
-        if known.words.issuperset(word for word in words if not is_numeral(word)) and known.in_slots.issuperset(
-            said_in_slots(meaning.slots)
-        ):
+        known = self._known(language).words.issuperset(word for word in words if not is_numeral(word))
+        if known and not self.unlisted(meaning, language):
             return False
         heard = tuple(words)
         as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
+
+    def unlisted(self, meaning: Interpretation, language: str | None = None) -> list[str]:
+        """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
+        known = self._known(language).in_slots
+        return [word for word in said_in_slots(meaning.slots) if word not in known]
 
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
         """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
@@ -236,6 +250,41 @@ def goes_on(words: Sequence[str], heard: Iterable[Sequence[str]]) -> bool:
     said = list(words)
     heard = [list(one) for one in heard]
     return said not in heard and any(said[: len(one)] == one for one in heard)
+
+
+def ends_unheard(words: Sequence[str], heard: Sequence[Sequence[str]]) -> bool:
+    """Whether a sentence ends with words that are like nothing that several models heard.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    return bool(_end_beyond(words, heard, UNHEARD_LETTERS))
+
+
+def end_left_out(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
+    """The last words that were heard, where a sentence ends before them for each of several models: "at six miles per
+    hour" was said, whoever drives on without it. Empty: it leaves out nothing.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    left_out = [_end_beyond(one, [words], LEFT_OUT_LETTERS) for one in heard]
+    return left_out[0] if left_out and all(left_out) else ()
+
+
+def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: int) -> Sequence[str]:
+    """The last words, without which the words are nearer to each of some others by nearly as many letters as these
+    have; not all."""
+    whole = [letters_apart(words, one) for one in others]
+    for count in range(1, len(words)):
+        end = words[-count:]
+        letters = sum(map(len, end))
+        nearer = [before - letters_apart(words[:-count], one) for before, one in zip(whole, others, strict=True)]
+        if letters >= least and min(nearer, default=0.0) >= BEYOND * letters:
+            return end
+    return ()
 
 
 def _mean(values: Sequence[float]) -> float:

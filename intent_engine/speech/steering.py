@@ -29,6 +29,7 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.scoring import Rows, Scoring
 from intent_engine.speech.spoken_grammar import FORBIDDING, NARRATING, SpokenGrammar, goes_on
+from intent_engine.speech.weighing import doubted
 from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
@@ -44,8 +45,6 @@ DRAFTS = 3
 """Utterances from which the model is led along the automaton."""
 MOST_RIVALS = 6
 """Commands that are scored because they differ in one word from the likeliest."""
-RIVAL_ROUNDS = 2
-"""Times that they are looked for: the second, where another is the likeliest then."""
 NEAR = 4.0
 """nats by which the first piece of a word may be less likely than that of the word in whose place it may stand,"""
 CLOSE = 1.5
@@ -112,11 +111,13 @@ class Steering(Scoring):
         """By the grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
         self._guides: dict[str | None, _Guide] = {}
+        self._besides: tuple[Encoded | None, dict[tuple[str, ...], tuple[tuple[str, ...], ...]]] = (None, {})
+        """What may have been said in place of some sentences, given the sound that was asked about last."""
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        self.opinion = self.search(self.compare(self.listen(samples)))
+        self.opinion = self._doubted(self.search(self.compare(self.listen(samples))))
         return self.clear(self.opinion)
 
     def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
@@ -148,7 +149,7 @@ class Steering(Scoring):
         surely is one of them, or clearly none."""
         if heard.settled:
             return heard
-        compared = self._compared(heard, search=False)
+        compared = self._doubted(self._compared(heard, search=False))
         confidence, gap = compared.transcript.sureness, compared.transcript.gap
         sure = confidence >= SURE and gap is not None and gap < CLOSE_GAP
         talk = confidence < FARFETCHED and heard.transcript.score > CLEAR_TALK
@@ -168,14 +169,18 @@ class Steering(Scoring):
         again = replace(self._compared(again, search=True), settled=True)
         return again if again.transcript.sureness > found.transcript.sureness else found
 
+    def _doubted(self, heard: Opinion) -> Opinion:
+        """What was heard, compared with other commands beside the likeliest."""
+        if not heard.sentences or heard.transcript.confidence == 1.0:
+            return heard
+        return _as_read(heard, doubted(self.grammar, [heard]))
+
     def _compared(self, heard: Opinion, *, search: bool) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
-        free, language = heard.transcript.free_text, heard.transcript.language
         readings = self.readings(heard, search=search)
-        transcript = Transcript(free, heard.transcript.score, free, language=language)
-        if readings:
-            transcript = as_read(transcript, readings)
-        return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
+        free, language = heard.transcript.free_text, heard.transcript.language
+        unread = replace(heard, transcript=Transcript(free, heard.transcript.score, free, language=language))
+        return _as_read(unread, readings)
 
     def clear(self, heard: Opinion) -> Transcript:
         """What was heard, with the words that were not heard clearly, if it may be acted on."""
@@ -226,29 +231,17 @@ class Steering(Scoring):
         """
         encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
         words = heard.heard
-        story = self._story(encoded, free, language)
-
-        def possible(sentence: Sequence[str]) -> bool:
-            return not goes_on(sentence, [words]) and self.grammar.possible(sentence, story, language, heard=words)
+        possible = self._possible(heard)
 
         def ranked() -> list[Reading]:
             views = {sentence: (view,) for sentence, view in heard.viewed(found).items()}
             return self.grammar.ranked(views, language)
 
-        like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
+        like = [*self.grammar.near(words, language), *self._short(encoded, words, language), *heard.sentences]
         like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
         readings = ranked()
         if not search:
-            for _ in range(RIVAL_ROUNDS):
-                if not readings or readings[0].evidence.confidence < FARFETCHED:
-                    break
-                rivals = self._rivals(encoded, readings[0].words, language, NEAR, possible)
-                beside = [sentence for sentence in rivals if sentence not in found]
-                if not beside:
-                    break
-                found.update(zip(beside, self.score_words(encoded, beside, language), strict=True))
-                readings = ranked()
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
         guided = self._guide(language).guided.likeliest(
@@ -263,6 +256,27 @@ class Steering(Scoring):
                 found[sentence] = max(score, found.get(sentence, score))
         return ranked()
 
+    def _possible(self, heard: Opinion) -> Callable[[Sequence[str]], bool]:
+        """Whether a sentence may have been said."""
+        free, language = heard.transcript.free_text, heard.transcript.language
+        words = heard.heard
+        story = self._story(heard.encoded, free, language)
+
+        def possible(sentence: Sequence[str]) -> bool:
+            return not goes_on(sentence, [words]) and self.grammar.possible(sentence, story, language, heard=words)
+
+        return possible
+
+    def beside(self, heard: Opinion, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        """Other commands that may have been said in place of one, and differ in one word; the likeliest first."""
+        encoded, language = heard.encoded, heard.transcript.language
+        if self._besides[0] is not encoded:
+            self._besides = encoded, {}
+        found = self._besides[1]
+        if words not in found:
+            found[words] = tuple(self._rivals(encoded, words, language, NEAR, self._possible(heard), numbers=True))
+        return found[words]
+
     def _rivals(
         self,
         encoded: Encoded,
@@ -270,6 +284,8 @@ class Steering(Scoring):
         language: str | None,
         near: float,
         possible: Callable[[Sequence[str]], bool],
+        *,
+        numbers: bool = False,
     ) -> dict[tuple[str, ...], str]:
         """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
         first.
@@ -280,11 +296,13 @@ class Steering(Scoring):
             language: of the speech.
             near: nats by which the first piece of another word may be less likely.
             possible: whether a sentence may have been said.
+            numbers: whether with other numbers of several words.
         """
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:
             return {}
-        rivals = self._guide(language).rivals.beside(words, self._along(encoded, words, language), near)
+        rows = self._along(encoded, words, language, numbers=numbers)
+        rivals = self._guide(language).rivals.beside(words, rows, near, numbers=numbers)
         others = (
             sentence
             for sentence in rivals
@@ -302,11 +320,11 @@ class Steering(Scoring):
         said, *others = self.score_words(encoded, [words, *rivals], language)
         return {one: word for (one, word), score in zip(rivals.items(), others, strict=True) if said - score < CLOSE}
 
-    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None) -> Rows:
+    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None, *, numbers: bool) -> Rows:
         """What the model makes of each place of a sentence: as it heard it freely, or asked anew."""
         rivals = self._guide(language).rivals
         rows = self.decoded(encoded)
-        if all(row is not None for row in rivals.before(words, rows).values()):
+        if all(row is not None for row in rivals.before(words, rows, numbers=numbers).values()):
             return rows
         return dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
 
@@ -393,6 +411,12 @@ class Steering(Scoring):
             word: said - other - RIVAL_MARGIN + (TEEN if word.endswith("ty") else -TEEN)
             for word, other in zip(rivals, others, strict=True)
         }
+
+
+def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:
+    """What was heard, taken for the likeliest of some sentences; if there are none, for nothing."""
+    transcript = as_read(heard.transcript, readings) if readings else heard.transcript
+    return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
 
 
 def _below(clearness: Mapping[str, float]) -> tuple[str, ...]:

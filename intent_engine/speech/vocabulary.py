@@ -46,11 +46,9 @@ def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:
     for value in slots.values():
         if isinstance(value, str):
             yield from value.split()
-        elif isinstance(value, Mapping):
-            yield from said_in_slots(value)
-        elif isinstance(value, list):
+        elif isinstance(value, list):  # the steps of a compound
             for step in value:
-                yield from said_in_slots(step) if isinstance(step, Mapping) else ()
+                yield from said_in_slots(step["slots"])
 
 
 def _words(node: Node) -> list[str]:

@@ -148,6 +148,21 @@ def test_the_same_beginnings_and_the_same_next_words(
 
 
 @many
+@given(grammar_and_words())
+def test_one_that_is_only_walked_goes_the_same_ways(case: tuple[Matcher, ReferenceMatcher, list[list[str]]]) -> None:
+    matcher, _, tried = case
+    traced = matcher.strict
+    walked = matcher._automaton(matcher._root(), loose=False, traced=False)
+    for said in tried:
+        (count, state), (walked_count, walked_state) = traced.walk(said), walked.walk(said)
+        assert count == walked_count
+        assert (state is None) is (walked_state is None)
+        if state is not None and walked_state is not None:
+            for asked in ("next_words", "known_words", "allows_digits", "free", "accepting", "inside"):
+                assert getattr(traced, asked)(state) == getattr(walked, asked)(walked_state), asked
+
+
+@many
 @given(grammar_and_words(), st.randoms(use_true_random=False))
 def test_what_was_read_before_changes_nothing(
     case: tuple[Matcher, ReferenceMatcher, list[list[str]]], random: object

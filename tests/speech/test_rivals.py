@@ -86,6 +86,33 @@ def test_of_a_number_of_several_words_nothing_is_said(rivals, tokenizer):
     assert all(one[2:5] == tuple(words[2:5]) for one in rivals.beside(words, rows, NEAR))
 
 
+@pytest.mark.parametrize(
+    ("likely", "other"),
+    [
+        ({"one": 0.0, "two": -1.0}, "two hundred twenty"),
+        ({"twenty": 0.0, "thirty": -1.0}, "one hundred thirty"),
+        ({"degrees": 0.0, "five": -1.0}, "one hundred twenty five"),
+        ({"hundred": 0.0, "twenty": 0.0}, "one twenty"),
+        ({"twenty": 0.0, "degrees": -1.0}, "one hundred"),
+    ],
+    ids=["another first", "another last", "one more", "one less", "the last less"],
+)
+def test_a_number_of_several_words_may_be_another_in_one_word(rivals, tokenizer, likely, other):
+    """Where the model was asked about it in words; most write it in digits."""
+    words = ["turn", "left", "one", "hundred", "twenty", "degrees"]
+    rows = rows_of(tokenizer, "Turn left one hundred twenty degrees", likely)
+    found = [" ".join(one) for one in rivals.beside(words, rows, NEAR, numbers=True)]
+    assert f"turn left {other} degrees" in found
+    assert f"turn left {other} degrees" not in beside(rivals, tokenizer, " ".join(words), " ".join(words), likely)
+
+
+def test_a_number_in_digits_tells_nothing_of_its_words(rivals, tokenizer):
+    words = ["turn", "left", "one", "hundred", "twenty", "degrees"]
+    rows = rows_of(tokenizer, "Turn left 120 degrees", {})
+    before = rivals.before(words, rows, numbers=True)
+    assert [place for place, row in before.items() if row is None] == [3, 4]
+
+
 def test_a_place_that_was_not_asked_about_is_told(rivals, tokenizer):
     rows = rows_of(tokenizer, "Pick up, the box", {})
     before = rivals.before(["pick", "up", "the", "box"], rows)

@@ -39,6 +39,8 @@ class Thinks:
     scores: dict[str, float] = field(default_factory=dict)
     clear: dict[str, float] = field(default_factory=dict)
     settled: bool = False
+    others: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """What else may have been said in place of a sentence."""
 
     @property
     def sentences(self) -> tuple[tuple[str, ...], ...]:
@@ -54,8 +56,22 @@ class Thinks:
             for words in sentences
         ]
 
+    def beside(self, words):
+        return tuple(tuple(text.split()) for text in self.others.get(" ".join(words), ()))
+
     def clearness(self, _words):
         return self.clear
+
+
+@dataclass
+class Knows(Thinks):
+    """One who can say of all sentences how likely they are, and thought of few."""
+
+    thought_of: frozenset[str] = frozenset()
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(one for one in super().sentences if " ".join(one) in self.thought_of)
 
 
 class Says:
@@ -189,6 +205,55 @@ def test_of_a_sentence_that_goes_on_from_what_was_heard_one_must_have_heard_all(
     second = Thinks(heard(other, 0.5), {FORWARD: LIKELY})
     found = both_think(engine, first, second)
     assert (found.text == FORWARD) is completed
+
+
+def test_words_of_which_neither_heard_a_letter_are_not_added(engine):
+    """Both heard all to the end; "then go forward" is what the grammar would have after it."""
+    completed = f"{FORWARD} then go forward"
+    first = Thinks(heard("go for what two meters", 0.5), {FORWARD: -6.0, completed: LIKELY})
+    second = Thinks(heard("no forward too meters", 0.5), {FORWARD: -6.0})
+    assert both_think(engine, first, second).text == FORWARD
+    second = Thinks(heard("no forward too meters then no forward", 0.5), {FORWARD: -6.0, completed: LIKELY})
+    assert both_think(engine, first, second).text == completed
+
+
+@pytest.mark.parametrize("freely", ["pick up the flurb", "pick up the curb"])
+def test_a_word_that_no_list_has_must_have_been_heard_by_both(engine, freely):
+    """Nothing else tells whether it was said."""
+    flurb = "pick up the flurb"
+    first = Thinks(heard(flurb, 0.8), {flurb: LIKELY}, {"flurb": 0.3})
+    second = Thinks(replace(heard(flurb, 0.8), free_text=freely), {flurb: LIKELY}, {"flurb": 0.3})
+    found = both_think(engine, first, second)
+    assert found.text == flurb
+    assert found.unclear == (() if freely == flurb else ("flurb",))
+
+
+def test_what_both_heard_to_the_end_is_not_left_out(engine):
+    text = f"{FORWARD} at six miles"
+    first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})
+    for second_heard, unclear in ((text, ("miles",)), (FORWARD, ())):
+        second = Thinks(replace(heard(FORWARD, 0.5), free_text=second_heard), {FORWARD: LIKELY})
+        assert both_think(engine, first, second).unclear == unclear
+    first = second = Thinks(replace(heard(FORWARD, 0.5), free_text=f"{FORWARD} please"), {FORWARD: LIKELY})
+    assert both_think(engine, first, second).unclear == ()
+
+
+def test_what_neither_thought_of_is_asked_of_both(engine):
+    """ "Put down the mug" is far ahead of all others, until somebody thinks of the book."""
+    mug, book, bowl = "put down the mug", "put down the book", "put down the bowl"
+    alone = Thinks(heard(mug, 0.5), {mug: -4.0, book: -3.0, bowl: LIKELY})
+    first = Knows(alone.transcript, alone.scores, thought_of=frozenset({mug}))
+    second = replace(first)
+    assert both_think(engine, first, second).confidence > SURE_TOGETHER
+    second.others = {mug: (book,)}
+    found = both_think(engine, first, second)
+    assert (found.text, found.alternatives) == (mug, (book,))
+    assert found.confidence < SURE_TOGETHER
+    first.others, second.others = {bowl: (book, mug)}, {mug: (bowl,)}
+    found = both_think(engine, first, second)
+    assert (found.text, set(found.alternatives)) == (bowl, {mug, book}), (
+        "the second time beside the one that is likelier"
+    )
 
 
 def test_the_same_words_are_not_heard_twice(engine):

@@ -1,0 +1,64 @@
+"""What one or several models make of a sound, taken together: the sentences that it may have been, with other commands
+beside the likeliest, of which none of them may have thought.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import chain
+from typing import Any, Protocol
+
+from intent_engine.speech.opinion import Opinion, Reading
+from intent_engine.speech.spoken_grammar import SpokenGrammar, ends_unheard, goes_on
+
+__all__ = ["Each", "doubted"]
+
+ROUNDS = 2
+"""Times that other commands are looked for: the second, where one of them is the likeliest then."""
+WORTH_DOUBT = 0.1
+"""Confidence from which they are: of less nothing comes."""
+
+
+class Each(Protocol):
+    """As :class:`map`: asks one model after the other, or side by side."""
+
+    def __call__(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> Iterable[Any]: ...
+
+
+def doubted(grammar: SpokenGrammar, opinions: Sequence[Opinion], each: Each = map) -> list[Reading]:
+    """The sentences that one of several models thought of, and commands that differ in one word from the likeliest,
+    with what all think of them, likeliest first.
+
+    Args:
+        grammar: whose sentences.
+        opinions: of the same sound.
+        each: asks the models.
+    """
+    sentences = list(dict.fromkeys(chain.from_iterable(one.sentences for one in opinions)))
+    readings = _compared(grammar, sentences, opinions, each)
+    for _ in range(ROUNDS):
+        if not readings or readings[0].evidence.confidence < WORTH_DOUBT:
+            break
+        beside = dict.fromkeys(_beside(readings[0].words, opinions, each))
+        others = [words for words in beside if words not in sentences]
+        if not others:
+            break
+        sentences += others
+        readings = _compared(grammar, sentences, opinions, each)
+    return readings
+
+
+def _compared(
+    grammar: SpokenGrammar, sentences: Iterable[tuple[str, ...]], opinions: Sequence[Opinion], each: Each
+) -> list[Reading]:
+    heard = [one.heard for one in opinions if one.heard]
+    several = len(opinions) > 1
+    said = [words for words in sentences if not (goes_on(words, heard) or (several and ends_unheard(words, heard)))]
+    if not said:
+        return []
+    views = zip(*each(lambda one: one.views(said), opinions), strict=True)
+    return grammar.ranked(dict(zip(said, views, strict=True)), opinions[0].transcript.language)
+
+
+def _beside(best: tuple[str, ...], opinions: Sequence[Opinion], each: Each) -> Iterable[tuple[str, ...]]:
+    return chain.from_iterable(each(lambda one: one.beside(best), opinions))
