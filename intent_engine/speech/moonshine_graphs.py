@@ -10,8 +10,9 @@ from __future__ import annotations
 import logging
 import shutil
 import tempfile
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,10 @@ BEGIN = "begin.onnx"
 """Words and states -> what may come after each of them, and what the next step needs to know."""
 STEP = "step.onnx"
 """One word more, and what is known -> what may come next."""
+WORK = "unfolding-"
+"""How the folders begin in which graphs are made."""
+ABANDONED = 3600.0
+"""s after which such a folder is of a program that was killed: it takes half a minute."""
 _BRANCHES = {BEGIN: "else_branch", STEP: "then_branch"}
 """Of the switch ``use_cache_branch`` in the published decoder."""
 
@@ -41,7 +46,8 @@ def unfold(encoder: Path, decoder: Path, target: Path) -> None:
     import onnx
 
     target.parent.mkdir(parents=True, exist_ok=True)
-    work = Path(tempfile.mkdtemp(prefix="unfolding-", dir=target.parent))
+    _clear_abandoned(target.parent)
+    work = Path(tempfile.mkdtemp(prefix=WORK, dir=target.parent))
     try:
         read, folded = work / "read.onnx", work / "folded.onnx"
 
@@ -66,6 +72,14 @@ def unfold(encoder: Path, decoder: Path, target: Path) -> None:
                 raise
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _clear_abandoned(folder: Path) -> None:
+    """Remove what programs left that were killed before they were done: hundreds of megabytes each."""
+    for left in folder.glob(f"{WORK}*"):
+        with suppress(OSError):  # another program is removing it
+            if time.time() - left.stat().st_mtime > ABANDONED:
+                shutil.rmtree(left, ignore_errors=True)
 
 
 def _written(graph: Path, to: Path) -> None:

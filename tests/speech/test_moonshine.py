@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
 import platform
 import shutil
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -15,6 +17,7 @@ from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.free import free_recognizer
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.moonshine import MoonshineRecognizer
+from intent_engine.speech.moonshine_graphs import ABANDONED, WORK, unfold
 from intent_engine.speech.moonshine_pieces import END, MoonshinePieces
 from intent_engine.speech.moonshine_weights import (
     DECODER,
@@ -228,3 +231,16 @@ def test_the_graphs_are_made_once_and_this_is_told(tmp_path, monkeypatch):
     assert len(told) == 1
     assert sorted(path.name for path in first.graphs.iterdir()) == ["begin.onnx", "encoder.onnx", "step.onnx"]
     assert [path.name for path in first.graphs.parent.iterdir()] == [first.graphs.name]
+
+
+def test_what_a_killed_program_left_is_removed(tmp_path):
+    """Half-made graphs are hundreds of megabytes; those of a program that still makes them stay."""
+    killed, busy = tmp_path / f"{WORK}killed", tmp_path / f"{WORK}busy"
+    for folder in (killed, busy):
+        folder.mkdir()
+        (folder / "read.onnx").write_bytes(b"half")
+    before = time.time() - ABANDONED - 1
+    os.utime(killed, (before, before))
+    with pytest.raises(Exception, match="ONNXRuntimeError"):
+        unfold(tmp_path / "missing.ort", tmp_path / "missing.ort", tmp_path / "made")
+    assert [one.name for one in tmp_path.iterdir()] == [busy.name]
