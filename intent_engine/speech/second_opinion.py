@@ -15,7 +15,7 @@ import contextlib
 import math
 import time
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -26,6 +26,7 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.beside import Beside
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
@@ -65,6 +66,8 @@ HOPELESS = 0.03
 """Confidence of the first, below which the second is not asked about words that the first heard clearly."""
 LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
+CLOSING = 2.0
+"""s that the second model is given to end what it does."""
 UNSETTLED = 0.1
 """s at the end of such a sound that a noise filter may still change."""
 
@@ -115,7 +118,7 @@ class SecondOpinion:
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         self._grammar = SpokenGrammar(engine)
         self._first = first
-        self._beside = ThreadPoolExecutor(1, thread_name_prefix="second model")
+        self._beside = Beside("second model")
         self._second = self._beside.submit(second)
         self._draft: _Look | None = None
         """What was last heard with less care."""
@@ -171,9 +174,10 @@ class SecondOpinion:
 
     def close(self) -> None:
         self._first.close()
-        with contextlib.suppress(Exception):  # a second that was never made has nothing to let go of
-            self._second.result().close()
-        self._beside.shutdown(wait=False)
+        closed = self._beside.submit(lambda: self._second.result().close())
+        self._beside.close()
+        with contextlib.suppress(Exception):  # one that was never made has nothing to let go of; one that hangs cannot
+            closed.result(timeout=CLOSING)
 
     def _weighed(self, first: Opinion, second: Opinion) -> tuple[Transcript, float]:
         """What two models heard in the same sound, as one; and the letters by which it differs from the words that the

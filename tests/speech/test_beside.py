@@ -1,0 +1,63 @@
+"""Work beside: in turn, with what it raises, and never in the way of the process's end."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+import threading
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.speech.beside import Beside
+
+
+@given(st.lists(st.one_of(st.integers(), st.just("fails")), max_size=8))
+def test_each_answers_for_itself_and_in_turn(work):
+    beside = Beside("test")
+    done = []
+
+    def ask(piece, *, twice):
+        done.append(piece)
+        return int(piece) * twice
+
+    futures = [beside.submit(ask, piece, twice=2) for piece in work]
+    beside.close()
+    for piece, future in zip(work, futures, strict=True):
+        if piece == "fails":
+            with pytest.raises(ValueError, match="fails"):
+                future.result(timeout=10)
+        else:
+            assert future.result(timeout=10) == 2 * piece
+    assert done == work
+
+
+def test_a_closed_thread_ends():
+    beside = Beside("ends")
+    beside.close()
+    beside.close()
+    for thread in threading.enumerate():
+        if thread.name == "ends":
+            thread.join(timeout=10)
+            assert not thread.is_alive()
+
+
+def test_a_model_that_hangs_does_not_keep_the_process():
+    """Ctrl-C would leave the program there for ever."""
+    program = """
+        import threading
+        from intent_engine.speech.beside import Beside
+        begun = threading.Event()
+        def hang():
+            begun.set()
+            threading.Event().wait()
+        Beside("hung").submit(hang)
+        begun.wait()
+        print("over", flush=True)
+    """
+    found = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (found.stdout.strip(), found.returncode) == ("over", 0)
