@@ -54,8 +54,8 @@ LEFT_OUT_LETTERS = 4
 """and of the last words that were heard, from which they are not left out."""
 BEYOND = 0.75
 """The share of the letters of such words by which the rest is nearer to the other. By words that nobody heard none of
-333 commands is lost that were right in doubt, and one wrong one is not done; by words left out one of 516, and two of 29
-wrong ones."""
+333 commands is lost that were right in doubt, and one wrong one is not done; by words left out one of 516, and two of
+29 wrong ones."""
 
 
 @dataclass(slots=True)
