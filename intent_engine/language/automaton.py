@@ -86,7 +86,7 @@ class Automaton:
         networks: the networks that calls name.
         root: where every walk begins; its calls and edges lead to the sentences.
         loose: also enter the networks for names that may be misspelled, and read sound-alikes.
-        traced: whether sentences are read back, and ways on; else it is only walked, which is learnt in half the time,
+        traced: whether sentences are read back, and ways on; else it is only walked, and new states are made faster,
             since two ways that differ in preference lead to one state.
         is_numeral: tells whether a word is a numeral.
         is_number_word: tells whether a word is a number word of the language.

@@ -46,9 +46,11 @@ def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:
     for value in slots.values():
         if isinstance(value, str):
             yield from value.split()
-        elif isinstance(value, list):  # the steps of a compound
-            for step in value:
-                yield from said_in_slots(step["slots"])
+        elif isinstance(value, Mapping):
+            yield from said_in_slots(value)
+        elif isinstance(value, list):
+            for step in value:  # of a compound: the name of its intent was not said
+                yield from said_in_slots(step.get("slots", step)) if isinstance(step, Mapping) else ()
 
 
 def _words(node: Node) -> list[str]:
