@@ -52,7 +52,7 @@ def _compared(
     grammar: SpokenGrammar, sentences: Iterable[tuple[str, ...]], opinions: Sequence[Opinion], each: Each
 ) -> list[Reading]:
     heard = [one.heard for one in opinions if one.heard]
-    several = len(opinions) > 1
+    several = len(opinions) > 1  # one alone may have stopped short, which its search of the grammar makes up for
     said = [words for words in sentences if not (goes_on(words, heard) or (several and ends_unheard(words, heard)))]
     if not said:
         return []
