@@ -16,6 +16,7 @@ from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import numbers_otherwise
 from intent_engine.language.reading import Reading, SlotReading
@@ -178,9 +179,10 @@ class Matcher:
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
         for name, node in grammar.phrases.items():
-            self.networks.add_template(f"phrase:{name}", node, self._scope(node))
+            self.networks.add_template(f"phrase:{name}", self._spoken(node), self._scope(node))
         for index, (_, sentence) in enumerate(self.sentences):
-            self.networks.add_template(f"sentence:{index}", sentence.template, self._scope(sentence.template))
+            node = sentence.template
+            self.networks.add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
 
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"
@@ -194,10 +196,14 @@ class Matcher:
             scope = {}
             for _, node in slot.values:
                 scope.update(self._scope(node))
-            self.networks.add_choice(key, slot.values, scope)
+            self.networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
         elif slot.type == "location":
             respell = numbers_otherwise if self.grammar.language == "en" else None
             self.networks.add_names(key, _NamesOf(self.locations, slot.tags), respell)
+
+    def _spoken(self, node: Node) -> Node:
+        """A template of the file with its numbers in digits and in words, where those are known."""
+        return numbers_either_way(node) if self.grammar.language == "en" else node
 
     def _scope(self, node: Node) -> dict[str, Call]:
         scope = {}

@@ -1,29 +1,73 @@
-"""Work beside, one piece after the other, in a thread that never keeps the process from ending."""
+"""Work beside, in threads that native code may be busy in when the process ends.
+
+An interpreter waits at its end for usual threads, for ever if need be, as for a model that hangs. From a daemon thread
+it goes away; but native code that comes back to it then aborts the whole process. So it waits, but only so long.
+"""
 
 from __future__ import annotations
 
+import atexit
+import contextlib
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import ParamSpec, TypeVar
 
-__all__ = ["Beside"]
+__all__ = ["PATIENCE", "Beside", "start_beside"]
 
 _Result = TypeVar("_Result")
 _Asked = ParamSpec("_Asked")
 
+PATIENCE = 20.0
+"""s that the end of the process waits for such a thread: a model that is loaded with both cores busy takes several."""
+
+
+def start_beside(
+    work: Callable[[], object], name: str, stop: Callable[[], object] | None = None, *, patience: float = PATIENCE
+) -> threading.Thread:
+    """Start a thread that the process waits for when it ends, but not for ever.
+
+    Args:
+        work: what it does.
+        name: of the thread.
+        stop: called when the process ends, so that the work ends. It may be called when that is over.
+        patience: s that the process waits at most.
+    """
+
+    def run() -> None:
+        try:
+            work()
+        finally:
+            atexit.unregister(end)
+
+    def end() -> None:
+        if stop is not None:
+            stop()
+        with contextlib.suppress(KeyboardInterrupt):  # who asks twice is waited for no longer
+            thread.join(patience)
+
+    thread = threading.Thread(target=run, name=name, daemon=True)
+    atexit.register(end)
+    try:
+        thread.start()
+    except RuntimeError:  # the system has no more threads
+        atexit.unregister(end)
+        raise
+    return thread
+
 
 class Beside:
-    """As a ``ThreadPoolExecutor`` with one thread; but that waits at exit for what never ends, as a model may.
+    """Does one piece of work after the other in one thread.
 
     Args:
         name: of the thread.
+        patience: s that the end of the process waits for what it does.
     """
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, *, patience: float = PATIENCE) -> None:
         self._waiting: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
-        threading.Thread(target=self._work, name=name, daemon=True).start()
+        start_beside(self._work, name, self._end, patience=patience)
 
     def submit(self, ask: Callable[_Asked, _Result], *args: _Asked.args, **kwargs: _Asked.kwargs) -> Future[_Result]:
         """Call something there, after what was submitted before; the future holds what it returns or raises."""
@@ -41,6 +85,13 @@ class Beside:
     def close(self) -> None:
         """Let the thread end after what was submitted. Idempotent."""
         self._waiting.put(None)
+
+    def _end(self) -> None:
+        """Let the thread end after what it does now."""
+        with contextlib.suppress(Empty):
+            while True:
+                self._waiting.get_nowait()
+        self.close()
 
     def _work(self) -> None:
         while (answer := self._waiting.get()) is not None:

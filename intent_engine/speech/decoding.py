@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import math
-import threading
 import time
 from concurrent.futures import Future
 
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.beside import start_beside
 from intent_engine.speech.recognizer import Recognizer, Transcript
 
 __all__ = ["DecodeThread"]
@@ -63,5 +63,5 @@ class DecodeThread:
             except BaseException as error:  # whatever a recogniser raises must come back to the caller
                 future.set_exception(error)
 
-        threading.Thread(target=work, name="recogniser", daemon=True).start()
+        start_beside(work, "recogniser", patience=self.patience)
         return future

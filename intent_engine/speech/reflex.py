@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.beside import start_beside
 from intent_engine.speech.whisper import WhisperRecognizer, logits_row
 
 if TYPE_CHECKING:
@@ -253,8 +254,7 @@ class _Worker:
         self._closed = False
         self.found = False
         """Whether a stop phrase was found in this utterance."""
-        self._thread = threading.Thread(target=self._work, name="reflex", daemon=True)
-        self._thread.start()
+        self._thread = start_beside(self._work, "reflex", self._end)
 
     def reset(self) -> None:
         with self._condition:
@@ -294,10 +294,13 @@ class _Worker:
                 self._condition.notify_all()
 
     def close(self) -> None:
+        self._end()
+        self._thread.join(timeout=2.0)
+
+    def _end(self) -> None:
         with self._condition:
             self._closed = True
             self._condition.notify()
-        self._thread.join(timeout=2.0)
 
 
 def reflex_for(

@@ -44,6 +44,14 @@ def test_a_closed_thread_ends():
             assert not thread.is_alive()
 
 
+def ended(program):
+    """What a program of its own printed, and how it ended."""
+    found = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True, timeout=60, check=False
+    )
+    return found.stdout.split(), found.returncode
+
+
 def test_a_model_that_hangs_does_not_keep_the_process():
     """Ctrl-C would leave the program there for ever."""
     program = """
@@ -53,11 +61,34 @@ def test_a_model_that_hangs_does_not_keep_the_process():
         def hang():
             begun.set()
             threading.Event().wait()
-        Beside("hung").submit(hang)
+        Beside("hung", patience=0.1).submit(hang)
         begun.wait()
         print("over", flush=True)
     """
-    found = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(program)], capture_output=True, text=True, timeout=60, check=False
+    assert ended(program) == (["over"], 0)
+
+
+def test_the_end_of_the_process_waits_for_what_is_done_and_not_for_what_waits():
+    """Native code that came back to an interpreter that is gone would abort."""
+    program = """
+        import atexit, threading
+        from intent_engine.speech.beside import Beside
+        begun, ending = threading.Event(), threading.Event()
+        beside = Beside("busy")
+        def work():
+            begun.set()
+            ending.wait()
+            print("worked", flush=True)
+        beside.submit(work)
+        beside.submit(print, "never begun")
+        begun.wait()
+        atexit.register(ending.set)
+    """
+    assert ended(program) == (["worked"], 0)
+
+
+def test_an_idle_thread_keeps_no_process():
+    assert ended('from intent_engine.speech.beside import Beside; Beside("idle").submit(print, "done").result()') == (
+        ["done"],
+        0,
     )
-    assert (found.stdout.strip(), found.returncode) == ("over", 0)

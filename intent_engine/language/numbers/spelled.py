@@ -8,7 +8,7 @@ from functools import lru_cache
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.numerals import is_numeral
 
-__all__ = ["in_digits", "in_words", "numbers_otherwise"]
+__all__ = ["in_digits", "in_words", "number_ways", "numbers_otherwise"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -69,3 +69,20 @@ def numbers_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
         yield tuple(in_words(words))
     elif words[0] in english.SMALL:
         yield in_digits(words)
+
+
+def number_ways(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Other ways to write a whole number, in digits or in English words: "180", "one hundred and eighty" and "one
+    eighty"."""
+    digits = tuple(words) if is_numeral(words[0]) else in_digits(words)
+    if len(digits) > 1 or not digits[0].isdigit() or (digits[0].startswith("0") and digits != ("0",)):
+        return
+    yield digits
+    spelled = _spell(digits[0])
+    if spelled == digits:  # too large to be said
+        return
+    yield spelled
+    if len(digits[0]) == 3 and len(spelled) > 2:
+        yield (*spelled[:2], "and", *spelled[2:])
+        if int(digits[0]) % 100 >= 10:
+            yield (spelled[0], *spelled[2:])
