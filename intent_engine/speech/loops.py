@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["fold_loop"]
+__all__ = ["fold_loop", "goes_round"]
 
 LONG_SENTENCE = 4
 """Words of a sentence that nobody says twice in one breath."""
@@ -37,6 +37,20 @@ def fold_loop(text: str) -> str:
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
     return text
+
+
+def goes_round(text: str) -> bool:
+    """Whether a model that wrote this so far is in a loop, so that the rest need not be waited for: a sentence that
+    nobody says twice (or three times) has been, and begins once more. Of a word or two nobody can tell ("no no no
+    stop")."""
+    words = text.split()
+    plain = [word.strip(".,!?;:\u2026").lower() for word in words]
+    for length in range(SHORT_SENTENCE, len(words) // 2 + 1):
+        times = 2 if length >= LONG_SENTENCE else 3
+        unit, rest = plain[:length], plain[times * length :]
+        if len(rest) >= 2 and plain[: times * length] == unit * times and unit[: len(rest)] == rest:
+            return True
+    return False
 
 
 def _changed(unit: list[str], again: list[str]) -> int:

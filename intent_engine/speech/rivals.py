@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows
@@ -94,11 +95,10 @@ class Rivals:
             others, pieces = self._words_after(state, word, place == 0)
             if row is not None:
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
-                counted = numbers and not NUMBER_WORDS.isdisjoint(words[max(place - 1, 0) : place + 1])
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
                     found += [
                         (behind, (*words[:place], *onward), word)
-                        for onward in self._onward(tuple(words[place:]), other, counted=counted)
+                        for onward in self._onward(tuple(words[place:]), other, several=numbers)
                         if self._leads(state, onward)
                     ]
             state = graph.step(state, word)
@@ -107,14 +107,15 @@ class Rivals:
         return {sentence: word for _, sentence, word in sorted(found)}
 
     @staticmethod
-    def _onward(words: tuple[str, ...], other: str, *, counted: bool) -> Iterator[tuple[str, ...]]:
-        """Words with another in place of the first; of a number also with it before the first, and without the first,
-        if it is the second."""
+    def _onward(words: tuple[str, ...], other: str, *, several: bool) -> Iterator[tuple[str, ...]]:
+        """Words with another in place of the first; or also with it before the first, unless it is an article, and
+        without the first, if it is the second."""
         yield (other, *words[1:])
-        if counted and other in NUMBER_WORDS:
-            yield (other, *words)
-        if counted and words[0] in NUMBER_WORDS and words[1:2] == (other,):
-            yield words[1:]
+        if several:
+            if other not in ARTICLES:  # "two a box" is no other thing
+                yield (other, *words)
+            if words[1:2] == (other,):
+                yield words[1:]
 
     def _leads(self, state: Any, words: Sequence[str]) -> bool:
         """Whether words lead from a state of the grammar to the end of a sentence."""

@@ -11,8 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.loops import goes_round
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
+from intent_engine.speech.whisper_decoder import PrefixTree, WhisperDecoder, own_decoder
 from intent_engine.speech.writing import spellings, written
 
 __all__ = ["Rows", "Scoring", "ScoringWhisper"]
@@ -28,6 +30,10 @@ LEAST = 1e-12
 """Least probability of a piece."""
 MOST_KEPT = 64
 """Pieces of what was heard freely, beyond which it is no command, and 0.2 MB for each are not kept."""
+ONWARD = 3
+"""Pieces with which the model goes on after a beginning, where it is asked about many."""
+TREES = 2
+"""Sounds of which it is kept what was asked: a sound, and the same with a longer input."""
 
 Rows: TypeAlias = Mapping[tuple[int, ...], npt.NDArray[np.float32]]
 """How likely every piece is after some beginnings of a text: ``(vocabulary,)`` log probabilities, up to a constant in
@@ -126,17 +132,47 @@ class Scoring(ABC):
 
 
 class ScoringWhisper(WhisperRecognizer, Scoring):
-    """A Whisper model that is asked what it thinks of words. Made and closed as :class:`WhisperRecognizer`."""
+    """A Whisper model that is asked what it thinks of words. Made and closed as :class:`WhisperRecognizer`.
+
+    A small model on the processor is asked through a decoder of our own (:mod:`~intent_engine.speech.whisper_decoder`),
+    any other through CTranslate2.
+    """
+
+    def __init__(self, model: str = "tiny.en", **options: Any) -> None:
+        super().__init__(model, **options)
+        self._decoder = own_decoder(self) if options.get("compute_type") in (None, "int8") else None
+        self._trees: list[tuple[Encoded, PrefixTree]] = []
 
     def longer(self, seconds: float) -> float:
         return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
 
     def greedy_tokens(self, encoded: Encoded, language: str | None = None) -> tuple[list[int], float]:
+        if self._decoder is not None:
+            return self._written(self._decoder, encoded, language)
         result = self._greedy(encoded, language, return_logits_vocab=True)
         tokens = tuple(result.sequences_ids[0])
         told = result.logits[0] if len(tokens) <= MOST_KEPT else ()
         self._decoded = (encoded, {tokens[:place]: logits_row(logits) for place, logits in enumerate(told)})
         return list(tokens), float(result.scores[0])
+
+    def _written(self, decoder: WhisperDecoder, encoded: Encoded, language: str | None) -> tuple[list[int], float]:
+        """What the model writes, piece by piece, until it ends or goes round in a loop."""
+        tree, tokenizer = self._tree(encoded, language), self.tokenizer(language)
+        rows: dict[tuple[int, ...], npt.NDArray[np.float32]] = {}
+        pieces: tuple[int, ...] = ()
+        scores = []
+        for _ in range(self.most_pieces(encoded)):
+            row = rows[pieces] = tree.chances([pieces])[pieces]
+            able = decoder.able(row, first=not pieces)
+            piece = int(able[: tokenizer.no_timestamps].argmax())
+            scores.append(float(able[piece]))
+            if piece == tokenizer.eot:
+                break
+            pieces += (piece,)
+            if goes_round(tokenizer.decode(list(pieces))):
+                break
+        self._decoded = (encoded, rows if len(rows) <= MOST_KEPT else {})
+        return list(pieces), sum(scores) / max(len(pieces), 1)
 
     def end_piece(self, language: str | None = None) -> int:
         """The full stop."""
@@ -145,6 +181,28 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
 
     def next_pieces(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
+    ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        if self._decoder is not None:
+            return self._went_on(self._tree(encoded, language), beginnings, length, self.end_piece(language))
+        return self._generated(encoded, beginnings, length, language)
+
+    @staticmethod
+    def _went_on(
+        tree: PrefixTree, beginnings: Sequence[tuple[int, ...]], length: int, end: int
+    ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        """With what the model would go on with, for a few pieces: more can be asked for soon."""
+        ends = list(dict.fromkeys(beginnings))
+        parts = [one[:place] for one in ends for place in range(len(one) + 1)]
+        for further in range(ONWARD + 1):
+            found = tree.chances(parts)
+            yield from found.items()
+            onward = ((*one, int(found[one].argmax())) for one in ends if len(one) < length)
+            parts = ends = [one for one in onward if one[-1] != end]
+            if further == ONWARD or not ends:
+                return
+
+    def _generated(
+        self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
         prompt = self.prompt(language)
         longest = max(length, 1 + max(map(len, beginnings)))
@@ -175,6 +233,10 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         for text in texts:
             plain = tokenizer.encode(" " + text.strip())
             pieces.append(plain if text.strip()[-1:] in ".!?" else [*plain, *stop])
+        if self._decoder is not None:
+            tree = self._tree(encoded, language)
+            tree.learn(pieces)
+            return [tree.likelihood(own) for own in pieces]
         copies = self._copies(encoded, len(pieces))
         results = self.engine.align(copies, list(tokenizer.sot_sequence), pieces, copies.shape[1] * 2)
         return [np.log(np.maximum(result.text_token_probs, LEAST)) for result in results]
@@ -184,6 +246,25 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         the likeliest (40 of 40 compared) and a quarter of the time is saved."""
         import ctranslate2
 
-        spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)
-        features = np.repeat(np.asarray(encoded.features)[:, :spoken], count, axis=0)
+        features = np.repeat(self._spoken(encoded), count, axis=0)
         return ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
+
+    def _tree(self, encoded: Encoded, language: str | None) -> PrefixTree:
+        """What is known of a sound, of the last few that were asked about."""
+        found = next((tree for known, tree in self._trees if known is encoded), None)
+        if found is None:
+            assert self._decoder is not None
+            found = self._decoder.tree(self._spoken(encoded)[0], self.prompt(language))
+            self._trees = [*self._trees[1 - TREES :], (encoded, found)]
+        return found
+
+    @staticmethod
+    def _spoken(encoded: Encoded) -> npt.NDArray[np.float32]:
+        """The encoded sound, without the silence that the encoder wanted."""
+        spoken = math.ceil((encoded.seconds + SCORED_MARGIN) * ENCODED_PER_SECOND)
+        return np.ascontiguousarray(np.asarray(encoded.features)[:, :spoken])
+
+    def close(self) -> None:
+        self._trees.clear()
+        self._decoder = None
+        super().close()

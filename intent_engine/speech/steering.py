@@ -149,10 +149,11 @@ class Steering(Scoring):
         surely is one of them, or clearly none."""
         if heard.settled:
             return heard
-        compared = self._doubted(self._compared(heard, search=False))
+        compared = self._compared(heard, search=False)
+        talk = compared.transcript.sureness < FARFETCHED and heard.transcript.score > CLEAR_TALK
+        compared = self._doubted(compared)
         confidence, gap = compared.transcript.sureness, compared.transcript.gap
         sure = confidence >= SURE and gap is not None and gap < CLOSE_GAP
-        talk = confidence < FARFETCHED and heard.transcript.score > CLEAR_TALK
         return replace(compared, settled=sure or talk)
 
     def search(self, heard: Opinion) -> Opinion:

@@ -70,7 +70,10 @@ class WhisperRecognizer:
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         self.weights: Weights = find_weights(model)
         self.language = language
-        self._threads = threads or _enough_threads(self.weights)
+        file = self.weights.path / "model.bin"
+        self.small = file.is_file() and file.stat().st_size < SMALL_MODEL
+        """Whether one thread is fastest."""
+        self._threads = threads or int(self.small)
         self._model, self.device = _load(self.weights, device, compute_type, self._threads)
         self.multilingual: bool = bool(self._model.model.is_multilingual)
         self._tokenizers: dict[str, Any] = {}
@@ -166,7 +169,7 @@ class WhisperRecognizer:
 
     def _greedy(self, encoded: Encoded, language: str | None, **options: Any) -> Any:
         prompt = self.prompt(language)
-        limit = int(encoded.seconds * TOKENS_PER_SECOND) + 8
+        limit = self.most_pieces(encoded)
         return self._model.model.generate(
             encoded.features,
             [prompt],
@@ -175,6 +178,11 @@ class WhisperRecognizer:
             return_scores=True,
             **options,
         )[0]
+
+    @staticmethod
+    def most_pieces(encoded: Encoded) -> int:
+        """Tokens after which a decode has run away."""
+        return int(encoded.seconds * TOKENS_PER_SECOND) + 8
 
     def close(self) -> None:
         unload = getattr(self._model.model, "unload_model", None)
@@ -195,12 +203,6 @@ def max_length(prompt: int, wanted: int) -> int:
     """CTranslate2's ``max_length`` for so many tokens after a prompt of so many: it gives at most half of it, as
     OpenAI's code does, and no more than the prompt leaves of it."""
     return min(max(2 * wanted, prompt + wanted), MAX_LENGTH)
-
-
-def _enough_threads(weights: Weights) -> int:
-    """Threads for a few seconds of sound; 0: as many as CTranslate2 likes."""
-    file = weights.path / "model.bin"
-    return 1 if file.is_file() and file.stat().st_size < SMALL_MODEL else 0
 
 
 def _load(weights: Weights, device: str, compute_type: str | None, threads: int) -> tuple[Any, str]:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.speech.loops import LONG_SENTENCE, fold_loop
+from intent_engine.speech.loops import LONG_SENTENCE, fold_loop, goes_round
 
 words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"])
 
@@ -48,3 +48,27 @@ def test_folding_again_changes_nothing_and_adds_no_word(said: list[str]) -> None
     once = fold_loop(" ".join(said))
     assert " ".join(said).startswith(once)
     assert fold_loop(once) in (once, fold_loop(fold_loop(once)))
+
+
+@pytest.mark.parametrize(
+    ("written", "round_"),
+    [
+        ("Turn left 30 degrees Turn left 30 degrees Turn", False),
+        ("Turn left 30 degrees Turn left 30 degrees Turn left", True),
+        ("Pick it up. Pick it up. Pick it", False),
+        ("Pick it up. Pick it up. Pick it up. Pick it", True),
+        ("no no no no no no no stop", False),
+        ("go to the lab and go to the dock and go to the bedroom", False),
+        ("", False),
+    ],
+)
+def test_a_loop_that_is_certain_need_not_be_waited_for(written: str, round_: bool) -> None:
+    assert goes_round(written) is round_
+
+
+@given(st.lists(words, min_size=1, max_size=9), st.integers(1, 6))
+def test_what_goes_round_is_folded_as_the_whole_would_be(said: list[str], times: int) -> None:
+    whole = (said * times)[:40]
+    begun = next((count for count in range(len(whole)) if goes_round(" ".join(whole[:count]))), None)
+    if begun is not None:
+        assert fold_loop(" ".join(whole[:begun])) == fold_loop(" ".join(whole))
