@@ -81,6 +81,8 @@ class MoonshineRecognizer:
                 f"model {model} cannot be loaded from {folder.graphs}: {error}\n"
                 "    delete that folder; it is made again"
             ) from None
+        self._last: tuple[Encoded, npt.NDArray[np.float32], dict[str, Any]] | None = None
+        """What was begun last."""
         self._told = [output.name.removeprefix("told_") for output in self._begin.get_outputs()[1:]]
         self._told_by_step = [output.name.removeprefix("told_") for output in self._step.get_outputs()[1:]]
 
@@ -121,32 +123,45 @@ class MoonshineRecognizer:
 
     def _greedy(self, encoded: Encoded) -> tuple[list[int], list[npt.NDArray[np.float32]]]:
         """The likeliest pieces, and the log probabilities of every piece in the place of each, and after the last."""
-        begun, *known = self._begin.run(None, {"input_ids": [[BEGINNING]], "encoder_hidden_states": encoded.features})
-        past = {_past(name): value for name, value in zip(self._told, known, strict=True)}
+        first, past = self._begun(encoded)
         pieces: list[int] = []
-        rows: list[npt.NDArray[np.float32]] = []
-        for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
-            rows.append(_log_probabilities(begun[0, -1]))
+        rows = [first]
+        for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 7):
             piece = int(rows[-1].argmax())
             if piece == END:
                 break
             pieces.append(piece)
-            begun, *known = self._step.run(None, {"input_ids": [[piece]], **past})
-            past.update((_past(name), value) for name, value in zip(self._told_by_step, known, strict=True))
+            onward, *known = self._step.run(None, {"input_ids": [[piece]], **past})
+            past |= {_past(name): value for name, value in zip(self._told_by_step, known, strict=True)}
+            rows.append(_log_probabilities(onward[0, -1]))
         return pieces, rows
 
-    def rows(self, encoded: Encoded, beginnings: Sequence[Sequence[int]]) -> Iterator[npt.NDArray[np.float32]]:
+    def _begun(self, encoded: Encoded) -> tuple[npt.NDArray[np.float32], dict[str, Any]]:
+        """The log probabilities of every first piece, and what a step needs to know before it: what every layer hears
+        of the sound, above all, which takes as long as a text."""
+        if self._last is None or self._last[0] is not encoded:
+            asked = {"input_ids": [[BEGINNING]], "encoder_hidden_states": encoded.features}
+            begun, *known = self._begin.run(None, asked)
+            past = {_past(name): value for name, value in zip(self._told, known, strict=True)}
+            self._last = encoded, _log_probabilities(begun[0, -1]), past
+        _, first, past = self._last
+        return first.copy(), dict(past)
+
+    def rows(self, encoded: Encoded, beginnings: Sequence[Sequence[int]]) -> Iterator[list[npt.NDArray[np.float32]]]:
         """For each of some beginnings of a text, the log probabilities of every piece at each of its places, and after
-        it: ``(pieces + 1, vocabulary)``."""
+        it: ``(vocabulary,)`` each."""
+        first, past = self._begun(encoded)
         for start in range(0, len(beginnings), AT_ONCE):
-            some = [[BEGINNING, *beginning] for beginning in beginnings[start : start + AT_ONCE]]
+            some = beginnings[start : start + AT_ONCE]
             longest = max(map(len, some))
-            asked = {
-                "input_ids": [one + [END] * (longest - len(one)) for one in some],
-                "encoder_hidden_states": np.repeat(encoded.features, len(some), axis=0),
-            }
-            (rows,) = self._begin.run([self._begin.get_outputs()[0].name], asked)
-            yield from (_log_probabilities(own[: len(one)]) for own, one in zip(rows, some, strict=True))
+            if not longest:
+                yield from ([first] for _ in some)
+                continue
+            asked: dict[str, Any] = {name: np.repeat(value, len(some), axis=0) for name, value in past.items()}
+            asked["input_ids"] = [[*one, *[END] * (longest - len(one))] for one in some]
+            (onward,) = self._step.run([self._step.get_outputs()[0].name], asked)
+            for own, one in zip(onward, some, strict=True):
+                yield [first, *_log_probabilities(own[: len(one)])]
 
     def close(self) -> None:
         """Nothing to let go of but memory."""
@@ -174,13 +189,14 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
         for beginning, rows in zip(beginnings, self.rows(encoded, beginnings), strict=True):
             for place, row in enumerate(rows):
-                row[END] = self._ended(row)
-                yield beginning[:place], row
+                ended = row.copy()
+                ended[END] = self._ended(row)
+                yield beginning[:place], ended
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
         pieces = [self._tokenizer.encode(" " + text.strip().rstrip(".!?")) for text in texts]
         return [
-            np.array([*(rows[place, piece] for place, piece in enumerate(own)), self._ended(rows[len(own)])])
+            np.array([*(rows[place][piece] for place, piece in enumerate(own)), self._ended(rows[len(own)])])
             for own, rows in zip(pieces, self.rows(encoded, pieces), strict=True)
         ]
 
@@ -196,6 +212,7 @@ def _past(name: str) -> str:
 
 
 def _log_probabilities(rows: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
-    rows = rows - rows.max(axis=-1, keepdims=True)
-    found: npt.NDArray[np.float32] = rows - np.log(np.exp(rows).sum(axis=-1, keepdims=True))
-    return found
+    """Of logits, in their place: there are millions of them."""
+    rows -= rows.max(axis=-1, keepdims=True)
+    rows -= np.log(np.exp(rows).sum(axis=-1, keepdims=True))
+    return rows

@@ -18,7 +18,7 @@ from intent_engine.speech.free import free_recognizer
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.moonshine import MoonshineRecognizer
 from intent_engine.speech.moonshine_graphs import ABANDONED, WORK, unfold
-from intent_engine.speech.moonshine_pieces import END, MoonshinePieces
+from intent_engine.speech.moonshine_pieces import BEGINNING, END, MoonshinePieces
 from intent_engine.speech.moonshine_weights import (
     DECODER,
     ENCODER,
@@ -244,3 +244,20 @@ def test_what_a_killed_program_left_is_removed(tmp_path):
     with pytest.raises(Exception, match="ONNXRuntimeError"):
         unfold(tmp_path / "missing.ort", tmp_path / "missing.ort", tmp_path / "made")
     assert [one.name for one in tmp_path.iterdir()] == [busy.name]
+
+
+def test_many_texts_after_one_beginning_are_as_likely_as_each_from_the_beginning(moonshine, spoken):
+    """What the layers hear of the sound is computed once, for all of them."""
+    encoded = moonshine.encode(spoken)
+    texts = [" Go forward two meters", " Go forward", " Never go to the kitchen", " Turn left"]
+    beginnings = [(), *(tuple(moonshine.tokenizer("en").encode(text)) for text in texts)]
+    for beginning, rows in zip(beginnings, moonshine.rows(encoded, beginnings), strict=True):
+        asked = {"input_ids": [[BEGINNING, *beginning]], "encoder_hidden_states": encoded.features}
+        whole = moonshine._begin.run(None, asked)[0][0]
+        assert len(rows) == len(whole) == len(beginning) + 1
+        for row, logits in zip(rows, whole, strict=True):
+            exact = logits - np.logaddexp.reduce(logits)
+            likely = exact > -7
+            # Bytes are rounded by the largest of all that is asked at once.
+            assert np.abs(row - exact)[likely].mean() < 0.5
+            assert row.argmax() == exact.argmax() or np.abs(row - exact).max() < 1.0
