@@ -3,9 +3,9 @@
 Words that were heard wrongly lead to the wrong sentences: "real water stop" is like "get water", not like "robot stop".
 Here the grammar says which words may come next and the model says how likely each of them is, given the sound.
 
-CTranslate2 takes no such advice while it decodes, but it can be made to begin with given pieces, and tells how likely
-every piece is at each place: along those it was given, and along those that it then adds freely. So a few calls, each
-for a handful of beginnings at once, tell nearly all that the search asks.
+A decoder takes no such advice, but it can be made to begin with given pieces, and tells how likely every piece is at
+each place: along those it was given, and along those that it then adds freely. So a few calls, each for a handful of
+beginnings at once, tell nearly all that the search asks.
 """
 
 from __future__ import annotations

@@ -49,21 +49,21 @@ class Rivals:
         return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
 
     def before(
-        self, words: Sequence[str], rows: Rows, *, numbers: bool = False
+        self, words: Sequence[str], rows: Rows, *, widely: bool = False
     ) -> dict[int, npt.NDArray[np.float32] | None]:
         """For the places of a sentence what a model made of them; None where it was not asked about one.
 
         Args:
             words: of the sentence.
             rows: what it made of some beginnings.
-            numbers: whether also for the words of numbers of several words. They are mostly written in digits, so that
+            widely: whether also for the words of numbers of several words. They are mostly written in digits, so that
                 they are known only where the model was asked about the sentence in words.
         """
         places: dict[int, list[tuple[int, ...]]] = {}
         for number, run in itertools.groupby(range(len(words)), lambda place: words[place] in NUMBER_WORDS):
             run_places = list(run)
             several = number and len(run_places) > 1
-            if numbers or not several:
+            if widely or not several:
                 places.update((place, self._beginnings(words[:place], in_words=several)) for place in run_places)
         return {place: next((rows[one] for one in some if one in rows), None) for place, some in places.items()}
 
@@ -75,21 +75,21 @@ class Rivals:
         return [self.pieces(one, capital) for one in spelled for capital in (True, False)]
 
     def beside(
-        self, words: Sequence[str], rows: Rows, near: float, *, numbers: bool = False
+        self, words: Sequence[str], rows: Rows, near: float, *, widely: bool = False
     ) -> dict[tuple[str, ...], str]:
         """Sentences beside one, likeliest first, each with the word of it in whose place they have another; or with a
-        word of a number that it has not, or not with one that it has.
+        word that it has not, or not with one that it has.
 
         Args:
             words: of a sentence of the grammar.
             rows: how likely the model finds every piece in its places.
             near: nats by which the first piece of another word may be less likely.
-            numbers: whether numbers of several words may be others.
+            widely: whether also with another word in a number of several, with a word more, and with one less.
         """
         graph = self._search.graph
         state = graph.start()
         found: list[tuple[float, tuple[str, ...], str]] = []
-        before = self.before(words, rows, numbers=numbers)
+        before = self.before(words, rows, widely=widely)
         for place, word in enumerate(words):
             row = before.get(place)
             others, pieces = self._words_after(state, word, place == 0)
@@ -98,7 +98,7 @@ class Rivals:
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
                     found += [
                         (behind, (*words[:place], *onward), word)
-                        for onward in self._onward(tuple(words[place:]), other, several=numbers)
+                        for onward in self._onward(tuple(words[place:]), other, widely=widely)
                         if self._leads(state, onward)
                     ]
             state = graph.step(state, word)
@@ -107,11 +107,11 @@ class Rivals:
         return {sentence: word for _, sentence, word in sorted(found)}
 
     @staticmethod
-    def _onward(words: tuple[str, ...], other: str, *, several: bool) -> Iterator[tuple[str, ...]]:
+    def _onward(words: tuple[str, ...], other: str, *, widely: bool) -> Iterator[tuple[str, ...]]:
         """Words with another in place of the first; or also with it before the first, unless it is an article, and
         without the first, if it is the second."""
         yield (other, *words[1:])
-        if several:
+        if widely:
             if other not in ARTICLES:  # "two a box" is no other thing
                 yield (other, *words)
             if words[1:2] == (other,):

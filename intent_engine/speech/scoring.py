@@ -251,10 +251,11 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
 
     def _tree(self, encoded: Encoded, language: str | None) -> PrefixTree:
         """What is known of a sound, of the last few that were asked about."""
-        found = next((tree for known, tree in self._trees if known is encoded), None)
+        prompt = tuple(self.prompt(language))
+        found = next((tree for known, tree in self._trees if known is encoded and tree.prompt == prompt), None)
         if found is None:
             assert self._decoder is not None
-            found = self._decoder.tree(self._spoken(encoded)[0], self.prompt(language))
+            found = self._decoder.tree(self._spoken(encoded)[0], prompt)
             self._trees = [*self._trees[1 - TREES :], (encoded, found)]
         return found
 

@@ -275,7 +275,7 @@ class Steering(Scoring):
             self._besides = encoded, {}
         found = self._besides[1]
         if words not in found:
-            found[words] = tuple(self._rivals(encoded, words, language, NEAR, self._possible(heard), numbers=True))
+            found[words] = tuple(self._rivals(encoded, words, language, NEAR, self._possible(heard), widely=True))
         return found[words]
 
     def _rivals(
@@ -286,7 +286,7 @@ class Steering(Scoring):
         near: float,
         possible: Callable[[Sequence[str]], bool],
         *,
-        numbers: bool = False,
+        widely: bool = False,
     ) -> dict[tuple[str, ...], str]:
         """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
         first.
@@ -297,13 +297,13 @@ class Steering(Scoring):
             language: of the speech.
             near: nats by which the first piece of another word may be less likely.
             possible: whether a sentence may have been said.
-            numbers: whether with other numbers of several words.
+            widely: as for :meth:`~intent_engine.speech.rivals.Rivals.beside`.
         """
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:
             return {}
-        rows = self._along(encoded, words, language, numbers=numbers)
-        rivals = self._guide(language).rivals.beside(words, rows, near, numbers=numbers)
+        rows = self._along(encoded, words, language, widely=widely)
+        rivals = self._guide(language).rivals.beside(words, rows, near, widely=widely)
         others = (
             sentence
             for sentence in rivals
@@ -321,11 +321,11 @@ class Steering(Scoring):
         said, *others = self.score_words(encoded, [words, *rivals], language)
         return {one: word for (one, word), score in zip(rivals.items(), others, strict=True) if said - score < CLOSE}
 
-    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None, *, numbers: bool) -> Rows:
+    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None, *, widely: bool) -> Rows:
         """What the model makes of each place of a sentence: as it heard it freely, or asked anew."""
         rivals = self._guide(language).rivals
         rows = self.decoded(encoded)
-        if all(row is not None for row in rivals.before(words, rows, numbers=numbers).values()):
+        if all(row is not None for row in rivals.before(words, rows, widely=widely).values()):
             return rows
         return dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
 

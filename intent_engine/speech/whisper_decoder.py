@@ -88,7 +88,7 @@ class PrefixTree:
 
     def __init__(self, decoder: WhisperDecoder, features: _Floats, prompt: Beginning) -> None:
         self._decoder = decoder
-        self._prompt = prompt
+        self.prompt = prompt
         names = [output.name for output in decoder.listening.get_outputs()]
         self._heard = dict(zip(names, decoder.listening.run(None, {"features": features}), strict=True))
         width = decoder.shape.width
@@ -103,17 +103,17 @@ class PrefixTree:
     def chances(self, beginnings: Iterable[Beginning]) -> dict[Beginning, _Floats]:
         """The log probability of every next piece, ``(pieces,)``, after some beginnings."""
         wanted = dict.fromkeys(beginnings)
-        found = {whole[len(self._prompt) :]: row for whole, row in self._grow(wanted)}
+        found = {whole[len(self.prompt) :]: row for whole, row in self._grow(wanted)}
         again = [one for one in wanted if one not in found]
         if again:
-            numbers = [self._number[self._prompt + one] for one in again]
+            numbers = [self._number[self.prompt + one] for one in again]
             rows, _ = self._decoder.telling.run(None, {"thoughts": self._thoughts[numbers]})
             found.update(zip(again, rows, strict=True))
         return {one: found[one] for one in wanted}
 
     def likelihood(self, pieces: Sequence[int]) -> _Floats:
         """Log probability of each piece of a text, ``(n,)``. What it begins with must be known."""
-        numbers = [self._number[self._prompt + tuple(pieces[:place])] for place in range(len(pieces))]
+        numbers = [self._number[self.prompt + tuple(pieces[:place])] for place in range(len(pieces))]
         embeddings = self._decoder.embeddings[np.asarray(pieces)].astype(np.float32)
         likely: _Floats = np.einsum("ij,ij->i", self._thoughts[numbers], embeddings) - self._totals[numbers]
         return likely
@@ -126,7 +126,7 @@ class PrefixTree:
     def _grow(self, beginnings: Iterable[Beginning]) -> Iterator[tuple[Beginning, _Floats]]:
         """Compute what is new in some beginnings and in those that they begin with: (with the prompt, chances)."""
         fresh: dict[Beginning, None] = {}
-        for whole in (self._prompt + beginning for beginning in beginnings):
+        for whole in (self.prompt + beginning for beginning in beginnings):
             if whole not in self._number:
                 parts = (whole[:length] for length in range(1, len(whole) + 1))
                 fresh.update((part, None) for part in parts if part not in self._number)

@@ -101,15 +101,31 @@ def test_a_number_of_several_words_may_be_another_in_one_word(rivals, tokenizer,
     """Where the model was asked about it in words; most write it in digits."""
     words = ["turn", "left", "one", "hundred", "twenty", "degrees"]
     rows = rows_of(tokenizer, "Turn left one hundred twenty degrees", likely)
-    found = [" ".join(one) for one in rivals.beside(words, rows, NEAR, numbers=True)]
+    found = [" ".join(one) for one in rivals.beside(words, rows, NEAR, widely=True)]
     assert f"turn left {other} degrees" in found
     assert f"turn left {other} degrees" not in beside(rivals, tokenizer, " ".join(words), " ".join(words), likely)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "likely", "other", "found"),
+    [
+        ("put down the mug", {"mug": 0.0, "red": -1.0}, "put down the red mug", True),
+        ("put down the red mug", {"red": 0.0, "mug": -1.0}, "put down the mug", True),
+        ("put down the red mug", {"mug": 0.0, "the": -1.0}, "put down the red the mug", False),
+    ],
+    ids=["one more", "one less", "no article more"],
+)
+def test_a_word_more_or_one_less_may_have_been_said(rivals, tokenizer, sentence, likely, other, found):
+    rows = rows_of(tokenizer, sentence.capitalize(), likely)
+    widely = [" ".join(one) for one in rivals.beside(sentence.split(), rows, NEAR, widely=True)]
+    assert (other in widely) is found
+    assert other not in beside(rivals, tokenizer, sentence, sentence.capitalize(), likely)
 
 
 def test_a_number_in_digits_tells_nothing_of_its_words(rivals, tokenizer):
     words = ["turn", "left", "one", "hundred", "twenty", "degrees"]
     rows = rows_of(tokenizer, "Turn left 120 degrees", {})
-    before = rivals.before(words, rows, numbers=True)
+    before = rivals.before(words, rows, widely=True)
     assert [place for place, row in before.items() if row is None] == [3, 4]
 
 
