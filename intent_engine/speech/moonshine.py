@@ -21,6 +21,7 @@ from intent_engine.speech.loops import fold_loop
 from intent_engine.speech.moonshine_graphs import BEGIN, ENCODER, STEP
 from intent_engine.speech.moonshine_pieces import BEGINNING, END, MoonshinePieces
 from intent_engine.speech.moonshine_weights import find_moonshine
+from intent_engine.speech.onnx_sessions import load_graph
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.scoring import Scoring
 
@@ -34,10 +35,6 @@ PIECES_PER_SECOND = 7
 """More than anybody speaks (its authors take 6.5 words); bounds a decode that runs away."""
 RETRY_MARGIN = 0.5
 """s of silence after the speech with which it is tried again."""
-EXACT_SUMS = "session.x64quantprecision"
-"""Setting of ONNX Runtime: on a processor without VNNI (before 2019 or so, and many small ones), the quick way to add
-up products of bytes cuts large sums off. There a sentence was 3 nats less likely or likelier than it is, and in noise
-six of ten transcripts were others; summed up whole it is half a nat, as with VNNI, and takes a quarter longer."""
 AT_ONCE = 8
 """Texts that are scored in one call."""
 
@@ -62,18 +59,10 @@ class MoonshineRecognizer:
     def __init__(
         self, model: str = "moonshine-base", *, threads: int = 1, tell: Callable[[str], object] | None = None
     ) -> None:
-        import onnxruntime
-
         folder = find_moonshine(model, tell)
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = threads
-        options.inter_op_num_threads = 1
-        options.log_severity_level = 3
-        options.add_session_config_entry(EXACT_SUMS, "1")
         try:
             self._encoder, self._begin, self._step = (
-                onnxruntime.InferenceSession(str(folder.graphs / name), options, providers=["CPUExecutionProvider"])
-                for name in (ENCODER, BEGIN, STEP)
+                load_graph(str(folder.graphs / name), threads) for name in (ENCODER, BEGIN, STEP)
             )
             self._tokenizer = MoonshinePieces(folder.tokenizer)
         except Exception as error:  # ONNX Runtime's errors have no common class

@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.speech.ctranslate2_file import read_variables
+from intent_engine.speech.onnx_sessions import load_graph
 from intent_engine.speech.whisper import WhisperRecognizer
 from intent_engine.speech.whisper_graphs import DecoderShape, listening, stepping, telling
 
@@ -45,8 +46,6 @@ class WhisperDecoder:
     """
 
     def __init__(self, folder: Path) -> None:
-        import onnxruntime
-
         variables = read_variables(folder / "model.bin", "decoder/")
         self.shape = DecoderShape.of(variables)
         self.embeddings = variables["embeddings/weight"]
@@ -56,21 +55,19 @@ class WhisperDecoder:
         """Pieces that are not written: noises and signs."""
         self.never_first: npt.NDArray[np.int64] = np.array(config.get("suppress_ids_begin", []), np.int64)
         """Pieces that are not written at the beginning."""
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = 1
-        options.inter_op_num_threads = 1
-        options.log_severity_level = 3
-        options.add_session_config_entry("session.x64quantprecision", "1")  # see speech/moonshine.py
         self.listening, self.stepping, self.telling = (
-            onnxruntime.InferenceSession(graph(variables), options, providers=["CPUExecutionProvider"])
-            for graph in (listening, stepping, telling)
+            load_graph(graph(variables)) for graph in (listening, stepping, telling)
         )
 
     def able(self, chances: _Floats, *, first: bool) -> _Floats:
         """The log probability of every piece, if those that are never written are left out."""
-        left_out = np.union1d(self.never, self.never_first) if first else self.never
-        able: _Floats = chances - np.log1p(-np.exp(chances[left_out]).sum())
-        able[left_out] = -np.inf
+        able = chances.copy()
+        able[self.never] = -np.inf
+        if first:
+            able[self.never_first] = -np.inf
+        # In music nearly all is on a note, which is never written, so the rest is summed up itself.
+        likeliest = able.max()
+        able -= likeliest + np.log(np.exp(able - likeliest).sum())
         return able
 
     def tree(self, features: _Floats, prompt: Sequence[int]) -> PrefixTree:
@@ -143,19 +140,22 @@ class PrefixTree:
             self._known = [np.concatenate((one, np.empty_like(one))) for one in self._known]
             self._thoughts = np.concatenate((self._thoughts, np.empty_like(self._thoughts)))
             self._totals = np.concatenate((self._totals, np.empty_like(self._totals)))
+        number = self._number | {whole: known + row for row, whole in enumerate(new)}
+        lines = self._lines.copy()
         hidden = np.full((len(new), all_), HIDDEN, np.float32)
         for row, whole in enumerate(new):
-            line = [*(self._lines[self._number[whole[:-1]]] if len(whole) > 1 else ()), known + row]
-            hidden[row, line] = 0.0
-            self._lines.append(line)
-            self._number[whole] = known + row
+            line = lines[number[whole[:-1]]] if len(whole) > 1 else []
+            lines.append([*line, known + row])
+            hidden[row, lines[-1]] = 0.0
         rows = decoder.embeddings[[whole[-1] for whole in new]].astype(np.float32)
         rows += decoder.places[[len(whole) - 1 for whole in new]]
-        told: Mapping[str, Any] = {"rows": rows, "hidden": hidden, **self._heard}
         names = [f"{kind}_{layer}" for layer in range(decoder.shape.layers) for kind in ("keys", "values")]
-        before = {name: one[:known] for name, one in zip(names, self._known, strict=True)}
-        thoughts, *own = decoder.stepping.run(None, {**told, **before})
+        earlier = {name: one[:known] for name, one in zip(names, self._known, strict=True)}
+        told: Mapping[str, Any] = {"rows": rows, "hidden": hidden, **self._heard, **earlier}
+        thoughts, *own = decoder.stepping.run(None, told)
         chances, totals = decoder.telling.run(None, {"thoughts": thoughts})
+        # Only now, since a call that fails must leave nothing half known.
+        self._lines, self._number = lines, number
         self._thoughts[known:all_] = thoughts
         self._totals[known:all_] = totals[:, 0]
         for one, new_ in zip(self._known, own, strict=True):
@@ -165,12 +165,12 @@ class PrefixTree:
 
 
 def own_decoder(recognizer: WhisperRecognizer) -> WhisperDecoder | None:
-    """A decoder beside CTranslate2's, where it is quicker: of a small model on the processor. None: nowhere else, and
-    not of a file of another form, such as one with weights in bytes."""
+    """A decoder beside CTranslate2's, where it is quicker: of a small model on the processor. None: of no other, nor of
+    a file of another form, such as one with weights in bytes."""
     if recognizer.device != "cpu" or not recognizer.small:
         return None
     try:
         return WhisperDecoder(recognizer.weights.path)
-    except (OSError, ValueError) as error:
+    except Exception as error:  # ONNX Runtime's errors have no common class; CTranslate2 does as well, but slower
         logging.getLogger(__name__).info("%s is asked through CTranslate2: %s", recognizer.weights.name, error)
         return None

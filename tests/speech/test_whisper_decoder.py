@@ -103,6 +103,29 @@ def test_a_tree_grows_beyond_its_room(plant):
     np.testing.assert_allclose(tree.chances([many[-1]])[many[-1]], plant().chances([many[-1]])[many[-1]], atol=0.5)
 
 
+@given(st.integers(0, 2**32 - 1), st.booleans(), st.sampled_from([0.0, 20.0, 80.0]))
+def test_what_is_never_written_leaves_its_chances_to_the_rest(decoder, seed, first, note):
+    """Even where all but nothing is left, as in music."""
+    row = np.random.default_rng(seed).normal(0.0, 3.0, decoder.shape.pieces).astype(np.float32)
+    row[decoder.never[0]] += note
+    row -= np.logaddexp.reduce(row)
+    able = decoder.able(row, first=first)
+    assert np.exp(able).sum() == pytest.approx(1.0, abs=1e-3)
+    assert np.isneginf(able[decoder.never]).all()
+    assert np.isneginf(able[decoder.never_first]).all() is np.bool_(first)
+    possible = np.isfinite(able)
+    np.testing.assert_allclose(np.diff(able[possible]), np.diff(row[possible]), atol=1e-3)
+
+
+def test_a_call_that_fails_leaves_nothing_half_known(plant, monkeypatch, decoder):
+    tree = plant()
+    with monkeypatch.context() as patched:
+        patched.setattr(decoder, "telling", None)
+        with pytest.raises(AttributeError):
+            tree.chances([(400, 500)])
+    np.testing.assert_allclose(tree.chances([(400,)])[400,], plant().chances([(400,)])[400,], atol=0.5)
+
+
 def test_other_variables_are_refused():
     with pytest.raises(ValueError, match="no decoder of Whisper: 'embeddings/weight'"):
         stepping({})
