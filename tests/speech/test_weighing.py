@@ -1,0 +1,98 @@
+"""What several models make of a sound, taken together: laws of the search for what else fits, with scripted models."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from speech_stage import ROOT
+
+from intent_engine.engine import IntentEngine
+from intent_engine.speech.evidence import View, letters_apart
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.spoken_grammar import SpokenGrammar
+from intent_engine.speech.weighing import ROUNDS, doubted
+
+DRINKS = ("espresso", "latte", "mocha", "iced mocha", "coffee", "iced coffee", "americano")
+
+
+@pytest.fixture(scope="module")
+def orders() -> SpokenGrammar:
+    return SpokenGrammar(IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml"))
+
+
+def order(drink: str) -> tuple[str, ...]:
+    return ("make", "me", "a", *drink.split())
+
+
+@dataclass
+class Scripted:
+    """A model that thinks of some orders, and of which it is said how likely it finds each."""
+
+    thought_of: Sequence[str]
+    scores: Mapping[str, float]
+    others: Mapping[str, Sequence[str]]
+    """What it has beside each order."""
+    heard: tuple[str, ...] = ("make", "me", "a", "drink")
+    transcript: Transcript = field(default_factory=lambda: Transcript("make me a drink", language="en"))
+    asked: list[str] = field(default_factory=list)
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(map(order, self.thought_of))
+
+    def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
+        return [View(self.scores[" ".join(words[3:])], -1.0, letters_apart(words, self.heard)) for words in sentences]
+
+    def beside(self, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        drink = " ".join(words[3:])
+        self.asked.append(drink)
+        return tuple(map(order, self.others.get(drink, ())))
+
+
+def likeliest(orders: SpokenGrammar, *models: Scripted) -> str:
+    return " ".join(doubted(orders, models)[0].words[3:])  # type: ignore[arg-type]  # as good as an opinion
+
+
+def test_what_is_beside_what_was_found_beside_is_looked_for_too(orders):
+    """Or "a mocha" would be sure where "an iced mocha" was said, of which nobody thought at first."""
+    scores = {"espresso": -4.0, "latte": -3.5, "mocha": -3.0, "iced mocha": -1.5}
+    others = {"espresso": ["latte"], "latte": ["mocha"], "mocha": ["iced mocha"]}
+    model = Scripted(["espresso"], scores, others)
+    assert likeliest(orders, model) == "iced mocha"
+    assert model.asked == ["espresso", "latte", "mocha", "iced mocha"]
+
+
+def test_what_is_not_worth_a_doubt_is_not_asked_about(orders):
+    model = Scripted(["espresso"], {"espresso": -60.0, "latte": -1.0}, {"espresso": ["latte"]})
+    assert likeliest(orders, model) == "espresso"
+    assert model.asked == []
+
+
+def test_one_model_thinks_of_it_and_both_say_how_likely_it_is(orders):
+    scores = {"coffee": -3.0, "iced coffee": -2.0}
+    first, second = Scripted(["coffee"], scores, {}), Scripted([], {**scores, "iced coffee": -30.0}, {})
+    second.others = {"coffee": ["iced coffee"]}
+    assert likeliest(orders, first, second) == "coffee"
+    second.scores = scores
+    assert likeliest(orders, first, second) == "iced coffee"
+
+
+@given(
+    st.lists(st.sampled_from(DRINKS), min_size=1, max_size=3, unique=True),
+    st.fixed_dictionaries({drink: st.floats(-6.0, -1.0) for drink in DRINKS}),
+    st.fixed_dictionaries({drink: st.lists(st.sampled_from(DRINKS), max_size=3) for drink in DRINKS}),
+)
+def test_the_likeliest_of_all_that_was_asked_about_comes_first(orders, thought_of, scores, others):
+    model = Scripted(thought_of, scores, others)
+    readings = doubted(orders, [model])
+    found = [" ".join(one.words[3:]) for one in readings]
+    assert set(thought_of) <= set(found)
+    assert len(model.asked) <= ROUNDS
+    assert len(set(model.asked)) >= len(model.asked) - 1, "asked again about one that stays the likeliest, and done"
+    margins = [one.evidence.margin for one in readings]
+    assert margins[0] >= 0
+    assert len(found) == len(set(found))
