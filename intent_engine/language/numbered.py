@@ -8,9 +8,7 @@ import operator
 from collections.abc import Iterator
 from functools import lru_cache
 
-from intent_engine.language.numbers import english
-from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.spelled import number_ways
+from intent_engine.language.numbers.spelled import number_end, number_ways
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
 __all__ = ["numbers_either_way"]
@@ -20,7 +18,7 @@ def numbers_either_way(node: Node) -> Node:
     """An English template with every number in it also in digits and in words. One without numbers is given back."""
     match node:
         case Word(text):
-            return _number((text,)) if text in english.SMALL or is_numeral(text) else node
+            return _number((text,)) if number_end([text], 0) else node
         case Choice(items) | AnyOrder(items):
             otherwise = tuple(map(numbers_either_way, items))
             return node if _same(items, otherwise) else type(node)(otherwise)
@@ -42,21 +40,13 @@ def _sequence(items: tuple[Node, ...]) -> Iterator[Node]:
     words = [item.text if isinstance(item, Word) else "" for item in items]
     at = 0
     while at < len(items):
-        end = _number_end(words, at)
+        end = number_end(words, at)
         if end > at:
             yield _number(tuple(words[at:end]))
             at = end
         else:
             yield numbers_either_way(items[at])
             at += 1
-
-
-def _number_end(words: list[str], at: int) -> int:
-    """Where a number ends that begins here; here, if none does."""
-    if is_numeral(words[at]):
-        return at + 1
-    found = english.cardinal(words, at) if words[at] in english.SMALL else None
-    return found[1] if found is not None else at
 
 
 @lru_cache(maxsize=1024)

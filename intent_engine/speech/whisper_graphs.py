@@ -41,8 +41,6 @@ class DecoderShape:
     heads: int
     width: int
     pieces: int
-    places: int
-    """Most pieces of a text, with its prompt."""
 
     @classmethod
     def of(cls, variables: Variables) -> DecoderShape:
@@ -51,7 +49,6 @@ class DecoderShape:
         """
         try:
             pieces, width = variables["embeddings/weight"].shape
-            places = len(variables["position_encodings/encodings"])
             heads = int(variables["num_heads"])
         except (KeyError, TypeError) as error:
             raise ValueError(f"no decoder of Whisper: {error}") from None
@@ -60,7 +57,7 @@ class DecoderShape:
         layers = 0
         while f"layer_{layers}/ffn/linear_0/weight" in variables:
             layers += 1
-        return cls(layers, heads, width, pieces, places)
+        return cls(layers, heads, width, pieces)
 
 
 def listening(variables: Variables) -> bytes:

@@ -8,7 +8,7 @@ from functools import lru_cache
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.numerals import is_numeral
 
-__all__ = ["in_digits", "in_words", "number_ways", "numbers_otherwise"]
+__all__ = ["in_digits", "in_words", "number_end", "number_ways", "numbers_otherwise"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -48,12 +48,25 @@ def in_words(words: Sequence[str]) -> list[str]:
     return spelled
 
 
+def _spoken(words: Sequence[str], at: int) -> tuple[float, int] | None:
+    """The value of a number in English words that begins here, and where it ends."""
+    return english.cardinal(words, at) if words[at] in english.SMALL else None
+
+
+def number_end(words: Sequence[str], at: int) -> int:
+    """Where a number in digits or in English words ends that begins here; here, if none does."""
+    if is_numeral(words[at]):
+        return at + 1
+    found = _spoken(words, at)
+    return found[1] if found is not None else at
+
+
 def in_digits(words: Sequence[str]) -> tuple[str, ...]:
     """English number words as digits, as a recogniser likes to write them."""
     result: list[str] = []
     at = 0
     while at < len(words):
-        found = english.cardinal(words, at) if words[at] in english.SMALL else None
+        found = _spoken(words, at)
         if found is not None and found[0] == int(found[0]):
             result.append(str(int(found[0])))
             at = found[1]
