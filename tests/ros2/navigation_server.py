@@ -21,7 +21,9 @@ from geometry_msgs.msg import PoseStamped
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.impl.implementation_singleton import rclpy_implementation
 
+RCLError = rclpy_implementation.RCLError
 _saying = threading.Lock()
 
 
@@ -88,6 +90,15 @@ class Nav2:
         return self.type.Result(error_code=9002, error_msg="the map has no way there")
 
 
+def begin(handle) -> None:
+    """Drive an accepted goal. rclpy looks whether it is to be canceled and changes its state in two steps; where the
+    cancellation comes between them it raises, and sees it when it is asked again."""
+    try:
+        handle.execute()
+    except RCLError:
+        handle.execute()
+
+
 def main() -> None:
     rclpy.init()
     node = rclpy.create_node("navigation")
@@ -121,6 +132,7 @@ def main() -> None:
         drive,
         callback_group=group,
         goal_callback=lambda goal: GoalResponse.REJECT if kind.order(goal) < 0 else GoalResponse.ACCEPT,
+        handle_accepted_callback=begin,
         cancel_callback=lambda handle: CancelResponse.ACCEPT,
     )
     if "goal_pose" in sys.argv:

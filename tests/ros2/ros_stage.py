@@ -74,13 +74,11 @@ class Peer:
         self.twists.append((round(message.linear.x, 6), round(message.angular.z, 6)))
 
     def meet(self) -> None:
-        """Wait until the node and its velocity process are connected."""
+        """Wait until the node and its velocity process are connected, and the node hears and is heard: each side finds
+        the other for itself, so one may be deaf when the other can speak. Lists are empty then."""
         until(lambda: self.text.get_subscription_count() >= 1, "the node subscribes to text")
         until(lambda: self.node.count_publishers(f"{self.namespace}/voice_commands/status") >= 1)
         until(lambda: self.node.count_publishers(f"{self.namespace}/cmd_vel") >= 2, "both publish velocities")
-
-    def reach(self) -> None:
-        """Be heard, and hear: each side finds the other for itself, so one may be deaf when the other can speak."""
 
         def heard() -> bool:
             self.say("what lovely weather")
@@ -88,6 +86,7 @@ class Peer:
             return bool(self.heard_texts())
 
         until(heard, "the node hears and is heard")
+        self._clear()
 
     def say(self, text: str) -> None:
         self.text.publish(String(data=text))
@@ -108,6 +107,10 @@ class Peer:
         """Stop the robot, wait for silence, and begin with empty lists."""
         self.say("stop")
         until(lambda: "stop" in self.heard_texts())
+        self._clear()
+
+    def _clear(self) -> None:
+        """Wait for silence, and begin with empty lists."""
         time.sleep(0.25)
         for each in (self.twists, self.frames, self.commands, self.status):
             each.clear()

@@ -121,7 +121,6 @@ def test_text_that_waited_too_long_is_not_acted_on_but_a_stop_is(peer):
 
     with NodeProcess(peer, expire_after=0.5) as node:
         peer.meet()
-        peer.reach()
         node.process.send_signal(signal.SIGSTOP)
         peer.say("go forward one meter")
         peer.say("stop")
