@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from intent_engine import IntentEngine, Status
-from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_OF_SEVERAL, SURE_ENOUGH_TO_STOP, Judge
+from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH, SURE_ENOUGH_OF_SEVERAL, SURE_ENOUGH_TO_STOP, Judge
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
@@ -44,6 +44,14 @@ def test_what_it_may_have_been_is_told_if_that_is_worth_it(judge, confidence, re
 
 def test_less_is_asked_of_a_stop_and_more_of_several_commands():
     assert SURE_ENOUGH_TO_STOP < SURE_ENOUGH < SURE_ENOUGH_OF_SEVERAL
+
+
+@pytest.mark.parametrize(("gap", "status"), [(ANOTHER_WORD, Status.ACCEPTED), (ANOTHER_WORD + 0.01, Status.REJECTED)])
+def test_a_stop_must_be_surer_where_another_word_is_much_likelier(judge, gap, status):
+    wow = Transcript("whoa", free_text="Wow", gap=gap, confidence=SURE_ENOUGH_TO_STOP)
+    assert judge.meaning(wow, (), ()).status is status
+    sure = Transcript("whoa", free_text="Wow", gap=gap, confidence=SURE_ENOUGH)
+    assert judge.meaning(sure, (), ()).status is Status.ACCEPTED
 
 
 @pytest.mark.parametrize("text", [ONE, SEVERAL, STOP])

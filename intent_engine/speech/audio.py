@@ -22,6 +22,7 @@ __all__ = [
     "Resampler",
     "Samples",
     "clean",
+    "in_silence",
     "to_float",
 ]
 
@@ -116,6 +117,20 @@ def clean(samples: npt.NDArray[np.floating]) -> Samples:
     finite = np.nan_to_num(samples, nan=0.0, posinf=0.0, neginf=0.0)
     sound = np.clip(finite, -1.0, 1.0).astype(np.float32, copy=False)
     return sound if sound.ndim == 1 else np.asarray(sound.mean(axis=1), np.float32)
+
+
+def in_silence(samples: Samples, seconds: float, around: float) -> Samples:
+    """A short sound with silence around it, first of all before it.
+
+    Args:
+        samples: ``(n,)``
+        seconds: that it may last in all, silence and sound; one that is longer stays as it is.
+        around: s of silence on either side, at most.
+    """
+    lack = max(round(seconds * SAMPLE_RATE) - samples.size, 0)
+    most = round(around * SAMPLE_RATE)
+    before = min(lack, most)
+    return np.pad(samples, (before, min(lack - before, most)))
 
 
 class Resampler:

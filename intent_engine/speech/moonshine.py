@@ -183,7 +183,8 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
                 yield beginning[:place], ended
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
-        pieces = [self._tokenizer.encode(" " + text.strip().rstrip(".!?")) for text in texts]
+        plain = [text.strip().rstrip(".!?") for text in texts]
+        pieces = [self._tokenizer.encode(" " + text) if text else [] for text in plain]
         return [
             np.array([*(rows[place][piece] for place, piece in enumerate(own)), self._ended(rows[len(own)])])
             for own, rows in zip(pieces, self.rows(encoded, pieces), strict=True)

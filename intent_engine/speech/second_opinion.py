@@ -23,7 +23,7 @@ import numpy as np
 
 from intent_engine.errors import WeightsError
 from intent_engine.interpretation import Interpretation
-from intent_engine.judgement import SURE_ENOUGH, SURE_ENOUGH_TO_STOP
+from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
@@ -170,7 +170,7 @@ class SecondOpinion:
         return both
 
     def _stops(self, heard: Transcript) -> bool:
-        return heard.sureness >= SURE_ENOUGH_TO_STOP and self._meaning(heard).stops
+        return heard.sureness >= enough_to_stop(heard) and self._meaning(heard).stops
 
     def close(self) -> None:
         self._first.close()

@@ -22,7 +22,7 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import Utterance
-from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Encoded, Transcript
@@ -84,6 +84,12 @@ FARFETCHED = 0.02
 orders of coffee given to a robot 49 are left at this."""
 RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
+SHORT_SECONDS = 1.2
+"""A sound shorter than this is a word or two, which the models know from recordings that begin in silence,"""
+QUIET_SECONDS = 0.3
+"""so they are given some, at most this before it and after it. Of 191 single words of people cut as the endpoint cuts
+them tiny.en wrote 79 % as they were, and 87 % with 0.3 s before them; Moonshine 69 % and, with 0.3 s on both sides,
+80 %. Longer commands gained nothing by it and were taken for others more often."""
 DOUBTFUL_SCORE = -0.6
 """Mean log probability of the free words below which others are looked at, though they are a sentence already."""
 
@@ -128,7 +134,8 @@ class Steering(Scoring):
             samples: ``(n,)``
             longer: whether with more silence after the speech than usual.
         """
-        encoded = self.encode(samples, self.longer(samples.size / SAMPLE_RATE)) if longer else self.encode(samples)
+        sound = in_silence(samples, SHORT_SECONDS, QUIET_SECONDS)
+        encoded = self.encode(sound, self.longer(sound.size / SAMPLE_RATE)) if longer else self.encode(sound)
         language = self.language or self.detect(encoded)
         free, mean, _ = self.greedy(encoded, language)
         heard = Transcript(free, mean, free, language=language)

@@ -8,7 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, SAMPLE_RATE, Resampler, clean, to_float
+from intent_engine.speech.audio import (
+    FRAME_SAMPLES,
+    FRAME_SECONDS,
+    SAMPLE_RATE,
+    Resampler,
+    clean,
+    in_silence,
+    to_float,
+)
 
 RATES = (8_000, 11_025, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000, 192_000)
 ANY_SOUND = arrays.arrays(
@@ -46,6 +54,20 @@ def test_what_is_no_sound_is_refused(samples):
 
 
 @settings(deadline=None, max_examples=60)
+@given(st.integers(0, 3_000), st.floats(0.0, 0.15), st.floats(0.0, 0.1))
+def test_a_short_sound_is_whole_within_its_silence(size, seconds, around):
+    sound = np.ones(size, np.float32)
+    found = in_silence(sound, seconds, around)
+    assert found.size <= max(size, round(seconds * SAMPLE_RATE))
+    assert found.dtype == np.float32
+    said = np.flatnonzero(found)
+    assert said.size == size, "nothing is lost or said twice"
+    if size:
+        before, after = int(said[0]), found.size - 1 - int(said[-1])
+        assert after <= before <= round(around * SAMPLE_RATE)
+        assert said[-1] - said[0] + 1 == size
+
+
 @given(st.sampled_from(RATES), st.lists(st.integers(0, 5_000), max_size=12))
 def test_frames_hold_all_the_sound_however_it_is_cut(rate, lengths):
     resampler = Resampler(rate)

@@ -79,6 +79,15 @@ def test_a_sentence_is_as_likely_with_a_full_stop_as_without(moonshine, spoken):
     assert plain == stopped
 
 
+def test_nothing_is_likelier_than_any_word_where_it_hears_nothing(moonshine):
+    encoded = moonshine.encode(np.random.default_rng(1).normal(0, 1e-3, SAMPLE_RATE).astype(np.float32))
+    free, mean, _ = moonshine.greedy(encoded)
+    nothing, *words = moonshine.score(encoded, [free, "Go", "Stop", "Hold on"])
+    assert free == ""
+    assert nothing == pytest.approx(mean, abs=0.05)
+    assert nothing > max(words)
+
+
 def test_a_whole_sentence_is_as_likely_as_its_pieces_one_by_one(moonshine, spoken):
     encoded = moonshine.encode(spoken)
     pieces = moonshine.tokenizer().encode(" Go forward two meters")

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.errors import WeightsError
-from intent_engine.judgement import SURE_ENOUGH_TO_STOP
+from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
 from intent_engine.runtime import SECOND_LOOK, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.evidence import View, letters_apart
@@ -380,6 +380,13 @@ def test_both_must_be_surer_of_a_stop_that_the_first_did_not_take_for_one(engine
 def test_a_stop_that_is_one_already_waits_for_no_second_opinion(engine, confidence, waits):
     both, *_ = two(engine, heard("stop", confidence, score=-0.9), heard("don't stop", None))
     assert both.transcribe(SOUND).text == ("don't stop" if waits else "stop")
+
+
+def test_a_stop_waits_for_a_second_opinion_where_another_word_is_much_likelier(engine):
+    wow = heard("whoa", SURE_ENOUGH_TO_STOP, score=-0.9, gap=ANOTHER_WORD + 0.1)
+    both, _, other = two(engine, wow, heard("wow", None))
+    both.transcribe(SOUND)
+    assert other.listened
 
 
 def test_where_neither_heard_a_command_the_words_of_the_first_are_told(engine):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -27,11 +28,12 @@ MEANT = {
 }
 
 
-def actions(listen, row: dict[str, str]) -> list[Action]:
+def actions(listen, row: dict[str, str], quiet: float = 0.5) -> list[Action]:
+    """What is done of a word with so many s of silence before it."""
     samples, rate = soundfile.read(DATA / "gsc_words" / row["audio"], dtype="float32")
     assert rate == SAMPLE_RATE
-    quiet = np.zeros(SAMPLE_RATE // 2, np.float32)
-    heard = listen(np.concatenate([quiet, samples, quiet]))
+    before, after = (np.zeros(int(seconds * SAMPLE_RATE), np.float32) for seconds in (quiet, 0.5))
+    heard = listen(np.concatenate([before, samples, after]))
     return [action for event in heard.of(HeardKind.SUBMITTED) for action in event.interpretation.actions]
 
 
@@ -41,7 +43,15 @@ def some(labels: set[str], most: int) -> list[dict[str, str]]:
 
 
 def test_words_stop_move_and_turn_it(listen) -> None:
-    said = [(word, actions(listen, row)) for word in MEANT for row in some({word}, 8)]
+    heard_well(lambda row: actions(listen, row))
+
+
+def test_a_recording_may_begin_with_the_word(listen) -> None:
+    heard_well(lambda row: actions(listen, row, 0.0))
+
+
+def heard_well(hear: Callable[[dict[str, str]], list[Action]]) -> None:
+    said = [(word, hear(row)) for word in MEANT for row in some({word}, 8)]
     right = sum(len(done) == 1 and MEANT[word](done[0]) for word, done in said)
     wrong = [(word, done) for word, done in said if done and not all(map(MEANT[word], done))]
     assert not wrong, "another thing was done"
