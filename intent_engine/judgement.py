@@ -11,6 +11,7 @@ from collections.abc import Collection, Sequence
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.numbers.english import ALIKE
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
@@ -107,8 +108,10 @@ def enough_to_stop(transcript: Transcript) -> float:
 
 def _unheard(transcript: Transcript) -> str:
     """Why words that are a command may not have been said; empty: they may be taken."""
-    words = " and ".join(repr(word) for word in transcript.unclear)
-    return f"{words} was not heard clearly; say it again" if words else ""
+    numbers = [f"{word!r} may have been {ALIKE[word]!r}" for word in transcript.unclear if word in ALIKE]
+    words = " and ".join(repr(word) for word in transcript.unclear if word not in ALIKE)
+    told = [*numbers, *([f"{words} was not heard clearly"] if words else [])]
+    return f"{', '.join(told)}; say it again" if told else ""
 
 
 def _why_unsure(transcript: Transcript) -> str:

@@ -8,6 +8,7 @@ import pytest
 
 from intent_engine import IntentEngine, Status
 from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH, SURE_ENOUGH_OF_SEVERAL, SURE_ENOUGH_TO_STOP, Judge
+from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
@@ -73,6 +74,26 @@ def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
     meaning = judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=("fifteen",)), (), ())
     assert (meaning.status is Status.ACCEPTED) is done
     assert done or "say it again" in meaning.reason
+
+
+@pytest.mark.parametrize(
+    ("unclear", "reason"),
+    [
+        (("sixteen",), "'sixteen' may have been 'sixty'; say it again"),
+        (("turn",), "'turn' was not heard clearly; say it again"),
+        (("turn", "forty"), "'forty' may have been 'fourteen', 'turn' was not heard clearly; say it again"),
+    ],
+)
+def test_what_was_not_clear_is_told_with_what_it_may_have_been(judge, unclear, reason):
+    text = "turn left sixteen degrees"
+    assert judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=unclear), (), ()).reason == reason
+
+
+@pytest.mark.parametrize("word", ALIKE)
+def test_numbers_that_sound_alike_are_each_others(word):
+    assert ALIKE[ALIKE[word]] == word
+    low, high = sorted((TEENS | TENS)[one] for one in (word, ALIKE[word]))
+    assert high == (low - 10) * 10
 
 
 OWN_RISK = """

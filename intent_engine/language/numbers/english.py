@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
+__all__ = ["ALIKE", "NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
@@ -17,6 +17,15 @@ TENS = {
     "twenty": 20, "thirty": 30, "forty": 40, "fourty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80,
     "ninety": 90,
 }  # fmt: skip
+ALIKE = {
+    one: other
+    for teen, value in TEENS.items()
+    for tens, tenfold in TENS.items()
+    if tenfold == (value - 10) * 10 and tens != "fourty"
+    for one, other in ((teen, tens), (tens, teen))
+    if value > 12
+}
+"""Numbers that even people ask back about, each with the other: "sixteen" and "sixty"."""
 ZERO = frozenset(("zero", "oh", "o", "nought", "naught", "nil"))
 SCALES = {
     "thousand": 1e3, "thousands": 1e3, "lakh": 1e5, "lakhs": 1e5, "million": 1e6, "millions": 1e6, "mln": 1e6,
