@@ -38,6 +38,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Steering"]
 
+SHORT_SECONDS = 1.2
+"""A sound shorter than this is a word or two, which the models know from recordings that begin in silence,"""
+QUIET_SECONDS = 0.3
+"""so they are given some, at most this before it and after it. Of 191 single words of people cut as the endpoint cuts
+them tiny.en wrote 79 % as they were, and 87 % with 0.3 s before them; Moonshine 69 % and, with 0.3 s on both sides,
+80 %. Longer commands gained nothing by it and were taken for others more often."""
 SINGLES = 12
 """Single words of the grammar that are scored against the sound besides those like the words heard,"""
 FEW_WORDS = 2
@@ -78,12 +84,6 @@ FARFETCHED = 0.02
 orders of coffee given to a robot 49 are left at this."""
 RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
-SHORT_SECONDS = 1.2
-"""A sound shorter than this is a word or two, which the models know from recordings that begin in silence,"""
-QUIET_SECONDS = 0.3
-"""so they are given some, at most this before it and after it. Of 191 single words of people cut as the endpoint cuts
-them tiny.en wrote 79 % as they were, and 87 % with 0.3 s before them; Moonshine 69 % and, with 0.3 s on both sides,
-80 %. Longer commands gained nothing by it and were taken for others more often."""
 DOUBTFUL_SCORE = -0.6
 """Mean log probability of the free words below which others are looked at, though they are a sentence already."""
 

@@ -53,7 +53,6 @@ def test_what_is_no_sound_is_refused(samples):
         to_float(samples)
 
 
-@settings(deadline=None, max_examples=60)
 @given(st.integers(0, 3_000), st.floats(0.0, 0.15), st.floats(0.0, 0.1))
 def test_a_short_sound_is_whole_within_its_silence(size, seconds, around):
     sound = np.ones(size, np.float32)
@@ -68,6 +67,7 @@ def test_a_short_sound_is_whole_within_its_silence(size, seconds, around):
         assert said[-1] - said[0] + 1 == size
 
 
+@settings(deadline=None, max_examples=60)
 @given(st.sampled_from(RATES), st.lists(st.integers(0, 5_000), max_size=12))
 def test_frames_hold_all_the_sound_however_it_is_cut(rate, lengths):
     resampler = Resampler(rate)

@@ -17,14 +17,11 @@ TENS = {
     "twenty": 20, "thirty": 30, "forty": 40, "fourty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80,
     "ninety": 90,
 }  # fmt: skip
-ALIKE = {
-    one: other
-    for teen, value in TEENS.items()
-    for tens, tenfold in TENS.items()
-    if tenfold == (value - 10) * 10 and tens != "fourty"
-    for one, other in ((teen, tens), (tens, teen))
-    if value > 12
-}
+_ALIKE = (
+    ("thirteen", "thirty"), ("fourteen", "forty"), ("fifteen", "fifty"), ("sixteen", "sixty"),
+    ("seventeen", "seventy"), ("eighteen", "eighty"), ("nineteen", "ninety"),
+)  # fmt: skip
+ALIKE = dict((*_ALIKE, *((tens, teen) for teen, tens in _ALIKE)))
 """Numbers that even people ask back about, each with the other: "sixteen" and "sixty"."""
 ZERO = frozenset(("zero", "oh", "o", "nought", "naught", "nil"))
 SCALES = {
