@@ -18,7 +18,7 @@ from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import numbers_otherwise
+from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import parse_template
@@ -198,7 +198,7 @@ class Matcher:
                 scope.update(self._scope(node))
             self.networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
         elif slot.type == "location":
-            respell = numbers_otherwise if self.grammar.language == "en" else None
+            respell = number_otherwise if self.grammar.language == "en" else None
             self.networks.add_names(key, _NamesOf(self.locations, slot.tags), respell)
 
     def _spoken(self, node: Node) -> Node:

@@ -18,7 +18,7 @@ __all__ = ["Call", "Edge", "Network", "Networks", "State"]
 
 Name: TypeAlias = tuple[tuple[str, ...], str]
 """Words and what they name."""
-Respell: TypeAlias = Callable[[tuple[str, ...]], Iterable[tuple[str, ...]]]
+Respell: TypeAlias = Callable[[tuple[str, ...]], tuple[int, Iterable[tuple[str, ...]]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,8 @@ class Networks:
         Args:
             key: of the network.
             entries: the names; gone through when the walk first comes to them.
-            respell: other ways to say the rest of a name, asked at each of its words ("3" -> "three").
+            respell: asked at the words of a name ("3 b"): how many of those that come next are written otherwise too
+                (1), and how (("three",)).
         """
         self._builders[key] = lambda: _names(entries, respell)
 
@@ -220,27 +221,31 @@ def _names(entries: Iterable[Name], respell: Respell | None) -> Network:
     start, end = State(), State()
     end.final = True
 
-    def grow(rows: Iterable[Name], depth: int, respelled: bool) -> Callable[[State], None]:
+    def grow(rows: Iterable[tuple[Name, int]], depth: int) -> Callable[[State], None]:
+        """From the place ``depth`` of names; a row's number is where its words end that shall stay as they are."""
+
         def expand(state: State) -> None:
-            onward: dict[str, list[Name]] = {}
-            others: dict[str, list[Name]] = {}
-            for words, value in rows:
+            onward: dict[str, list[tuple[Name, int]]] = {}
+            for name, settled in rows:
+                words, value = name
                 if len(words) == depth:
                     state.edges.append(Edge(end, mark=("value", value)))
                     continue
-                onward.setdefault(words[depth], []).append((words, value))
-                if respell is not None and not respelled:
-                    for rest in respell(words[depth:]):
-                        others.setdefault(rest[0], []).append((words[:depth] + rest, value))
-            for found, final in ((onward, respelled), (others, True)):
-                for word, longer in found.items():
-                    child = State()
-                    child.expand = grow(longer, depth + 1, final)
-                    state.add(word, child)
+                if respell is not None and depth >= settled:
+                    length, others = respell(words[depth:])
+                    settled = depth + length
+                    for other in others:
+                        spelled = (*words[:depth], *other, *words[settled:])
+                        onward.setdefault(other[0], []).append(((spelled, value), depth + len(other)))
+                onward.setdefault(words[depth], []).append((name, settled))
+            for word, longer in onward.items():
+                child = State()
+                child.expand = grow(longer, depth + 1)
+                state.add(word, child)
 
         return expand
 
-    start.expand = grow(entries, 0, False)
+    start.expand = grow(((name, 0) for name in entries), 0)
     return Network(start, end)
 
 

@@ -8,7 +8,7 @@ import operator
 from collections.abc import Iterator
 from functools import lru_cache
 
-from intent_engine.language.numbers.spelled import number_end, number_ways
+from intent_engine.language.numbers.spelled import number_end, number_otherwise
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
 __all__ = ["numbers_either_way"]
@@ -52,8 +52,8 @@ def _sequence(items: tuple[Node, ...]) -> Iterator[Node]:
 @lru_cache(maxsize=1024)
 def _number(words: tuple[str, ...]) -> Node:
     """A number as it is written in a template, and all its other ways."""
-    ways = dict.fromkeys((words, *number_ways(words)))
-    return Choice(tuple(map(_node, ways))) if len(ways) > 1 else _node(words)
+    _, others = number_otherwise(words)
+    return Choice(tuple(map(_node, (words, *others)))) if others else _node(words)
 
 
 def _node(words: tuple[str, ...]) -> Node:

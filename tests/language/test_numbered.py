@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.numbered import numbers_either_way
-from intent_engine.language.numbers.spelled import in_digits, in_words
+from intent_engine.language.numbers.spelled import in_words, number_otherwise
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import template_text
@@ -36,6 +36,11 @@ def radio(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
     path = tmp_path_factory.mktemp("radio") / "radio.yaml"
     path.write_text(RADIO)
     return IntentEngine.from_files(path)
+
+
+@pytest.fixture(scope="module")
+def places() -> IntentEngine:
+    return IntentEngine.from_files("grammars/en.yaml", locations=MAP)
 
 
 @pytest.mark.parametrize(
@@ -67,7 +72,71 @@ def test_every_whole_number_is_in_words_and_in_digits(number: int) -> None:
         ways = spellings(numbers_either_way(template), {}, 9)
         assert ("tune", "to", *digits, "now") in ways
         assert ("tune", "to", *words, "now") in ways
-        assert all(in_digits(way[2:-1]) == digits for way in ways)
+
+
+NUMBERS = st.one_of(st.integers(0, 999), st.integers(0, 9_999), st.integers(0, 999_999))
+
+
+@given(NUMBERS, NUMBERS)
+def test_no_number_is_said_as_another(one: int, other: int) -> None:
+    said, said_otherwise = ({(str(number),), *number_otherwise([str(number)])[1]} for number in (one, other))
+    assert one == other or said.isdisjoint(said_otherwise)
+
+
+@given(NUMBERS.filter(bool))
+def test_each_way_to_say_a_number_leads_to_its_digits(number: int) -> None:
+    assert number_otherwise([str(number), "b"])[0] == 1
+    words = tuple(in_words([str(number)]))
+    length, others = number_otherwise([*words, "b"])
+    assert length == len(words)
+    assert (str(number),) in others
+    assert words not in others
+    assert len(set(others)) == len(others)
+
+
+@pytest.mark.parametrize(
+    ("number", "ways"),
+    [
+        ("12", "twelve"),
+        ("204", "two hundred four|two hundred and four|two oh four|two zero four"),
+        ("110", "one hundred ten|one hundred and ten|one ten|one one oh|one one zero"),
+        ("1205", "one thousand two hundred five|one thousand two hundred and five|twelve oh five|twelve zero five|"
+                 "one two oh five|one two zero five"),
+        ("1500", "one thousand five hundred|fifteen hundred|one five oh oh|one five zero zero"),
+        ("10001", "ten thousand one|ten thousand and one"),
+        ("007", ""),
+        ("1.5", ""),
+    ],
+)  # fmt: skip
+def test_how_a_number_is_said(number: str, ways: str) -> None:
+    assert {" ".join(way) for way in number_otherwise([number])[1]} == {way for way in ways.split("|") if way}
+
+
+MAP = {name: {"x": x, "y": 0} for x, name in enumerate(("room 204", "building 3 room 12", "gate 1205", "lab 3b"))}
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("go to room two oh four", "room 204"),
+        ("go to room 204", "room 204"),
+        ("go to room two hundred and four", "room 204"),
+        ("go to room two zero four", "room 204"),
+        ("go to building three room 12", "building 3 room 12"),
+        ("go to building 3 room twelve", "building 3 room 12"),
+        ("go to gate twelve oh five", "gate 1205"),
+        ("go to lab three b", "lab 3b"),
+    ],
+)
+def test_the_number_of_a_place_is_said_as_people_say_it(places: IntentEngine, text: str, name: str) -> None:
+    heard = places.parse(text)
+    assert heard.status is Status.ACCEPTED, heard
+    assert [goal.location for goal in heard.actions] == [name]
+
+
+@pytest.mark.parametrize("text", ["go to room two oh five", "go to room two four", "go to gate twelve five"])
+def test_another_number_is_another_place(places: IntentEngine, text: str) -> None:
+    assert not places.parse(text).actions
 
 
 @pytest.mark.parametrize("text", ["go [to] the (left|right)", "(a;b c) {slot:name} {#}", "code 007", "12345678"])

@@ -8,7 +8,7 @@ from functools import lru_cache
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.numerals import is_numeral
 
-__all__ = ["in_digits", "in_words", "number_end", "number_ways", "numbers_otherwise"]
+__all__ = ["in_digits", "in_words", "number_end", "number_otherwise"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -76,26 +76,37 @@ def in_digits(words: Sequence[str]) -> tuple[str, ...]:
     return tuple(result)
 
 
-def numbers_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """Words that begin with a number, with its digits in words or its English words in digits."""
-    if words[0][0].isdigit():
-        yield tuple(in_words(words))
-    elif words[0] in english.SMALL:
-        yield in_digits(words)
-
-
-def number_ways(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """Other ways to write a whole number, in digits or in English words: "180", "one hundred and eighty" and "one
-    eighty"."""
-    digits = tuple(words) if is_numeral(words[0]) else in_digits(words)
+def number_otherwise(words: Sequence[str]) -> tuple[int, tuple[tuple[str, ...], ...]]:
+    """The number in digits or in English words that some words begin with: how many words it has (0: there is none),
+    and all other ways to write it, if it is whole: "204", "two hundred and four" and "two oh four"."""
+    end = number_end(words, 0)
+    if not end:
+        return 0, ()
+    own = tuple(words[:end])
+    digits = own if is_numeral(own[0]) else in_digits(own)
     if len(digits) > 1 or not digits[0].isdigit() or (digits[0].startswith("0") and digits != ("0",)):
-        return
-    yield digits
+        return end, ()
     spelled = _spell(digits[0])
     if spelled == digits:  # too large to be said
+        return end, ()
+    ways = dict.fromkeys((digits, spelled, *_said(digits[0], spelled)))
+    return end, tuple(way for way in ways if way != own)
+
+
+def _said(digits: str, spelled: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """A whole number as people say it beside its full words: with an "and", and from three digits on with none of its
+    "hundred" and "thousand", as rooms and gates are called."""
+    hundreds, rest = divmod(int(digits), 100)
+    if int(digits) >= 100 and rest:
+        head = spelled[: len(spelled) - len(_spell_whole(rest))]
+        yield (*head, "and", *spelled[len(head) :])
+    if len(digits) not in (3, 4):
         return
-    yield spelled
-    if len(digits[0]) == 3 and len(spelled) > 2:
-        yield (*spelled[:2], "and", *spelled[2:])
-        if int(digits[0]) % 100 >= 10:
-            yield (spelled[0], *spelled[2:])
+    if rest == 0:
+        yield (*_spell_whole(hundreds), "hundred")
+    if rest >= 10:
+        yield (*_spell_whole(hundreds), *_spell_whole(rest))
+    for zero in ("oh", "zero"):
+        if 0 < rest < 10:
+            yield (*_spell_whole(hundreds), zero, _ONES[rest])
+        yield tuple(_ONES.get(int(digit), zero) for digit in digits)
