@@ -31,6 +31,7 @@ def test_ten_commands_for_a_program(intent_engine):
     assert done.stderr == ""
 
 
+@pytest.mark.slow
 def test_models_and_noise_in_a_table_a_spreadsheet_and_a_picture(intent_engine, tmp_path):
     noise = np.random.default_rng(1).normal(0, 0.1, 32_000)
     soundfile.write(tmp_path / "noise.flac", noise, 16_000)

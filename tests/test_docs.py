@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from sybil import Document, Example
@@ -22,6 +23,14 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")])
 BY_HAND = ("make ", "git ", "cd ", "pip ", "sudo ", "python -m pip")
 """Commands that set things up; that their make targets exist is tested, the rest is for a person."""
+SLOW = ("docs/evaluate.md",)
+"""Pages that are run with the slow tests: half a minute of recordings, model after model."""
+
+
+def _timed(page: Path) -> Any:
+    """A page, marked as slow if it is."""
+    name = page.relative_to(ROOT).as_posix()
+    return pytest.param(page, id=name, marks=[pytest.mark.slow] if name in SLOW else [])
 
 
 class Shell:
@@ -84,7 +93,7 @@ def _line(line: str) -> str:
     return r"[^\S\n]*" + r"[^\S\n]+".join(words) + r"[^\S\n]*\n"
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda path: str(path.relative_to(ROOT)))
+@pytest.mark.parametrize("page", [_timed(page) for page in PAGES])
 def test_page(page, tmp_path, monkeypatch):
     for name in ("grammars", "locations", "robots", "examples"):
         shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))

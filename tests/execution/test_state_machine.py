@@ -7,6 +7,7 @@ import tempfile
 from itertools import pairwise
 from pathlib import Path
 
+import pytest
 from execution_stage import MAP, RecordingRobot
 from hypothesis import settings
 from hypothesis import strategies as st
@@ -265,4 +266,11 @@ class ExecutorMachine(RuleBasedStateMachine):
 
 
 TestExecutor = ExecutorMachine.TestCase
-TestExecutor.settings = settings(max_examples=300, stateful_step_count=30, deadline=None)
+TestExecutor.settings = settings(max_examples=100, stateful_step_count=30, deadline=None)
+
+
+@pytest.mark.slow
+class TestExecutorLong(ExecutorMachine.TestCase):
+    """The same, many more times."""
+
+    settings = settings(max_examples=500, stateful_step_count=50, deadline=None)
