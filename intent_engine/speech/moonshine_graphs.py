@@ -1,136 +1,72 @@
-"""Moonshine's published graphs, unfolded and quantised for this machine, once.
-
-In the published files the weights are bytes that the graph itself turns into floats, anew for every word, and both ways
-to go on (from a beginning, or by one word) hang on a switch in one graph. Unfolded, with products of bytes, a word
-takes 9 ms on one core instead of 120, and what is heard is the same.
-"""
+"""The decoder of a Moonshine model as graphs (:mod:`~intent_engine.speech.decoder_graphs`)."""
 
 from __future__ import annotations
 
-import logging
-import shutil
-import tempfile
-import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from pathlib import Path
-from typing import Any
+from functools import cached_property
+from typing import Any, ClassVar
 
-__all__ = ["BEGIN", "ENCODER", "STEP", "unfold"]
+import numpy as np
 
-ENCODER = "encoder.onnx"
-"""Sound -> states."""
-BEGIN = "begin.onnx"
-"""Words and states -> what may come after each of them, and what the next step needs to know."""
-STEP = "step.onnx"
-"""One word more, and what is known -> what may come next."""
-WORK = "unfolding-"
-"""How the folders begin in which graphs are made."""
-ABANDONED = 3600.0
-"""s after which such a folder is of a program that was killed: it takes half a minute."""
-_BRANCHES = {BEGIN: "else_branch", STEP: "then_branch"}
-"""Of the switch ``use_cache_branch`` in the published decoder."""
+from intent_engine.speech.decoder_graphs import DecoderGraph
+
+__all__ = ["PLACES", "TURNS", "MoonshineGraph"]
+
+PLACES = "places"
+"""Of rows in their texts, from 0, (n, 1, 1)."""
+TURNS = "rotary_emb/weight"
+"""Name of how fast each pair of a head's first columns turns from place to place, in rad."""
 
 
-def unfold(encoder: Path, decoder: Path, target: Path) -> None:
-    """Write the three graphs into a folder, whole or not at all.
+class MoonshineGraph(DecoderGraph):
+    """With the published names of the weights. What rows ask of each other, and are to each other, is turned by their
+    places (rotary embedding, https://arxiv.org/abs/2104.09864), in pairs of neighbouring columns."""
 
-    Args:
-        encoder, decoder: as published, in ONNX Runtime's own format.
-        target: the folder; it must not be there.
+    last = "norm"
+    beside: ClassVar = {PLACES: ("n", 1, 1)}
 
-    Raises:
-        OSError: there is no room.
-        Exception: whatever ``onnx`` and ``onnxruntime`` raise at a file that is not what it should be.
-    """
-    import onnx
+    def heard(self, features: str, layer: int) -> tuple[str, str]:
+        keys, values = (self.linear(features, f"layers.{layer}/encoder_attn/{one}_proj") for one in "kv")
+        return keys, values
 
-    target.parent.mkdir(parents=True, exist_ok=True)
-    _clear_abandoned(target.parent)
-    work = Path(tempfile.mkdtemp(prefix=WORK, dir=target.parent))
-    try:
-        read, folded = work / "read.onnx", work / "folded.onnx"
+    def looks(self, rows: str, layer: int) -> tuple[str, str, str]:
+        normal = self.normal(rows, f"layers.{layer}/input_layernorm")
+        asks, keys, values = (self.linear(normal, f"layers.{layer}/self_attn/{one}_proj") for one in "qkv")
+        return self._turned(asks), self._turned(keys), values
 
-        def finish(name: str) -> None:
-            # ONNX Runtime computes beforehand what it can only of a graph that is not in its own format.
-            _written(read, folded)
-            _quantised(folded, work / name)
+    def seen_by(self, layer: int) -> str:
+        return f"layers.{layer}/self_attn/dense"
 
-        _written(encoder, read)
-        finish(ENCODER)
-        _written(decoder, read)
-        whole = onnx.load(str(read))
-        for name, branch in _BRANCHES.items():
-            onnx.save(_branch(whole, branch), str(read))
-            finish(name)
-        read.unlink()
-        folded.unlink()
-        try:
-            work.rename(target)
-        except OSError:
-            if not target.is_dir():  # else another program was faster
-                raise
-    finally:
-        shutil.rmtree(work, ignore_errors=True)
+    def listens(self, rows: str, layer: int) -> str:
+        normal = self.normal(rows, f"layers.{layer}/post_attention_layernorm")
+        return self.linear(normal, f"layers.{layer}/encoder_attn/q_proj")
 
+    def heard_by(self, layer: int) -> str:
+        return f"layers.{layer}/encoder_attn/dense"
 
-def _clear_abandoned(folder: Path) -> None:
-    """Remove what programs left that were killed before they were done: hundreds of megabytes each."""
-    for left in folder.glob(f"{WORK}*"):
-        with suppress(OSError):  # another program is removing it
-            if time.time() - left.stat().st_mtime > ABANDONED:
-                shutil.rmtree(left, ignore_errors=True)
+    def thinks(self, rows: str, layer: int) -> str:
+        """By a gated linear unit (SwiGLU, https://arxiv.org/abs/2002.05202)."""
+        name = f"layers.{layer}/mlp"
+        wide = self.linear(self.normal(rows, f"layers.{layer}/final_layernorm"), f"{name}/up_proj")
+        half = self._variables[f"{name}/up_proj/weight"].shape[0] // 2
+        value, gate = self.split(wide, (half, half))
+        opened = self.op("Mul", gate, self.op("Sigmoid", gate))
+        return self.linear(self.op("Mul", opened, value), f"{name}/down_proj")
 
+    @cached_property
+    def _angles(self) -> tuple[str, str, str]:
+        """Cosine and sine of what each column of a head is turned by, and which column is the other of its pair."""
+        speeds = self._variables[TURNS].ravel()
+        each, sign = np.zeros((2, 1, 1, self.shape.head), np.float32)
+        each[..., : 2 * speeds.size] = np.repeat(speeds, 2)
+        sign[..., : 2 * speeds.size] = np.tile([-1.0, 1.0], speeds.size)
+        other: Any = np.arange(self.shape.head)
+        other[: 2 * speeds.size] ^= 1
+        angles = self.op("Mul", PLACES, self.constant(each))
+        sine = self.op("Mul", self.op("Sin", angles), self.constant(sign))
+        return self.op("Cos", angles), sine, self.constant(other)
 
-def _written(graph: Path, to: Path) -> None:
-    """A graph as ONNX Runtime has it when it is loaded, in ONNX."""
-    import onnxruntime
-
-    options = onnxruntime.SessionOptions()
-    options.graph_optimization_level = onnxruntime.GraphOptimizationLevel.ORT_ENABLE_BASIC
-    options.log_severity_level = 3
-    options.optimized_model_filepath = str(to)
-    options.add_session_config_entry("session.save_model_format", "ONNX")
-    onnxruntime.InferenceSession(str(graph), options, providers=["CPUExecutionProvider"])
-
-
-def _branch(whole: Any, branch: str) -> Any:
-    """One branch of the switch, as a graph of its own."""
-    from onnx import TensorProto, helper
-
-    (switch,) = [node for node in whole.graph.node if node.op_type == "If"]
-    (inner,) = [attribute.g for attribute in switch.attribute if attribute.name == branch]
-    nodes = [node for node in whole.graph.node if node is not switch and node.op_type != "If"] + list(inner.node)
-    pairs = list(zip(inner.output, whole.graph.output, strict=True))
-    needed = {name for node in nodes for name in node.input}
-    # A step changes nothing of what is known of the sound.
-    told = [(own, whole_) for own, whole_ in pairs if branch == "else_branch" or ".encoder." not in whole_.name]
-    nodes += [helper.make_node("Identity", [own.name], [f"told_{whole_.name}"]) for own, whole_ in told]
-    graph = helper.make_graph(
-        nodes,
-        branch,
-        [value for value in whole.graph.input if value.name in needed],
-        [helper.make_tensor_value_info(f"told_{whole_.name}", TensorProto.FLOAT, None) for _, whole_ in told],
-        [*whole.graph.initializer, *inner.initializer],
-    )
-    domains = [one for one in whole.opset_import if one.domain in ("", "com.microsoft")]
-    return helper.make_model(graph, opset_imports=domains, ir_version=whole.ir_version)
-
-
-def _quantised(graph: Path, to: Path) -> None:
-    """The same with weights of bytes, and sums of products of bytes."""
-    from onnxruntime.quantization import QuantType, quantize_dynamic
-
-    with _quiet():
-        quantize_dynamic(graph, to, weight_type=QuantType.QInt8, per_channel=True, op_types_to_quantize=["MatMul"])
-
-
-@contextmanager
-def _quiet() -> Iterator[None]:
-    """Without the advice that ONNX Runtime's quantisation gives through the root logger."""
-    before = logging.root.manager.disable
-    logging.disable(logging.WARNING)
-    try:
-        yield
-    finally:
-        logging.disable(before)
+    def _turned(self, value: str) -> str:
+        cosine, sine, other = self._angles
+        headed = self.headed(value)
+        across = self.op("Mul", self.op("Gather", headed, other, axis=2), sine)
+        return self.flat(self.op("Add", self.op("Mul", headed, cosine), across))

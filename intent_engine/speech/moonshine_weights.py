@@ -23,7 +23,7 @@ DIGESTS = {
     TOKENIZER: "04670d78994d030185c3dd843c60591788fed0a56cc6750747bd326825f13ca9",
 }
 """sha256 of the published files of moonshine-base."""
-MADE = "2"
+MADE = "3"
 """Of the way in which the graphs are made ready: another way is another folder."""
 
 
@@ -32,7 +32,7 @@ class MoonshineFiles:
     """What a Moonshine model is loaded from."""
 
     graphs: Path
-    """Folder of the graphs that are ready (:mod:`~intent_engine.speech.moonshine_graphs`)."""
+    """Folder of the graphs that are ready (:mod:`~intent_engine.speech.moonshine_unfold`)."""
     tokenizer: Path
 
 
@@ -92,7 +92,7 @@ def _ready(model: str, folder: Path, tell: Callable[[str], object] | None) -> Pa
     if tell is not None:
         tell(f"making {model} ready for this machine, once (about 20 s)")
     try:
-        from intent_engine.speech.moonshine_graphs import unfold
+        from intent_engine.speech.moonshine_unfold import unfold
 
         unfold(folder / ENCODER, folder / DECODER, graphs)
     except ImportError as error:

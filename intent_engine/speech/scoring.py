@@ -12,9 +12,10 @@ import numpy.typing as npt
 
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.loops import goes_round
+from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
-from intent_engine.speech.whisper_decoder import PrefixTree, WhisperDecoder, own_decoder
+from intent_engine.speech.whisper_decoder import WhisperDecoder, own_decoder
 from intent_engine.speech.writing import spellings, written
 
 __all__ = ["Rows", "Scoring", "ScoringWhisper"]
@@ -32,8 +33,6 @@ MOST_KEPT = 64
 """Pieces of what was heard freely, beyond which it is no command, and 0.2 MB for each are not kept."""
 ONWARD = 3
 """Pieces with which the model goes on after a beginning, where it is asked about many."""
-TREES = 2
-"""Sounds of which it is kept what was asked: a sound, and the same with a longer input."""
 
 Rows: TypeAlias = Mapping[tuple[int, ...], npt.NDArray[np.float32]]
 """How likely every piece is after some beginnings of a text: ``(vocabulary,)`` log probabilities, up to a constant in
@@ -141,7 +140,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
     def __init__(self, model: str = "tiny.en", **options: Any) -> None:
         super().__init__(model, **options)
         self._decoder = own_decoder(self) if options.get("compute_type") in (None, "int8") else None
-        self._trees: list[tuple[Encoded, PrefixTree]] = []
+        self._trees = RecentTrees()
 
     def longer(self, seconds: float) -> float:
         return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
@@ -183,23 +182,9 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
         if self._decoder is not None:
-            return self._went_on(self._tree(encoded, language), beginnings, length, self.end_piece(language))
+            # For a few pieces: more can be asked for soon.
+            return self._tree(encoded, language).onward(beginnings, length, self.end_piece(language), ONWARD)
         return self._generated(encoded, beginnings, length, language)
-
-    @staticmethod
-    def _went_on(
-        tree: PrefixTree, beginnings: Sequence[tuple[int, ...]], length: int, end: int
-    ) -> Iterator[tuple[tuple[int, ...], Any]]:
-        """With what the model would go on with, for a few pieces: more can be asked for soon."""
-        ends = list(dict.fromkeys(beginnings))
-        parts = [one[:place] for one in ends for place in range(len(one) + 1)]
-        for further in range(ONWARD + 1):
-            found = tree.chances(parts)
-            yield from found.items()
-            onward = ((*one, int(found[one].argmax())) for one in ends if len(one) < length)
-            parts = ends = [one for one in onward if one[-1] != end]
-            if further == ONWARD or not ends:
-                return
 
     def _generated(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None
@@ -250,14 +235,8 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         return ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
 
     def _tree(self, encoded: Encoded, language: str | None) -> PrefixTree:
-        """What is known of a sound, of the last few that were asked about."""
-        prompt = tuple(self.prompt(language))
-        found = next((tree for known, tree in self._trees if known is encoded and tree.prompt == prompt), None)
-        if found is None:
-            assert self._decoder is not None
-            found = self._decoder.tree(self._spoken(encoded)[0], prompt)
-            self._trees = [*self._trees[1 - TREES :], (encoded, found)]
-        return found
+        assert self._decoder is not None
+        return self._trees.of(self._decoder, encoded, self._spoken(encoded)[0], self.prompt(language))
 
     @staticmethod
     def _spoken(encoded: Encoded) -> npt.NDArray[np.float32]:

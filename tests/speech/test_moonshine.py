@@ -8,8 +8,10 @@ import platform
 import shutil
 import sys
 import time
+from collections.abc import Callable, Sequence
 
 import numpy as np
+import onnxruntime
 import pytest
 
 from intent_engine.errors import WeightsError
@@ -17,8 +19,8 @@ from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.free import free_recognizer
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.moonshine import MoonshineRecognizer
-from intent_engine.speech.moonshine_graphs import ABANDONED, WORK, unfold
 from intent_engine.speech.moonshine_pieces import BEGINNING, END, MoonshinePieces
+from intent_engine.speech.moonshine_unfold import ABANDONED, WORK, unfold
 from intent_engine.speech.moonshine_weights import (
     DECODER,
     ENCODER,
@@ -28,6 +30,7 @@ from intent_engine.speech.moonshine_weights import (
     is_moonshine,
     moonshine_package,
 )
+from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.steered import SteeredMoonshine
 
 # Its package has no other files. There, all of this runs: a missing package is a failure, since `make setup` brings it.
@@ -101,8 +104,7 @@ def test_beginnings_of_different_lengths_do_not_touch_each_other(moonshine, spok
     texts = ["Go", "Go forward two meters and then turn left", "Stop"]
     together = moonshine.score(encoded, texts)
     for text, score in zip(texts, together, strict=True):
-        # Bytes are scaled by the largest value of all that is asked at once.
-        assert moonshine.score(moonshine.encode(spoken), [text])[0] == pytest.approx(score, rel=0.05, abs=0.1)
+        assert moonshine.score(moonshine.encode(spoken), [text])[0] == pytest.approx(score, abs=0.05)
 
 
 def test_it_is_led_along_the_grammar(engine, moonshine, spoken, monkeypatch):
@@ -238,7 +240,9 @@ def test_the_graphs_are_made_once_and_this_is_told(tmp_path, monkeypatch):
     assert len(told) == 1
     assert find_moonshine(tell=told.append) == first
     assert len(told) == 1
-    assert sorted(path.name for path in first.graphs.iterdir()) == ["begin.onnx", "encoder.onnx", "step.onnx"]
+    assert sorted(path.name for path in first.graphs.iterdir()) == [
+        *("encoder.onnx", "listening.onnx", "pieces.npy", "scales.npy", "stepping.onnx", "telling.onnx")
+    ]
     assert [path.name for path in first.graphs.parent.iterdir()] == [first.graphs.name]
 
 
@@ -255,18 +259,41 @@ def test_what_a_killed_program_left_is_removed(tmp_path):
     assert [one.name for one in tmp_path.iterdir()] == [busy.name]
 
 
-def test_many_texts_after_one_beginning_are_as_likely_as_each_from_the_beginning(moonshine, spoken):
-    """What the layers hear of the sound is computed once, for all of them."""
+@pytest.fixture(scope="module")
+def published() -> Callable[[Encoded, Sequence[int]], np.ndarray]:
+    """What the decoder says as it was published, in floats: log probabilities (1 + n, pieces) along some pieces."""
+    session = onnxruntime.InferenceSession(moonshine_package() / DECODER, providers=["CPUExecutionProvider"])
+    inputs = {one.name: one.shape for one in session.get_inputs()}
+    nothing = {
+        name: np.zeros((1, shape[1], 0, shape[3]), np.float32) for name, shape in inputs.items() if "past" in name
+    }
+
+    def run(encoded: Encoded, pieces: Sequence[int]) -> np.ndarray:
+        asked = {"input_ids": [[BEGINNING, *pieces]], "encoder_hidden_states": encoded.features}
+        (logits,) = session.run(["logits"], {**asked, "use_cache_branch": [False], **nothing})
+        return logits[0] - np.logaddexp.reduce(logits[0], axis=-1, keepdims=True)
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "text", ["Go forward two meters.", "Go forward 10 meters.", "Never go to the kitchen.", "Thank you very much."]
+)
+def test_it_thinks_what_the_published_model_thinks(moonshine, published, spoken, text):
+    """Of pieces of 14 commands it is 0.023 nats off in the mean; the published graph with products of bytes 0.020."""
     encoded = moonshine.encode(spoken)
-    texts = [" Go forward two meters", " Go forward", " Never go to the kitchen", " Turn left"]
-    beginnings = [(), *(tuple(moonshine.tokenizer("en").encode(text)) for text in texts)]
-    for beginning, rows in zip(beginnings, moonshine.rows(encoded, beginnings), strict=True):
-        asked = {"input_ids": [[BEGINNING, *beginning]], "encoder_hidden_states": encoded.features}
-        whole = moonshine._begin.run(None, asked)[0][0]
-        assert len(rows) == len(whole) == len(beginning) + 1
-        for row, logits in zip(rows, whole, strict=True):
-            exact = logits - np.logaddexp.reduce(logits)
-            likely = exact > -7
-            # Bytes are rounded by the largest of all that is asked at once.
-            assert np.abs(row - exact)[likely].mean() < 0.5
-            assert row.argmax() == exact.argmax() or np.abs(row - exact).max() < 1.0
+    pieces = tuple(moonshine.tokenizer().encode(" " + text))
+    wanted = published(encoded, pieces)
+    found = moonshine._tree(encoded).chances([pieces[:place] for place in range(len(pieces) + 1)])
+    for place, exact in enumerate(wanted):
+        row, likely = found[pieces[:place]], exact > -7
+        assert np.abs(row - exact)[likely].mean() < 0.4
+        assert np.abs(row - exact)[likely].max() < 1.2
+
+
+def test_it_writes_what_the_published_model_writes(moonshine, published, spoken):
+    encoded = moonshine.encode(spoken)
+    written: list[int] = []
+    while (piece := int(published(encoded, written)[-1].argmax())) != END:
+        written.append(piece)
+    assert moonshine.greedy(encoded)[0] == moonshine.tokenizer().decode(written)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.steered import SteeredWhisper
 from intent_engine.speech.weights import find_weights
-from intent_engine.speech.whisper_decoder import ROOM, WhisperDecoder
-from intent_engine.speech.whisper_graphs import DecoderShape, stepping
+from intent_engine.speech.whisper_decoder import WhisperDecoder
+from intent_engine.speech.whisper_graphs import whisper_shape
 
 SAID = ("Go", "forward", "two", "meters")
 
@@ -24,12 +24,6 @@ def encoded(whisper, go_forward):
 @pytest.fixture(scope="module")
 def decoder():
     return WhisperDecoder(find_weights("tiny.en").path)
-
-
-@pytest.fixture(scope="module")
-def plant(decoder, whisper, encoded):
-    """A new tree for the same sound."""
-    return lambda: decoder.tree(whisper._spoken(encoded)[0], whisper.prompt("en"))
 
 
 @pytest.fixture(scope="module")
@@ -65,48 +59,10 @@ def test_it_writes_what_ctranslate2_writes(precise, whisper, go_forward, begin, 
     assert looped or own == pytest.approx(score, abs=0.15)
 
 
-pieces = st.lists(st.integers(0, 50_000), min_size=0, max_size=5).map(tuple)
-
-
-@settings(max_examples=20, deadline=None)
-@given(st.lists(pieces, min_size=1, max_size=6), st.randoms(use_true_random=False))
-def test_what_is_asked_beside_changes_nothing(plant, beginnings, random):
-    """Together, one after the other in any order, and again; but for what rounding to bytes makes of a last digit."""
-    together = plant().chances(beginnings)
-    assert set(together) == set(beginnings)
-    tree = plant()
-    for one in random.sample(beginnings, len(beginnings)):
-        for _ in range(2):
-            np.testing.assert_allclose(tree.chances([one])[one], together[one], atol=0.5)
-    for row in together.values():
-        assert np.exp(row).sum() == pytest.approx(1.0, abs=1e-3)
-
-
-@settings(max_examples=20, deadline=None)
-@given(st.lists(pieces.filter(bool), min_size=1, max_size=6))
-def test_a_text_is_as_likely_as_its_pieces(plant, texts):
-    tree = plant()
-    tree.learn(texts)
-    for text in texts:
-        rows = tree.chances([text[:place] for place in range(len(text))])
-        wanted = [rows[text[:place]][piece] for place, piece in enumerate(text)]
-        # The one with the embeddings in floats, the other in bytes: of unlikely pieces they say a little else.
-        np.testing.assert_allclose(tree.likelihood(text), wanted, atol=1.0)
-
-
-def test_a_tree_grows_beyond_its_room(plant):
-    many = [(piece, piece + 1) for piece in range(1000, 1000 + ROOM)]
-    tree = plant()
-    before = tree.chances([many[0]])[many[0]]
-    tree.learn([(*one, 0) for one in many])
-    np.testing.assert_allclose(tree.chances([many[0]])[many[0]], before, atol=0.5)
-    np.testing.assert_allclose(tree.chances([many[-1]])[many[-1]], plant().chances([many[-1]])[many[-1]], atol=0.5)
-
-
 @given(st.integers(0, 2**32 - 1), st.booleans(), st.sampled_from([0.0, 20.0, 80.0]))
 def test_what_is_never_written_leaves_its_chances_to_the_rest(decoder, seed, first, note):
     """Even where all but nothing is left, as in music."""
-    row = np.random.default_rng(seed).normal(0.0, 3.0, decoder.shape.pieces).astype(np.float32)
+    row = np.random.default_rng(seed).normal(0.0, 3.0, len(decoder.small)).astype(np.float32)
     row[decoder.never[0]] += note
     row -= np.logaddexp.reduce(row)
     able = decoder.able(row, first=first)
@@ -117,21 +73,12 @@ def test_what_is_never_written_leaves_its_chances_to_the_rest(decoder, seed, fir
     np.testing.assert_allclose(np.diff(able[possible]), np.diff(row[possible]), atol=1e-3)
 
 
-def test_a_call_that_fails_leaves_nothing_half_known(plant, monkeypatch, decoder):
-    tree = plant()
-    with monkeypatch.context() as patched:
-        patched.setattr(decoder, "telling", None)
-        with pytest.raises(AttributeError):
-            tree.chances([(400, 500)])
-    np.testing.assert_allclose(tree.chances([(400,)])[400,], plant().chances([(400,)])[400,], atol=0.5)
-
-
 def test_other_variables_are_refused():
     with pytest.raises(ValueError, match="no decoder of Whisper: 'embeddings/weight'"):
-        stepping({})
+        whisper_shape({})
     small = {"embeddings/weight": np.zeros((4, 2), np.int8), "position_encodings/encodings": np.zeros((3, 2))}
     with pytest.raises(ValueError, match="the weights are quantised"):
-        DecoderShape.of({**small, "num_heads": np.array(1)})
+        whisper_shape({**small, "num_heads": np.array(1)})
 
 
 def test_a_file_of_another_form_is_left_to_ctranslate2(engine, monkeypatch, encoded):
