@@ -31,6 +31,8 @@ LEAST = 1e-9
 """Least scale of a row, of one that is nothing but zeros."""
 MIDDLE = 128
 """What zero is as a byte without sign."""
+ROWS_AT_ONCE = 512
+"""Rows that become bytes together, while they are near the processor: an embedding has twenty million weights."""
 
 Variables: TypeAlias = Mapping[str, npt.NDArray[Any]]
 """Of a model's decoder, by name."""
@@ -52,11 +54,16 @@ class DecoderShape:
 
 def as_bytes(rows: npt.NDArray[Any]) -> tuple[npt.NDArray[np.int8], npt.NDArray[np.float32]]:
     """Rows of numbers as bytes, ``(n, width)``, and the scale of each, ``(n, 1)``, that makes them numbers again."""
-    exact = rows.astype(np.float32)
-    scales = np.maximum(np.abs(exact).max(axis=1, keepdims=True) / np.float32(BYTES), np.float32(LEAST))
-    # In place: an embedding has twenty million weights.
-    np.divide(exact, scales, out=exact)
-    return np.round(exact, out=exact).astype(np.int8), scales
+    small = np.empty(rows.shape, np.int8)
+    scales = np.empty((len(rows), 1), np.float32)
+    for start in range(0, len(rows), ROWS_AT_ONCE):
+        some = slice(start, start + ROWS_AT_ONCE)
+        exact = rows[some].astype(np.float32)
+        most = np.maximum(exact.max(axis=1, keepdims=True), -exact.min(axis=1, keepdims=True))
+        scales[some] = np.maximum(most / np.float32(BYTES), np.float32(LEAST))
+        np.divide(exact, scales[some], out=exact)
+        small[some] = np.rint(exact, out=exact)
+    return small, scales
 
 
 class DecoderGraph(ABC):

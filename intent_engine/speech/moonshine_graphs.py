@@ -9,12 +9,17 @@ import numpy as np
 
 from intent_engine.speech.decoder_graphs import DecoderGraph
 
-__all__ = ["PLACES", "TURNS", "MoonshineGraph"]
+__all__ = ["PLACES", "TURNS", "MoonshineGraph", "looking"]
 
 PLACES = "places"
 """Of rows in their texts, from 0, (n, 1, 1)."""
 TURNS = "rotary_emb/weight"
 """Name of how fast each pair of a head's first columns turns from place to place, in rad."""
+
+
+def looking(layer: int) -> str:
+    """Name of what rows ask of each other, and are to each other as keys and values, in one."""
+    return f"layers.{layer}/self_attn/qkv_proj"
 
 
 class MoonshineGraph(DecoderGraph):
@@ -29,8 +34,8 @@ class MoonshineGraph(DecoderGraph):
         return keys, values
 
     def looks(self, rows: str, layer: int) -> tuple[str, str, str]:
-        normal = self.normal(rows, f"layers.{layer}/input_layernorm")
-        asks, keys, values = (self.linear(normal, f"layers.{layer}/self_attn/{one}_proj") for one in "qkv")
+        asked = self.linear(self.normal(rows, f"layers.{layer}/input_layernorm"), looking(layer))
+        asks, keys, values = self.split(asked, (self.shape.width,) * 3)
         return self._turned(asks), self._turned(keys), values
 
     def seen_by(self, layer: int) -> str:

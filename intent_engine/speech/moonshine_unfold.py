@@ -29,7 +29,7 @@ from intent_engine.speech.decoder_graphs import (
     stepping,
     telling,
 )
-from intent_engine.speech.moonshine_graphs import MoonshineGraph
+from intent_engine.speech.moonshine_graphs import MoonshineGraph, looking
 
 __all__ = ["ENCODER", "LISTENING", "PIECES", "SCALES", "STEPPING", "TELLING", "unfold"]
 
@@ -79,6 +79,9 @@ def unfold(encoder: Path, decoder: Path, target: Path) -> None:
         _written(read, folded)
         variables = dict(_weights(onnx.load(str(folded)).graph))
         shape = _shape(published.graph, variables)
+        for layer in range(shape.layers):
+            parts = [variables[f"layers.{layer}/self_attn/{one}_proj/weight"] for one in "qkv"]
+            variables[f"{looking(layer)}/weight"] = np.concatenate(parts)
         for name, write in ((LISTENING, listening), (STEPPING, stepping), (TELLING, telling)):
             (work / name).write_bytes(write(MoonshineGraph(variables, shape)))
         small, scales = as_bytes(variables[f"{EMBEDDINGS}/weight"])
