@@ -52,7 +52,7 @@ def find_moonshine(model: str = MOONSHINE, tell: Callable[[str], object] | None 
 
     Args:
         model: :data:`MOONSHINE`, or a folder.
-        tell: is told that the graphs are made ready, which takes about 20 s once on a machine.
+        tell: is told that the graphs are made ready, which takes about 10 s once on a machine.
 
     Raises:
         WeightsError: it is not there, it is not the published one, or it cannot be made ready; says what to do.
@@ -90,7 +90,7 @@ def _ready(model: str, folder: Path, tell: Callable[[str], object] | None) -> Pa
     if graphs.is_dir():
         return graphs
     if tell is not None:
-        tell(f"making {model} ready for this machine, once (about 20 s)")
+        tell(f"making {model} ready for this machine, once (about 10 s)")
     try:
         from intent_engine.speech.moonshine_unfold import unfold
 
@@ -100,7 +100,7 @@ def _ready(model: str, folder: Path, tell: Callable[[str], object] | None) -> Pa
     except OSError as error:
         raise WeightsError(
             f"model {model} cannot be made ready in {graphs.parent}: {os.strerror(error.errno or 0)}\n"
-            "    make room there (240 MB), or set XDG_CACHE_HOME to a folder that can be written"
+            "    make room there (300 MB), or set XDG_CACHE_HOME to a folder that can be written"
         ) from None
     except Exception as error:  # onnx and ONNX Runtime raise what they like
         raise WeightsError(
