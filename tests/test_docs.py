@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")])
 BY_HAND = ("make ", "git ", "cd ", "pip ", "sudo ", "python -m pip")
 """Commands that set things up; that their make targets exist is tested, the rest is for a person."""
-SLOW = ("docs/evaluate.md",)
+SLOW = ("docs/evaluate.md", "docs/json.md")
 """Pages that are run with the slow tests: half a minute of recordings, model after model."""
 
 
