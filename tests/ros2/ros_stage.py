@@ -73,12 +73,17 @@ class Peer:
             message = message.twist
         self.twists.append((round(message.linear.x, 6), round(message.angular.z, 6)))
 
-    def meet(self) -> None:
+    def meet(self, topic: str = "cmd_vel", velocities: int = 2) -> None:
         """Wait until the node and its velocity process are connected, and the node hears and is heard: each side finds
-        the other for itself, so one may be deaf when the other can speak. Lists are empty then."""
+        the other for itself, so one may be deaf when the other can speak. Lists are empty then.
+
+        Args:
+            topic: of velocities.
+            velocities: publishers of them: the node and its velocity process.
+        """
         until(lambda: self.text.get_subscription_count() >= 1, "the node subscribes to text")
         until(lambda: self.node.count_publishers(f"{self.namespace}/voice_commands/status") >= 1)
-        until(lambda: self.node.count_publishers(f"{self.namespace}/cmd_vel") >= 2, "both publish velocities")
+        until(lambda: self.node.count_publishers(f"{self.namespace}/{topic}") >= velocities, "velocities")
 
         def heard() -> bool:
             self.say("what lovely weather")
