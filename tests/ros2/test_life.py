@@ -296,8 +296,8 @@ def test_actions_of_others_are_handed_over_when_their_turn_comes(peer, tmp_path)
     with NodeProcess(peer, grammar=grammar, robot="arm_mobile"):
         peer.meet()
         until(lambda: peer.node.count_publishers(f"{peer.namespace}/voice_commands/action"))
-        time.sleep(0.2)
-        peer.say("go forward ten centimeters then wave your arm and pick up the bottle")
+        # Far enough for the middleware of a busy machine to bring the two together.
+        peer.say("go forward one meter then wave your arm and pick up the bottle")
         until(lambda: len(peer.goals("succeeded")) == 3)
         until(lambda: len(actions) == 2)
     assert [action for action, _ in actions] == [
