@@ -40,8 +40,6 @@ PIECES_PER_SECOND = 7
 """More than anybody speaks (its authors take 6.5 words); bounds a decode that runs away."""
 RETRY_MARGIN = 0.5
 """s of silence after the speech with which it is tried again."""
-ONWARD = 0
-"""Pieces with which it goes on after a beginning, where it is asked about many."""
 
 
 class MoonshineRecognizer:
@@ -127,7 +125,8 @@ class MoonshineRecognizer:
         return pieces, rows
 
     def _tree(self, encoded: Encoded) -> PrefixTree:
-        return self._trees.of(self._decoder, encoded, encoded.features[0], (BEGINNING,))
+        prompt = (BEGINNING,)
+        return self._trees.of(encoded, prompt, lambda: PrefixTree(self._decoder, encoded.features[0], prompt))
 
     def close(self) -> None:
         """Let go of what is known of sounds; nothing else is held."""
@@ -154,7 +153,7 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
     def next_pieces(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
-        for beginning, row in self._tree(encoded).onward(beginnings, length, END, ONWARD):
+        for beginning, row in self._tree(encoded).onward(beginnings, length, END):
             ended = row.copy()
             ended[END] = np.logaddexp.reduce(row[self._ends])
             yield beginning, ended

@@ -42,7 +42,7 @@ PIECES, SCALES = "pieces.npy", "scales.npy"
 WORK = "unfolding-"
 """How the folders begin in which graphs are made."""
 ABANDONED = 3600.0
-"""s after which such a folder is of a program that was killed: it takes half a minute."""
+"""s after which such a folder is of a program that was killed: it takes ten seconds."""
 WHOLE = "else_branch"
 """Of the switch ``use_cache_branch`` in the published decoder: what begins a text, with all weights in it."""
 PLACE = "/model/decoder/"

@@ -7,7 +7,7 @@ it in one call.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
@@ -86,7 +86,7 @@ class PrefixTree:
         return {one: found[one] for one in wanted}
 
     def onward(
-        self, beginnings: Sequence[Beginning], length: int, end: int, further: int
+        self, beginnings: Sequence[Beginning], length: int, end: int, further: int = 0
     ) -> Iterator[tuple[Beginning, _Floats]]:
         """The same after some beginnings, all that they begin with, and what the model would go on with.
 
@@ -178,19 +178,18 @@ class RecentTrees:
     def __init__(self) -> None:
         self._kept: list[tuple[Encoded, PrefixTree]] = []
 
-    def of(self, decoder: Decoder, encoded: Encoded, features: _Floats, prompt: Sequence[int]) -> PrefixTree:
-        """The tree of a sound.
+    def of(self, encoded: Encoded, prompt: Sequence[int], plant: Callable[[], PrefixTree]) -> PrefixTree:
+        """The tree of a sound, planted if it is not known.
 
         Args:
-            decoder: of the model.
             encoded: the sound.
-            features: ``(sounds, width)``, what the decoder hears of it.
             prompt: pieces before every text.
+            plant: makes the tree.
         """
         before = tuple(prompt)
         found = next((tree for known, tree in self._kept if known is encoded and tree.prompt == before), None)
         if found is None:
-            found = PrefixTree(decoder, features, before)
+            found = plant()
             self._kept = [*self._kept[1 - TREES :], (encoded, found)]
         return found
 

@@ -235,8 +235,9 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         return ctranslate2.StorageView.from_array(np.ascontiguousarray(features))
 
     def _tree(self, encoded: Encoded, language: str | None) -> PrefixTree:
-        assert self._decoder is not None
-        return self._trees.of(self._decoder, encoded, self._spoken(encoded)[0], self.prompt(language))
+        decoder, prompt = self._decoder, self.prompt(language)
+        assert decoder is not None
+        return self._trees.of(encoded, prompt, lambda: PrefixTree(decoder, self._spoken(encoded)[0], prompt))
 
     @staticmethod
     def _spoken(encoded: Encoded) -> npt.NDArray[np.float32]:

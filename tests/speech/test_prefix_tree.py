@@ -108,12 +108,15 @@ def test_it_goes_on_as_the_model_would(plant):
 
 
 def test_of_the_last_sounds_it_is_kept_what_was_asked(known):
-    decoder, features, prompt = known
+    _, features, prompt = known
     sounds = [Encoded(features[np.newaxis], 1.0) for _ in range(TREES + 1)]
-    trees = RecentTrees()
-    first = [trees.of(decoder, sound, features, prompt) for sound in sounds[:TREES]]
-    assert [trees.of(decoder, sound, features, prompt) for sound in sounds[:TREES]] == first
-    trees.of(decoder, sounds[TREES], features, prompt)
-    assert trees.of(decoder, sounds[1], features, prompt) is first[1]
-    assert trees.of(decoder, sounds[0], features, prompt) is not first[0], "the oldest is forgotten"
-    assert trees.of(decoder, sounds[0], features, (*prompt, 5)) is not trees.of(decoder, sounds[0], features, prompt)
+    trees, plant = RecentTrees(), lambda: PrefixTree(*known)
+    first = [trees.of(sound, prompt, plant) for sound in sounds[:TREES]]
+    assert [trees.of(sound, prompt, plant) for sound in sounds[:TREES]] == first
+    trees.of(sounds[TREES], prompt, plant)
+    assert trees.of(sounds[1], prompt, plant) is first[1]
+    assert trees.of(sounds[0], prompt, plant) is not first[0], "the oldest is forgotten"
+    longer = (*prompt, 5)
+    other = trees.of(sounds[0], longer, lambda: PrefixTree(*known[:2], longer))
+    assert other is not trees.of(sounds[0], prompt, plant)
+    assert trees.of(sounds[0], longer, plant) is other
