@@ -184,7 +184,7 @@ def test_a_server_that_goes_away_is_noticed(way):
     try:
         goal = stage.go(2000)
         until(lambda: stage.server.driving() == 1)
-        stage.server.process.terminate()
+        stage.server.leave()
         assert goal.result(60.0).state == "aborted"
         assert "gone" in goal.detail
         goal = stage.go(10)
