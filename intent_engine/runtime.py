@@ -54,6 +54,8 @@ class _Utterance:
     final: bool = False
     """Whether the decode is one with all care."""
     ended: bool = False
+    short: bool = False
+    """Whether it was so short that it can be nothing but a stop."""
     judged: bool = False
     result: Transcript | None = None
 
@@ -228,19 +230,15 @@ class Runtime:
         if utterance is None:
             return None
         utterance.take(frame.samples)
-        if signal is not Signal.DROPPED:
-            self._listen(frame.samples, frame.time)
+        self._listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
             utterance.last_voice = frame.time
         if signal is Signal.PAUSED and self._speculate:
             self._decode(utterance, final=False)
         elif signal is Signal.RESUMED:
             utterance.job, utterance.result, utterance.judged = None, None, False
-        elif signal is Signal.DROPPED:
-            if self._held:
-                self._release(frame.time, "too short to be a word")
-            return None
-        elif signal is Signal.ENDED:
+        elif signal in (Signal.ENDED, Signal.SHORT):
+            utterance.short = signal is Signal.SHORT
             self._end(utterance, frame.time, waiting)
             return None
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
@@ -376,8 +374,12 @@ class Runtime:
             if self._held:
                 self._release(time, "nothing was said")
             return
-        self._summary.utterances += 1
         meaning = self._judgement.meaning(transcript, self._state(), self._last)
+        if utterance.short and not meaning.stops:
+            if self._held:
+                self._release(time, "too short to be another word than a stop")
+            return
+        self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)

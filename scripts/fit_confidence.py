@@ -62,7 +62,7 @@ def cut(samples: Samples) -> Samples | None:
             begin = number + 1
         elif signal is Signal.PAUSED:
             pause = number + 1
-        elif signal in (Signal.ENDED, Signal.DROPPED):
+        elif signal in (Signal.ENDED, Signal.SHORT):
             break
     if not pause:
         return None

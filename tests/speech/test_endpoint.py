@@ -75,7 +75,17 @@ def test_who_goes_on_is_not_cut_off():
 
 def test_a_knock_is_no_speech():
     assert play(Endpointer(), (SPEECH, FRAME_SECONDS), (SILENCE, 1.0)) == []
-    assert play(Endpointer(), (SPEECH, 3 * FRAME_SECONDS), (SILENCE, 1.0)) == [Signal.STARTED, Signal.DROPPED]
+
+
+def test_what_is_hardly_longer_than_a_knock_is_told_apart():
+    ends = [Signal.STARTED, Signal.PAUSED, Signal.SHORT]
+    for frames_, end in ((2, Signal.SHORT), (3, Signal.SHORT), (4, Signal.ENDED)):
+        assert play(Endpointer(), (SPEECH, frames_ * FRAME_SECONDS), (SILENCE, 1.0)) == [*ends[:2], end]
+
+
+def test_who_says_more_after_a_knock_has_said_more():
+    signals = play(Endpointer(), (SPEECH, 2 * FRAME_SECONDS), (SILENCE, 0.1), (SPEECH, 0.1), (SILENCE, 1.0))
+    assert signals == [Signal.STARTED, Signal.PAUSED, Signal.RESUMED, Signal.PAUSED, Signal.ENDED]
 
 
 def test_between_the_thresholds_speech_goes_on_but_does_not_begin():
@@ -100,13 +110,13 @@ def test_reset_forgets():
 
 @given(st.lists(st.floats(0, 1), max_size=400), st.lists(st.sampled_from(list(Outlook)), min_size=1, max_size=5))
 def test_signals_come_in_an_order_that_makes_sense(probabilities, outlooks):
-    """started, then paused and resumed by turns, then ended or dropped; and never two utterances at once."""
+    """started, then paused and resumed by turns, then ended; and never two utterances at once."""
     endpoint = Endpointer(replace(Settings(), max_speech=4.0))
     allowed = {
         None: {Signal.STARTED},
-        Signal.STARTED: {Signal.PAUSED, Signal.RESUMED, Signal.DROPPED, Signal.ENDED},
-        Signal.PAUSED: {Signal.RESUMED, Signal.ENDED},
-        Signal.RESUMED: {Signal.PAUSED, Signal.RESUMED, Signal.DROPPED, Signal.ENDED},
+        Signal.STARTED: {Signal.PAUSED, Signal.ENDED},
+        Signal.PAUSED: {Signal.RESUMED, Signal.SHORT, Signal.ENDED},
+        Signal.RESUMED: {Signal.PAUSED, Signal.ENDED},
     }
     last: Signal | None = None
     for count, probability in enumerate(probabilities):
@@ -116,7 +126,7 @@ def test_signals_come_in_an_order_that_makes_sense(probabilities, outlooks):
         assert signal in allowed[last]
         if signal is Signal.PAUSED:
             endpoint.judge(outlooks[count % len(outlooks)])
-        last = None if signal in (Signal.ENDED, Signal.DROPPED) else signal
+        last = None if signal in (Signal.ENDED, Signal.SHORT) else signal
         assert endpoint.speaking is (last is not None)
 
 
