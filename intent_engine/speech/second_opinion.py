@@ -75,6 +75,10 @@ UNSETTLED = 0.1
 class Steered(Recognizer, Protocol):
     """A recogniser that says what it makes of a sound beside what it takes it for, step by step."""
 
+    def prepare(self) -> None:
+        """As :meth:`~intent_engine.speech.steering.Steering.prepare`."""
+        ...
+
     def listen(self, samples: Samples) -> Opinion:
         """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
         ...
@@ -119,7 +123,8 @@ class SecondOpinion:
         self._grammar = SpokenGrammar(engine)
         self._first = first
         self._beside = Beside("second model")
-        self._second = self._beside.submit(second)
+        self._prepared = self._beside.submit(first.prepare)
+        self._second = self._beside.submit(_ready, second)
         self._draft: _Look | None = None
         """What was last heard with less care."""
 
@@ -136,6 +141,7 @@ class SecondOpinion:
     def _look(self, samples: Samples) -> _Look:
         """What both models make of a sound at first sight. The second looks while the first still compares, unless that
         was sure of every word, or heard what is clearly no command."""
+        self._prepared.result()
         heard = self._first.listen(samples)
         if heard.settled and not heard.transcript.unclear:
             return _Look(samples, heard, None, heard.transcript, False)
@@ -229,6 +235,13 @@ class SecondOpinion:
 
     def _meaning(self, heard: Transcript) -> Interpretation:
         return self._grammar.parse(heard.text, heard.language)
+
+
+def _ready(make: Callable[[], Steered]) -> Steered:
+    """A model that is made, and ready for the first words."""
+    made = make()
+    made.prepare()
+    return made
 
 
 def _same(samples: Samples, known: Samples) -> bool:

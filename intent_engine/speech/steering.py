@@ -116,6 +116,11 @@ class Steering(Scoring):
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
+    def prepare(self) -> None:
+        """Make ready what the first words would wait for, if their language is known: a third of a second."""
+        if self.language is not None:
+            self._guide(self.language)
+
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         self.opinion = self._doubted(self.search(self.compare(self.listen(samples))))
         return self.clear(self.opinion)

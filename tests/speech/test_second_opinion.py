@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import platform
 import sys
+import threading
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -87,8 +88,13 @@ class Says:
         self.listened: list[int] = []
         self.compared = self.searched = 0
         self.closed = False
+        self.prepared = threading.Event()
+
+    def prepare(self) -> None:
+        self.prepared.set()
 
     def listen(self, samples: np.ndarray) -> Thinks:
+        assert self.prepared.is_set()
         self.listened.append(samples.size)
         return self.opinion
 
@@ -116,6 +122,16 @@ def two(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> tupl
 
 
 UNSURE = Thinks(heard(FORWARD, 0.5), {FORWARD: -14.0})
+
+# -- before it is asked ------------------------------------------------------------------------------------------
+
+
+def test_both_are_ready_before_the_first_words(engine):
+    """So that these need not wait for what can be known before them."""
+    _, one, other = two(engine, UNSURE, UNSURE)
+    assert one.prepared.wait(60)
+    assert other.prepared.wait(60)
+
 
 # -- when it is asked --------------------------------------------------------------------------------------------
 

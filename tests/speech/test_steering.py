@@ -9,6 +9,7 @@ from speech_stage import framed
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.runtime import HeardKind
+from intent_engine.speech import steering
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -33,6 +34,16 @@ def hears(whisper, monkeypatch):
 @pytest.fixture
 def spoken(go_forward) -> np.ndarray:
     return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+
+
+def test_what_was_made_ready_is_not_made_at_the_first_words(engine, whisper, spoken, monkeypatch):
+    whisper.steer(engine)
+    whisper.prepare()
+    monkeypatch.delattr(steering, "GuidedSearch")
+    assert whisper.transcribe(spoken).text == "go forward 2 meters"
+    whisper.steer(engine)
+    with pytest.raises(NameError):
+        whisper.transcribe(spoken)
 
 
 @pytest.mark.parametrize("misheard", ["Go for word two meters.", "Goat forward 2 meters", "Oh forward to me does"])
