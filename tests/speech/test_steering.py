@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import pytest
 from speech_stage import framed
@@ -94,6 +96,39 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     )
 
 
+@pytest.fixture
+def parts(whisper, monkeypatch):
+    """What the model made of each place of a text while it heard it: another piece is so many nats less likely."""
+
+    def part(text: str, others: Mapping[str, float]) -> None:
+        encode = whisper.tokenizer("en").encode
+        heard = tuple(encode(" " + text))
+        row = np.full(whisper.tokenizer("en").eot + 1, -30.0, np.float32)
+        row[list(heard)] = -1.0
+        for other, ahead in others.items():
+            row[encode(" " + other)[0]] = -1.0 - ahead
+        rows = {heard[:length]: row for length in range(len(heard) + 1)}
+        monkeypatch.setattr(whisper, "decoded", lambda _encoded: rows)
+
+    return part
+
+
+@pytest.mark.parametrize(("ahead", "asked"), [(4.4, True), (4.5, False)])
+def test_a_number_that_is_far_ahead_is_not_compared(whisper, parts, monkeypatch, ahead, asked):
+    """What the model thought of the two while it heard one of them is as good as what it thinks of whole sentences."""
+    parts("Turn left 15 degrees.", {"50": ahead})
+    compared = []
+
+    def score(_encoded, sentences, _language=None):
+        compared.extend(sentences)
+        return [-2.0, -2.5]
+
+    monkeypatch.setattr(whisper, "score_words", score)
+    found = whisper._known_clearly(None, ["turn", "left", "fifteen", "degrees"], "en", heard=True)
+    assert bool(compared) is asked
+    assert found["fifteen"] == pytest.approx((0.5 if asked else 4.5) - 4.0)
+
+
 @pytest.mark.parametrize(
     ("free", "score", "refused"),
     [
@@ -138,21 +173,25 @@ def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, 
 
 
 @pytest.mark.parametrize(
-    ("text", "heard", "asked"),
+    ("text", "heard", "others", "asked"),
     [
-        ("go forward two meters", True, False),
-        ("go forward two meters", False, True),
-        ("please go forward two meters", True, True),
-        ("retreat two meters", True, True),
+        ("Go forward two meters.", True, {"Don't": 6.5, "Never": 6.5}, False),
+        ("Go forward two meters.", True, {"Don't": 6.5, "Never": 6.4}, True),
+        ("Go forward two meters.", False, {}, True),
+        ("Please go forward two meters.", True, {}, False),
+        ("Please go forward two meters.", True, {"don't": 6.4}, True),
+        ("Please go forward two meters.", True, {"Do": 6.4}, True),
     ],
+    ids=lambda value: str(value),
 )
-def test_a_command_that_begins_like_no_dont_is_not_compared(whisper, spoken, monkeypatch, text, heard, asked):
-    encoded = whisper.encode(spoken)
+def test_a_command_that_is_far_ahead_of_a_dont_is_not_compared(whisper, parts, monkeypatch, text, heard, others, asked):
+    """At the place where a "don't" would be, whatever says nothing before it."""
+    parts(text, others)
     compared = []
     monkeypatch.setattr(whisper, "score", lambda _sound, texts, _language: compared.append(1) or [0.0] * len(texts))
-    ahead = whisper._ahead(encoded, text.split(), "en", heard=heard)
+    ahead = whisper._ahead(None, text.lower().strip(".").split(), "en", heard=heard)
     assert bool(compared) is asked
-    assert (ahead > 5.5) is not asked
+    assert asked or ahead >= 6.5
 
 
 @pytest.mark.parametrize(("score", "looked"), [(-0.1, False), (-0.9, True)], ids=["clear", "mumbled"])
