@@ -74,7 +74,7 @@ of 14 synthetic voices, clean and at 10 and 6 dB, 91, 89 and 86 % are clear with
 other; without, 91, 86 and 83 % and 1.5, 2.6 and 3.1 %."""
 SURELY_THIS = 4.5
 """nats by which the first piece of a number that was heard is likelier than that of the one it sounds like, from which
-the sentences need not be compared: of 24 that were heard word by word these differed by as much, or up to 4 more."""
+the sentences need not be compared: of 24 that were heard word by word these differed by as much, or up to 5 more."""
 SURE = 0.9
 """Confidence from which no other sentence is looked for,"""
 CLOSE_GAP = 0.3
