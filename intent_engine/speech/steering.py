@@ -433,8 +433,9 @@ class Steering(Scoring):
         ahead = math.inf
         for spelled in spellings(other, language):
             pieces = self.tokenizer(language).encode(" " + written(spelled, language))
-            parts = next((at for at, pair in enumerate(zip(heard, pieces, strict=False)) if len(set(pair)) > 1), None)
-            if parts is None:
+            pairs = enumerate(zip(heard, pieces, strict=False))
+            parts = next((at for at, (one, piece) in pairs if one != piece), None)
+            if parts is None:  # nothing was heard, or one goes on where the other ends
                 return -math.inf
             row = rows[heard[:parts]]
             ahead = min(ahead, float(row[heard[parts]] - row[pieces[parts]]))
