@@ -27,6 +27,7 @@ from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
+from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
@@ -39,7 +40,7 @@ from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar, end_left_out
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
-from intent_engine.speech.steering import CLEAR_TALK, RIVAL_MARGIN
+from intent_engine.speech.steering import CLEAR_TALK
 from intent_engine.speech.weighing import doubted
 from intent_engine.speech.weights import find_weights
 

@@ -10,7 +10,6 @@ against the sound, in one pass each; and where none of them is sure, the model i
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -18,20 +17,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.approximate import FreeWord, UtteranceSearch
-from intent_engine.language.numbers.english import ALIKE
-from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.language.utterance import Utterance
+from intent_engine.interpretation import Status
+from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
+from intent_engine.speech.clearness import Clearness
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
-from intent_engine.speech.scoring import Rows, Scoring
-from intent_engine.speech.spoken_grammar import NARRATING, SpokenGrammar, goes_on
+from intent_engine.speech.scoring import Rows
+from intent_engine.speech.spoken_grammar import SpokenGrammar, goes_on
 from intent_engine.speech.weighing import doubted
-from intent_engine.speech.writing import spellings, written
+from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -56,25 +53,6 @@ NEAR = 4.0
 """nats by which the first piece of a word may be less likely than that of the word in whose place it may stand,"""
 CLOSE = 1.5
 """and where a sentence was heard word by word; by so many nats the other must be less likely as a whole."""
-CLEAR = 0.6
-"""Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
-NOT_SAID = 5.5
-"""nats by which a command must be likelier than the same with a "don't" or "never". In kitchen noise at 10 and 6 dB
-"never" is heard as "then we'll" and "don't" as "go and": of 8 commands of synthetic voices that should not be done and
-were heard as such that should, 7 were ahead by less, and of 80 that were heard word by word, half of them in noise,
-none."""
-SURELY_SAID = 6.5
-"""nats by which a command that was heard is likelier than one with a "don't" at the piece where they part, from which
-the whole need not be compared."""
-RIVAL_MARGIN = 3.0
-"""nats by which a number must be likelier than one that sounds like it (``ALIKE``),"""
-TEEN = 1.0
-"""and one in -teen by so many more, one in -ty by so many less: both models are ready to hear a -teen. Of 196 numbers
-of 14 synthetic voices, clean and at 10 and 6 dB, 91, 89 and 86 % are clear with it and 0.5, 1.5 and 2.0 % taken for the
-other; without, 91, 86 and 83 % and 1.5, 2.6 and 3.1 %."""
-SURELY_THIS = 4.5
-"""nats by which the first piece of a number that was heard is likelier than that of the one it sounds like, from which
-the sentences need not be compared: of 24 that were heard word by word these differed by as much, or up to 5 more."""
 SURE = 0.9
 """Confidence from which no other sentence is looked for,"""
 CLOSE_GAP = 0.3
@@ -102,13 +80,11 @@ class _Guide:
     """Words that are whole sentences, each with its first piece."""
 
 
-class Steering(Scoring):
+class Steering(Clearness):
     """What a model that can be asked what it thinks of words becomes with a grammar: a recogniser for one engine."""
 
     language: str | None
     """Of the speech; None: detected."""
-    grammar: SpokenGrammar
-    """Which sentences it may have heard."""
 
     def steer(self, engine: IntentEngine) -> None:
         """By the grammar of an engine; it may be reloaded at any time."""
@@ -142,7 +118,7 @@ class Steering(Scoring):
         free, mean, _ = self.greedy(encoded, language)
         heard = Transcript(free, mean, free, language=language)
         meaning = self.grammar.parse(free, language)
-        if not free or self._refused(encoded, free, meaning, language):
+        if not free or self.refused(encoded, free, meaning, language):
             return Opinion(self, samples, encoded, heard, settled=True)
         words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
@@ -200,35 +176,6 @@ class Steering(Scoring):
             return transcript
         return replace(transcript, unclear=_below(heard.clearness(heard.sentences[0])))
 
-    def _refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
-        """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
-        what was not heard clearly may have been a command."""
-        negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self.grammar.words(free, language))
-        return meaning.refuses and not (negated and not self._story(encoded, free, language))
-
-    def _ahead(self, encoded: Encoded, words: Sequence[str], language: str | None, *, heard: bool = False) -> float:
-        """nats by which a command is likelier than that it shall not be done.
-
-        Args:
-            encoded: the sound.
-            words: of the command.
-            language: of the speech.
-            heard: whether the model heard just these.
-        """
-        forbidden = self.grammar.forbidden(words, language)
-        if not forbidden:
-            return math.inf
-        if heard:
-            # What follows is hardly likelier after a "don't".
-            ahead = min(self._parted(encoded, one, language) for one in forbidden)
-            if ahead >= SURELY_SAID:
-                return ahead
-        spelled = {True: in_digits(words), False: list(words)}
-        scores = self.score(encoded, [written(one, language) for one in spelled.values()], language)
-        said, digits = max(zip(scores, spelled, strict=True))
-        forbidden = [in_digits(one) if digits else one for one in forbidden]
-        return said - max(self.score(encoded, [written(one, language) for one in forbidden], language))
-
     # -- the sentences of the grammar --------------------------------------------------------------
 
     def readings(self, heard: Opinion, *, search: bool = True) -> list[Reading]:
@@ -269,7 +216,7 @@ class Steering(Scoring):
         """Whether a sentence may have been said."""
         free, language = heard.transcript.free_text, heard.transcript.language
         words = heard.heard
-        story = self._story(heard.encoded, free, language)
+        story = self.story(heard.encoded, free, language)
 
         def possible(sentence: Sequence[str]) -> bool:
             return not goes_on(sentence, [words]) and self.grammar.possible(sentence, story, language, heard=words)
@@ -365,81 +312,6 @@ class Steering(Scoring):
     def _first_piece(self, words: Sequence[str], language: str | None) -> int:
         """Of a sentence."""
         return int(self.tokenizer(language).encode(" " + written(words, language))[0])
-
-    def _story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
-        """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
-        words = [NARRATING.intersection(Utterance.of(word, language or "en").words) for word in free.split()]
-        if not any(words):
-            return []
-        heard = self.word_scores(encoded, free, language)
-        return [word for said, (_, score) in zip(words, heard, strict=True) if score > math.log(CLEAR) for word in said]
-
-    # -- what was not heard clearly ----------------------------------------------------------------
-
-    def clearness(
-        self, encoded: Encoded, words: Sequence[str], language: str | None = None, *, heard: bool = False
-    ) -> dict[str, float]:
-        """The words of an utterance on which its meaning hangs, each with the nats by which it was heard more clearly
-        than it must be: words of free slots that no list has, or else numbers that sound like others; and the beginning
-        of a command, in which a "don't" may have been. Where the grammar has only one of two such numbers ("sixteen
-        ounce") there is nothing to tell.
-
-        Args:
-            encoded: the sound.
-            words: of the utterance.
-            language: of the speech.
-            heard: whether the model heard just these.
-        """
-        found = self._known_clearly(encoded, words, language, heard=heard)
-        ahead = self._ahead(encoded, words, language, heard=heard) - NOT_SAID
-        if math.isfinite(ahead):
-            begin = " ".join(words[: self.grammar.lead(words, language) or 1])
-            found[begin] = min(ahead, found.get(begin, math.inf))
-        return found
-
-    def _known_clearly(
-        self, encoded: Encoded, words: Sequence[str], language: str | None, *, heard: bool
-    ) -> dict[str, float]:
-        if any(isinstance(word, FreeWord) for word in words):
-            scores = self.word_scores(encoded, " ".join(words), language)
-            return {
-                word: score - math.log(CLEAR)
-                for word, (_, score) in zip(words, scores, strict=True)
-                if isinstance(word, FreeWord)
-            }
-        if language not in (None, "en"):
-            return {}
-        rivals = {
-            word: other
-            for at, word in enumerate(words)
-            if word in ALIKE
-            and self.grammar.possible(other := (*words[:at], ALIKE[word], *words[at + 1 :]), (), language)
-        }
-        if not rivals:
-            return {}
-        ahead = [self._parted(encoded, other, language) for other in rivals.values()] if heard else []
-        if not ahead or min(ahead) < SURELY_THIS:
-            said, *others = self.score_words(encoded, [words, *rivals.values()], language)
-            ahead = [said - other for other in others]
-        return {
-            word: apart - RIVAL_MARGIN + (TEEN if word.endswith("ty") else -TEEN)
-            for word, apart in zip(rivals, ahead, strict=True)
-        }
-
-    def _parted(self, encoded: Encoded, other: Sequence[str], language: str | None) -> float:
-        """nats by which what was heard freely is likelier than another sentence, at the piece where they part."""
-        rows = self.decoded(encoded)
-        heard = max(rows, key=len, default=())
-        ahead = math.inf
-        for spelled in spellings(other, language):
-            pieces = self.tokenizer(language).encode(" " + written(spelled, language))
-            pairs = enumerate(zip(heard, pieces, strict=False))
-            parts = next((at for at, (one, piece) in pairs if one != piece), None)
-            if parts is None:  # nothing was heard, or one goes on where the other ends
-                return -math.inf
-            row = rows[heard[:parts]]
-            ahead = min(ahead, float(row[heard[parts]] - row[pieces[parts]]))
-        return ahead
 
 
 def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:

@@ -43,6 +43,12 @@ def go_forward(demo) -> np.ndarray:
 
 
 @pytest.fixture
+def spoken(go_forward) -> np.ndarray:
+    """The same, as an endpoint cuts it."""
+    return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+
+
+@pytest.fixture
 def listen(engine, whisper) -> Callable[..., Listened]:
     """A whole robot on a virtual clock; returns when it has done everything it was told."""
 

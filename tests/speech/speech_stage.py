@@ -12,8 +12,9 @@ import numpy as np
 from intent_engine import Executor, SimulatedRobot
 from intent_engine.runtime import Heard, HeardKind, Summary
 from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler
+from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["DATA", "ROOT", "Frames", "Listened", "framed"]
+__all__ = ["DATA", "ROOT", "Frames", "Jumpy", "Listened", "Says", "framed"]
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DATA = ROOT.parent / "shared" / "data"
@@ -30,6 +31,31 @@ class Frames:
 
     def close(self) -> None:
         pass
+
+
+class Says:
+    """A recogniser that is sure of one text after the other, whatever was said, and then of none: what is tested comes
+    after it."""
+
+    def __init__(self, *texts: str) -> None:
+        self._texts = list(texts)
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        text = self._texts.pop(0) if self._texts else ""
+        return Transcript(text, free_text=text, gap=0.0)
+
+    def close(self) -> None: ...
+
+
+class Jumpy:
+    """A reflex that takes everything for a stop."""
+
+    def begin(self, frames: object) -> None: ...
+
+    def heard(self, samples: object) -> bool:
+        return True
+
+    def close(self) -> None: ...
 
 
 def framed(samples: np.ndarray, rate: int = SAMPLE_RATE) -> list[Frame]:

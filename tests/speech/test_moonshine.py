@@ -44,11 +44,6 @@ def moonshine(engine) -> SteeredMoonshine:
     return SteeredMoonshine(engine)
 
 
-@pytest.fixture
-def spoken(go_forward) -> np.ndarray:
-    return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
-
-
 def test_it_hears_a_command(engine, moonshine, spoken):
     found = moonshine.transcribe(spoken)
     assert engine.parse(found.text).actions == engine.parse("go forward two meters").actions

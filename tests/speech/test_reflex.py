@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 import soundfile
-from speech_stage import DATA, ROOT, framed
+from speech_stage import DATA, ROOT, Jumpy, framed
 
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
@@ -171,14 +171,6 @@ def test_a_robot_that_drives_is_held_and_stopped(listen, reflex, demo, spoken) -
 
 
 def test_a_false_alarm_is_released_and_the_robot_goes_on(listen, demo, spoken) -> None:
-    class Jumpy:
-        def begin(self, frames: object) -> None: ...
-
-        def heard(self, samples: object) -> bool:
-            return True
-
-        def close(self) -> None: ...
-
     other = next(row for row in spoken if not row["action"])
     quiet = np.zeros(SAMPLE_RATE, np.float32)
     listened = listen(np.concatenate([said(demo, spoken[0]), quiet, said(demo, other), quiet]), reflex=Jumpy())

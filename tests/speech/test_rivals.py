@@ -12,7 +12,6 @@ from speech_stage import ROOT
 
 from intent_engine.engine import IntentEngine
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.rivals import AT_A_PLACE, Rivals
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import written
@@ -36,11 +35,6 @@ def tokenizer(whisper):
 @pytest.fixture(scope="module")
 def rivals(whisper, tokenizer) -> Rivals:
     return Rivals(whisper.grammar.search("en"), tokenizer, "en")
-
-
-@pytest.fixture
-def spoken(go_forward) -> np.ndarray:
-    return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
 
 
 def rows_of(tokenizer, text: str, likely: dict[str, float]) -> dict[tuple[int, ...], np.ndarray]:

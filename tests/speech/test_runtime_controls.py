@@ -6,13 +6,12 @@ import threading
 
 import numpy as np
 import pytest
-from speech_stage import ROOT, Frames, framed
+from speech_stage import ROOT, Frames, Says, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.sources.stream import StreamSource
 
 
@@ -51,19 +50,6 @@ def test_the_key_ends_the_utterance_at_once(engine, whisper, go_forward):
     assert len(heard) == 1
     assert heard[0].time <= 3.1
     assert x == pytest.approx(2.0)
-
-
-class Says:
-    """A recogniser that is sure of what was said, whatever it was: what is tested comes after it."""
-
-    def __init__(self, *texts: str) -> None:
-        self.texts = list(texts)
-
-    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
-        text = self.texts.pop(0)
-        return Transcript(text, free_text=text, gap=0.0)
-
-    def close(self) -> None: ...
 
 
 @pytest.mark.parametrize(

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from speech_stage import Listened
+from speech_stage import Jumpy, Listened, Says
 
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
-from intent_engine.speech.recognizer import Transcript
 
 LONG, SHORT = 1.0, 2 * FRAME_SECONDS
 """s of speech: a command, and what the voice detector heard of one "stop" of 58."""
@@ -30,30 +29,6 @@ class Heard:
         time = self._frames * FRAME_SECONDS
         self._frames += 1
         return float(any(begin - 1e-6 <= time < end - 1e-6 for begin, end in self._times))
-
-
-class Says:
-    """A recogniser that is sure of one text after the other, however often it is asked about each sound."""
-
-    def __init__(self, *texts: str) -> None:
-        self._texts = list(texts)
-
-    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
-        text = self._texts.pop(0) if self._texts else ""
-        return Transcript(text, free_text=text, gap=0.0)
-
-    def close(self) -> None: ...
-
-
-class Jumpy:
-    """A reflex that takes everything for a stop."""
-
-    def begin(self, frames: object) -> None: ...
-
-    def heard(self, samples: object) -> bool:
-        return True
-
-    def close(self) -> None: ...
 
 
 @pytest.fixture
