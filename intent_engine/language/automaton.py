@@ -52,10 +52,44 @@ class _Stack:
         self.calls: dict[tuple[int, bool], _Stack] = {}
 
 
+class _Ways:
+    """The members of a set that may be gone on from, by what they read, each with its stack and place in the set. A set
+    has dozens of members and is asked about many words, of which each is read by a few."""
+
+    __slots__ = ("arcs", "number", "numeral", "special", "wild")
+
+    def __init__(self, members: Iterable[_Member]) -> None:
+        self.arcs: list[tuple[Mapping[str, tuple[State, ...]], _Stack, int]] = []
+        self.numeral: list[tuple[State, _Stack, int]] = []
+        self.number: list[tuple[State, _Stack, int]] = []
+        self.wild: list[tuple[State, _Stack, int]] = []
+        special: set[str] = set()
+        for index, (place, stack) in enumerate(members):
+            if place.arcs:
+                self.arcs.append((place.arcs, stack, index))
+            if place.numeral:
+                self.numeral.append((place, stack, index))
+            if place.number:
+                self.number.append((place, stack, index))
+            if place.begun or place.wild:
+                self.wild.append((place, stack, index))
+                special.update(place.allowed, place.begins)
+        self.special = special
+        """Words of which free slots say something."""
+
+    def reading(self, word: str) -> list[_Entry]:
+        """Where those members lead that have an arc for a word."""
+        return [(target, stack, index, ()) for arcs, stack, index in self.arcs if word in arcs for target in arcs[word]]
+
+    def names(self, word: str) -> bool:
+        """Whether any member says something of this very word."""
+        return word in self.special or any(word in arcs for arcs, _, _ in self.arcs)
+
+
 class WordState:
     """A set of pairs that the same words lead to. Opaque to callers; hashable by identity."""
 
-    __slots__ = ("accepts", "came_from", "members", "numerals", "steps", "wild")
+    __slots__ = ("_ways", "accepts", "came_from", "members", "numerals", "steps", "wild")
 
     def __init__(self, members: tuple[_Member, ...], accepts: tuple[int, ...]) -> None:
         self.members = members
@@ -66,6 +100,14 @@ class WordState:
         """For a start state: what each member passed before the first word."""
         self.numerals = any(state.numeral for state, _ in members)
         self.wild = any(state.wild for state, _ in members)
+        self._ways: _Ways | None = None
+
+    @property
+    def ways(self) -> _Ways:
+        """The members by what they read; of most sets nobody asks."""
+        if self._ways is None:
+            self._ways = _Ways(self.members)
+        return self._ways
 
 
 _Member: TypeAlias = tuple[State, _Stack]
@@ -189,8 +231,9 @@ class Automaton:
         if word in steps:
             return steps[word]
         with self._lock:
-            key = word
-            if not self._named(state, word):
+            key, ways = word, state.ways
+            onward = ways.reading(word)
+            if not onward and not any(ways.names(one) for one in (word, *self._alikes.get(word, ()))):
                 # A word that no arc names is like any other such word: keep one step for all of them.
                 kind = (
                     state.numerals and self._is_numeral(word),
@@ -202,39 +245,33 @@ class Automaton:
                     if len(steps) < MAX_OTHER_WORDS:
                         steps[word] = steps[key]
                     return steps[key]
-            taken = self._advance(state, word)
+            taken = self._advance(ways, word, onward)
             steps[key] = taken
             return taken
 
-    def _named(self, state: WordState, word: str) -> bool:
-        heard = (word, *self._alikes.get(word, ()))
-        return any(
-            one in place.arcs or one in place.allowed or one in place.begins
-            for place, _ in state.members
-            for one in heard
-        )
-
-    def _advance(self, state: WordState, word: str) -> _Taken | None:
-        numeral = self._is_numeral(word)
-        number = self._is_number_word(word)
+    def _advance(self, ways: _Ways, word: str, onward: list[_Entry]) -> _Taken | None:
+        """The step on a word, which some members read by an arc, ``onward``."""
+        named = len(onward)
+        if ways.numeral and self._is_numeral(word):
+            onward += [(target, stack, index, ()) for place, stack, index in ways.numeral for target in place.numeral]
+        if ways.number and self._is_number_word(word):
+            onward += [(target, stack, index, ()) for place, stack, index in ways.number for target in place.number]
+        if len(onward) > named:
+            onward.sort(key=lambda entry: entry[2])  # as they are preferred in the set
+        guessed: list[_Entry] = [
+            (target, stack, index, (("alike", meant),))
+            for meant in self._alikes.get(word, ())
+            for arcs, stack, index in ways.arcs
+            for target in arcs.get(meant, ())
+        ]
+        guessed.sort(key=lambda entry: entry[2])
         free = word not in self._closed
-        alikes = self._alikes.get(word, ())
-        onward: list[_Entry] = []
-        guessed: list[_Entry] = []
-        swallowed: list[_Entry] = []
-        for index, (place, stack) in enumerate(state.members):
-            targets = place.arcs.get(word)
-            if targets:
-                onward.extend([(target, stack, index, ()) for target in targets])
-            if numeral and place.numeral:
-                onward.extend([(target, stack, index, ()) for target in place.numeral])
-            if number and place.number:
-                onward.extend([(target, stack, index, ()) for target in place.number])
-            for meant in alikes:
-                guessed.extend([(target, stack, index, (("alike", meant),)) for target in place.arcs.get(meant, ())])
-            if (place.begun or place.wild) and (free or word in place.allowed):
-                targets = place.begun if word in place.begins else place.wild
-                swallowed.extend([(target, stack, index, ()) for target in targets])
+        swallowed: list[_Entry] = [
+            (target, stack, index, ())
+            for place, stack, index in ways.wild
+            if free or word in place.allowed
+            for target in (place.begun if word in place.begins else place.wild)
+        ]
         if not (onward or guessed or swallowed):
             return None
         # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from reference_matcher import ReferenceMatcher, Slots, TooManyWaysError
 
 from intent_engine.language import automaton as automaton_module
-from intent_engine.language.automaton import Automaton, WordState
+from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.reading import Reading
@@ -226,10 +227,10 @@ def counting(automaton: Automaton, monkeypatch: pytest.MonkeyPatch) -> Callable[
     count = 0
     advance = automaton._advance
 
-    def counted(state: WordState, word: str) -> object:
+    def counted(*asked: Any) -> object:
         nonlocal count
         count += 1
-        return advance(state, word)
+        return advance(*asked)
 
     monkeypatch.setattr(automaton, "_advance", counted)
     return lambda: count
