@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -11,6 +12,7 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 
 NOT = "Do not ", "Don't ", "Never "
+NOT_SAID = re.compile(r"\b(do not|don't|never)\b", re.IGNORECASE)
 
 
 def unclear_words(whisper, *asked) -> tuple[str, ...]:
@@ -58,7 +60,8 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
 
 @pytest.fixture
 def parts(whisper, monkeypatch):
-    """What the model made of each place of a text while it heard it: another piece is so many nats less likely."""
+    """What the model makes of each place of a text, while it hears it or asked anew: another piece is so many nats less
+    likely."""
 
     def part(text: str, others: Mapping[str, float]) -> None:
         encode = whisper.tokenizer("en").encode
@@ -69,6 +72,7 @@ def parts(whisper, monkeypatch):
             row[encode(" " + other)[0]] = -1.0 - ahead
         rows = {heard[:length]: row for length in range(len(heard) + 1)}
         monkeypatch.setattr(whisper, "decoded", lambda _encoded: rows)
+        monkeypatch.setattr(whisper, "next_pieces", lambda _sound, asked, *_: [(one, row) for one in asked])
 
     return part
 
@@ -122,8 +126,11 @@ def test_a_refusal_in_another_language_is_always_one(whisper):
         ("the orchestra played", -6.0, ()),
     ],
 )
-def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, monkeypatch, text, ahead, unclear):
+def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(
+    whisper, parts, monkeypatch, text, ahead, unclear
+):
     """In noise "never go" is heard as "then we'll go", word by word."""
+    parts(text.capitalize(), {"Don't": 1.0, "don't": 1.0})
 
     def score(_encoded, texts, _language=None):
         return [-9.0 - ahead if text.startswith(NOT) else -9.0 for text in texts]
@@ -137,10 +144,12 @@ def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(whisper, 
     [
         ("Go forward two meters.", True, {"Don't": 6.5, "Never": 6.5}, False),
         ("Go forward two meters.", True, {"Don't": 6.5, "Never": 6.4}, True),
-        ("Go forward two meters.", False, {}, True),
+        ("Go forward two meters.", False, {"Don't": 6.5, "Never": 6.5}, False),
+        ("Go forward two meters.", False, {"Don't": 6.5, "Never": 6.4}, True),
         ("Please go forward two meters.", True, {}, False),
         ("Please go forward two meters.", True, {"don't": 6.4}, True),
         ("Please go forward two meters.", True, {"Do": 6.4}, True),
+        ("Please go forward two meters.", False, {"don't": 6.4}, True),
     ],
     ids=lambda value: str(value),
 )
@@ -148,7 +157,7 @@ def test_a_command_that_is_far_ahead_of_a_dont_is_not_compared(whisper, parts, m
     """At the place where a "don't" would be, whatever says nothing before it."""
     parts(text, others)
     compared = []
-    monkeypatch.setattr(whisper, "score", lambda _sound, texts, _language: compared.append(1) or [0.0] * len(texts))
+    monkeypatch.setattr(whisper, "score", lambda _sound, texts, _language: compared.extend(texts) or [0.0] * len(texts))
     ahead = whisper._ahead(None, text.lower().strip(".").split(), "en", heard=heard)
-    assert bool(compared) is asked
+    assert any(NOT_SAID.search(text) for text in compared) is asked
     assert asked or ahead >= 6.5
