@@ -171,6 +171,11 @@ class SpokenGrammar:
         as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
+    def share_known(self, words: Sequence[str], language: str | None = None) -> float:
+        """Share of some words that the grammar has, anywhere; 1 of none."""
+        known = self._known(language).words
+        return _mean([float(word in known or is_numeral(word)) for word in words] or [1.0])
+
     def unlisted(self, meaning: Interpretation, language: str | None = None) -> list[str]:
         """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
         known = self._known(language).in_slots

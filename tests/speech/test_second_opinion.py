@@ -176,6 +176,31 @@ def test_who_is_unsure_asks_at_once(engine, first):
     assert other.listened == [SOUND.size]
 
 
+@pytest.mark.parametrize(
+    ("words", "score", "known"),
+    [
+        ("forward go two meters", -0.2, True),
+        ("forward go two lovely meters", -0.2, True),
+        ("go what lovely weather we have", -0.2, False),
+        ("go what lovely weather we have", -0.9, True),
+    ],
+    ids=["words of the grammar", "mostly", "other words, clearly", "hardly"],
+)
+def test_what_may_be_a_command_is_asked_about_while_the_first_compares(engine, monkeypatch, words, score, known):
+    """And what is probably other talk only if the first finds a command in it."""
+    both, one, other = two(engine, Thinks(heard(words, 0.5, score=score), {FORWARD: -14.0}), UNSURE)
+    asked = threading.Event()
+    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
+
+    def compare(opinion):
+        assert asked.wait(60 if known else 0) is known
+        return opinion
+
+    monkeypatch.setattr(one, "compare", compare)
+    both.transcribe(SOUND)
+    assert asked.is_set()
+
+
 def test_where_both_are_sure_at_first_sight_neither_searches_the_grammar(engine):
     both, one, other = two(engine, heard(FORWARD, 0.5), heard(FORWARD, 0.5))
     assert not both.transcribe(SOUND, final=False).draft

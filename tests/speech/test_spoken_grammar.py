@@ -226,3 +226,11 @@ def test_of_words_that_were_heard_none_is_unheard(words, data):
 )
 def test_the_words_of_a_slot_that_no_list_has_there(engine, text, unlisted):
     assert SpokenGrammar(engine).unlisted(engine.parse(text)) == unlisted
+
+
+@pytest.mark.parametrize(
+    ("words", "share"),
+    [("go to the kitchen", 1.0), ("go 2.5 meters", 1.0), ("go to my gorgeous kitchen unicorn", 4 / 6), ("", 1.0)],
+)
+def test_how_many_of_the_words_heard_the_grammar_has(grammar, words, share):
+    assert grammar.share_known(words.split()) == pytest.approx(share)
