@@ -73,6 +73,8 @@ LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
 CLOSING = 2.0
 """s that the second model is given to end what it does."""
+LIKE_BEFORE = 0.4
+"""s at the beginning of an utterance by which it is known again."""
 UNSETTLED = 0.1
 """s at the end of such a sound that a noise filter may still change."""
 
@@ -132,6 +134,8 @@ class SecondOpinion:
         self._second = self._beside.submit(_ready, second)
         self._draft: _Look | None = None
         """What was last heard with less care."""
+        self._asked: Samples | None = None
+        """What was heard last, if the second was asked about it."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
@@ -147,18 +151,22 @@ class SecondOpinion:
         """What both models make of a sound at first sight. The second looks while the first still compares, unless that
         was sure of every word, or heard what is clearly no command."""
         self._prepared.result()
+        again = self._asked is not None and _goes_on(samples, self._asked)
+        asked = self._ask(samples) if again else None
+        self._asked = None
         heard = self._first.listen(samples)
         if heard.settled and not heard.transcript.unclear:
             return _Look(samples, heard, None, heard.transcript, False)
         clearly = heard.transcript.score > CLEAR_TALK
         language = heard.transcript.language
         talk = clearly and self._grammar.share_known(heard.heard, language) < MOSTLY_KNOWN
-        asked = None if talk else self._ask(samples)
+        asked = asked or (None if talk else self._ask(samples))
         first = self._first.compare(heard)
         confidence = first.transcript.sureness
         word = confidence >= SURE_OF_A_WORD and " " not in first.transcript.text.strip()
         if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
             return _Look(samples, first, None, self._first.clear(first), False)
+        self._asked = samples
         second = (asked or self._ask(samples)).result()
         both, apart = self._weighed(first, second)
         sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not both.unclear
@@ -257,6 +265,12 @@ def _same(samples: Samples, known: Samples) -> bool:
     if not 0 < same <= samples.size <= known.size + int(LATER * SAMPLE_RATE):
         return False
     return np.allclose(samples[:same], known[:same], atol=1e-4)
+
+
+def _goes_on(samples: Samples, known: Samples) -> bool:
+    """Whether a sound is the same utterance as one that was heard before, further on."""
+    begin = int(LIKE_BEFORE * SAMPLE_RATE)
+    return samples.size > known.size >= begin and np.allclose(samples[:begin], known[:begin], atol=1e-4)
 
 
 def _unclear(one: Mapping[str, float], other: Mapping[str, float]) -> tuple[str, ...]:

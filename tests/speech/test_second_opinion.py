@@ -201,6 +201,29 @@ def test_what_may_be_a_command_is_asked_about_while_the_first_compares(engine, m
     assert asked.is_set()
 
 
+FURTHER = np.concatenate((SOUND, SOUND))
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "known"),
+    [(UNSURE, FURTHER, True), (UNSURE, -FURTHER, False), (Thinks(heard(FORWARD, 1.0)), FURTHER, False)],
+    ids=["in doubt", "another utterance", "sure"],
+)
+def test_of_an_utterance_that_was_in_doubt_both_listen_at_once_when_it_goes_on(engine, monkeypatch, first, then, known):
+    both, one, other = two(engine, first, UNSURE)
+    both.transcribe(SOUND, final=False)
+    asked = threading.Event()
+    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
+
+    def listen(_samples):
+        assert asked.wait(60 if known else 0) is known
+        return UNSURE
+
+    monkeypatch.setattr(one, "listen", listen)
+    both.transcribe(then, final=False)
+    assert asked.is_set()
+
+
 def test_where_both_are_sure_at_first_sight_neither_searches_the_grammar(engine):
     both, one, other = two(engine, heard(FORWARD, 0.5), heard(FORWARD, 0.5))
     assert not both.transcribe(SOUND, final=False).draft
