@@ -151,19 +151,28 @@ class PrefixTree:
             self._known = {name: np.concatenate((one, np.empty_like(one))) for name, one in self._known.items()}
             self._thoughts = np.concatenate((self._thoughts, np.empty_like(self._thoughts)))
             self._totals = np.concatenate((self._totals, np.empty_like(self._totals)))
-        number = self._number | {whole: known + row for row, whole in enumerate(new)}
-        lines = self._lines.copy()
-        hidden = np.full((len(new), all_), HIDDEN, np.float32)
+        number = {whole: known + row for row, whole in enumerate(new)}
+        lines: list[list[int]] = []
         for row, whole in enumerate(new):
-            line = lines[number[whole[:-1]]] if len(whole) > 1 else []
+            before = whole[:-1]
+            if before in number:
+                line = lines[number[before] - known]
+            else:
+                line = self._lines[self._number[before]] if before else []
             lines.append([*line, known + row])
-            hidden[row, lines[-1]] = 0.0
+        # Of all that is known a step is told what comes before its pieces, which is little.
+        earlier = sorted({one for line in lines for one in line if one < known})
+        place = {one: at for at, one in enumerate([*earlier, *range(known, all_)])}
+        hidden = np.full((len(new), len(place)), HIDDEN, np.float32)
+        for row, line in enumerate(lines):
+            hidden[row, [place[one] for one in line]] = 0.0
         rows = decoder.rows([whole[-1] for whole in new], [len(whole) - 1 for whole in new])
-        earlier = {name: one[:known] for name, one in self._known.items()}
-        thoughts, *own = decoder.stepping.run(None, {**rows, "hidden": hidden, **self._heard, **earlier})
+        told = {name: one[earlier] for name, one in self._known.items()}
+        thoughts, *own = decoder.stepping.run(None, {**rows, "hidden": hidden, **self._heard, **told})
         chances, totals = decoder.telling.run(None, {"thoughts": thoughts})
         # Only now, since a call that fails must leave nothing half known.
-        self._lines, self._number = lines, number
+        self._lines += lines
+        self._number |= number
         self._thoughts[known:all_] = thoughts
         self._totals[known:all_] = totals[:, 0]
         for one, new_ in zip(self._known.values(), own, strict=True):
