@@ -215,16 +215,7 @@ class Automaton:
         if not state.accepts:
             return []
         backwards = list(enumerate(came_from))[::-1]
-        traces = []
-        for place in state.accepts:
-            trace: Trace = []
-            for count, passed in backwards:
-                place, marks = passed[place]
-                if marks:
-                    trace.extend([(count, mark) for mark in marks[::-1]])
-            trace.reverse()
-            traces.append(trace)
-        return traces
+        return [_trace(backwards, at) for at in state.accepts]
 
     def _taken(self, state: WordState, word: str) -> _Taken | None:
         steps = state.steps
@@ -404,27 +395,31 @@ class Automaton:
         """Whether the words so far are a whole sentence."""
         return bool(state.accepts)
 
-    def ways_on(self, words: Iterable[str]) -> Iterator[tuple[State, list[tuple[State, Any, bool]]]]:
+    def ways_on(self, words: Iterable[str]) -> Iterator[tuple[State, list[tuple[State, Any, bool]], Trace]]:
         """Places at which a sentence that was begun may go on or be over after some words, each with the networks that
-        it was entered through, innermost first: where they return to, their mark, and whether no word of them was said.
+        it was entered through, innermost first: where they return to, their mark, and whether no word of them was said;
+        and with what was passed on the way there.
         """
         state = self.start()
-        passed = state.came_from
+        came_from = [state.came_from]
         for word in words:
             taken = self._taken(state, word)
             if taken is None:
                 return
             state, passed = taken
-        for (place, stack), (_, marks) in zip(state.members, passed, strict=True):
+            came_from.append(passed)
+        backwards = list(enumerate(came_from))[::-1]
+        for at, (place, stack) in enumerate(state.members):
             if stack.apart or stack.parent is None:
                 continue
+            _, marks = came_from[-1][at]
             entered = {mark[1] for mark in marks if mark[0] == "open"}
             calls: list[tuple[State, Any, bool]] = []
             within: _Stack | None = stack
             while within is not None and within.target is not None:
                 calls.append((within.target, within.call_mark, within.call_mark in entered))
                 within = within.parent
-            yield place, calls
+            yield place, calls, _trace(backwards, at)
 
     def inside(self, state: WordState) -> bool:
         """Whether a sentence that was begun could go on (not only a further one begin)."""
@@ -432,3 +427,19 @@ class Automaton:
             stack.parent is not None and not stack.apart and (place.arcs or place.numeral or place.number or place.wild)
             for place, stack in state.members
         )
+
+
+def _trace(backwards: Iterable[tuple[int, tuple[_Passed, ...]]], at: int) -> Trace:
+    """What was passed on the way to a member of a set.
+
+    Args:
+        backwards: words read, and how each member of the set after them was come by, from the last set on.
+        at: the place of the member in the last set.
+    """
+    trace: Trace = []
+    for count, passed in backwards:
+        at, marks = passed[at]
+        if marks:
+            trace.extend([(count, mark) for mark in marks[::-1]])
+    trace.reverse()
+    return trace

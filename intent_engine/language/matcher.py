@@ -122,8 +122,24 @@ class Matcher:
         return max(map(len, self.grammar.fillers), default=0)
 
     def ahead(self, words: Sequence[str]) -> frozenset[Continuation]:
-        """What may still be said after the beginning of an utterance."""
-        return self._continuations.ahead(self.spoken.ways_on(words))
+        """What may still be said after the beginning of an utterance, of what is not wrong already: "take me to the
+        kitchen" goes on as no "take {thing} from {place}", since "me" is nothing to take."""
+        ways = self.spoken.ways_on(words)
+        return self._continuations.ahead(
+            (place, calls) for place, calls, trace in ways if not self._wrong(trace, words)
+        )
+
+    def _wrong(self, trace: Trace, words: Sequence[str]) -> bool:
+        """Whether a free slot holds what it cannot hold, whatever follows."""
+        begin, slot = 0, None
+        for position, mark in (*trace, (len(words), ("close",))):
+            if mark[0] == "open" and mark[1][0] == "slot":
+                begin, slot = position, self.grammar.slots[mark[1][2]]
+            elif mark[0] == "close" and slot is not None:
+                if slot.type in FREE_KINDS and self._free.problem(slot, words, begin, position):
+                    return True
+                slot = None
+        return False
 
     def _utterances(self, *, stop_anywhere: bool) -> Automaton:
         begin, middle, end = State(), State(), State()

@@ -23,6 +23,7 @@ SETTLED = [
     "please go to the kitchen",
     "go to the kitchen please",
     "turn left ninety degrees for me",
+    "take me to the kitchen",  # and not "take {thing} ... from the table": "me" is nothing to take
 ]
 OPEN = [
     "go forward for me",
@@ -34,6 +35,7 @@ OPEN = [
     "turn left one hundred",
     "pick up the cup",
     "bring me the red cup",
+    "take the cup",
     "go forward two",
     "love",
 ]
