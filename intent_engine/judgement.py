@@ -30,6 +30,10 @@ ANOTHER_WORD = 1.75
 """unless another word was heard that is likelier by this gap: "wow" is not "whoa". Of 58 "stop" by as many people,
 clean and at 10 dB, none had a gap above 1.5 where tiny.en was sure of it at 0.4 to 0.7; 13 "wow" had 1.8 to 2.7."""
 
+CLEARLY = -0.35
+"""Mean log probability of the words heard, below which quiet ones beside a pause may be lost: of what is heard in doubt
+of orders of coffee four of ten are below it in quiet, and six of ten at 6 dB."""
+
 
 class Judge:
     """Judges what was heard by the grammar of an engine, which may be reloaded at any time."""
@@ -52,7 +56,7 @@ class Judge:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE
             if not prefix.settled:
-                return meaning, Outlook.EXTENDABLE
+                return meaning, Outlook.DOUBTFUL if _hardly_heard(transcript) else Outlook.EXTENDABLE
             return meaning, Outlook.COMPLETE if prefix.status is PrefixStatus.COMPLETE else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
@@ -98,6 +102,12 @@ class Judge:
         if meaning.stops:
             return min(enough, enough_to_stop(transcript))
         return max(enough, SURE_ENOUGH_OF_SEVERAL) if several else enough
+
+
+def _hardly_heard(transcript: Transcript) -> bool:
+    """Whether the words of a command were hardly heard."""
+    word_by_word = transcript.confidence in (None, 1.0)
+    return not word_by_word and transcript.score < CLEARLY
 
 
 def enough_to_stop(transcript: Transcript) -> float:

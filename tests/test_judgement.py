@@ -7,7 +7,14 @@ from pathlib import Path
 import pytest
 
 from intent_engine import IntentEngine, Status
-from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH, SURE_ENOUGH_OF_SEVERAL, SURE_ENOUGH_TO_STOP, Judge
+from intent_engine.judgement import (
+    ANOTHER_WORD,
+    CLEARLY,
+    SURE_ENOUGH,
+    SURE_ENOUGH_OF_SEVERAL,
+    SURE_ENOUGH_TO_STOP,
+    Judge,
+)
 from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
@@ -67,6 +74,22 @@ def test_an_unsure_sentence_is_waited_for_by_the_words_that_were_heard(judge):
     assert outlook is Outlook.INCOMPLETE
     _, outlook = judge.outlook(heard("go to the dock", 0.2, "goats eat a dog"), (), ())
     assert outlook is Outlook.OTHER
+
+
+@pytest.mark.parametrize(
+    ("confidence", "score", "outlook"),
+    [
+        (0.9, CLEARLY - 0.01, Outlook.DOUBTFUL),
+        (0.9, CLEARLY, Outlook.EXTENDABLE),
+        (1.0, CLEARLY - 0.01, Outlook.EXTENDABLE),
+        (None, CLEARLY - 0.01, Outlook.EXTENDABLE),
+    ],
+)
+def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confidence, score, outlook):
+    left = Transcript("turn left", score, "turned left", gap=0.1, confidence=confidence)
+    assert judge.outlook(left, (), ())[1] is outlook
+    over = Transcript("go to the dock", score, "goat to the dock", gap=0.1, confidence=confidence)
+    assert judge.outlook(over, (), ())[1] is Outlook.COMPLETE, "nothing can follow, however it was heard"
 
 
 @pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])

@@ -25,6 +25,8 @@ class Outlook(StrEnum):
     """A command of which further words could change the manner only, as "slowly" would."""
     EXTENDABLE = "extendable"
     """A command that further words could change."""
+    DOUBTFUL = "doubtful"
+    """The same, hardly heard: in noise a pause seems longer than it is, since the quiet words beside it are lost."""
     INCOMPLETE = "incomplete"
     """The beginning of a command."""
     OTHER = "other"
@@ -63,6 +65,7 @@ class Settings:
     wait_complete: float = 0.064
     wait_settled: float = 0.128
     wait_extendable: float = 0.35
+    wait_doubtful: float = 0.45
     wait_incomplete: float = 0.7
     wait_other: float = 0.5
     wait_unknown: float = 0.5
@@ -77,6 +80,7 @@ class Settings:
             Outlook.COMPLETE: self.wait_complete,
             Outlook.SETTLED: self.wait_settled,
             Outlook.EXTENDABLE: self.wait_extendable,
+            Outlook.DOUBTFUL: self.wait_doubtful,
             Outlook.INCOMPLETE: self.wait_incomplete,
             Outlook.OTHER: self.wait_other,
             Outlook.UNKNOWN: self.wait_unknown,

@@ -16,6 +16,7 @@ WAITS = {
     Outlook.COMPLETE: 0.064,
     Outlook.SETTLED: 0.128,
     Outlook.EXTENDABLE: 0.35,
+    Outlook.DOUBTFUL: 0.45,
     Outlook.INCOMPLETE: 0.7,
     Outlook.OTHER: 0.5,
     Outlook.UNKNOWN: 0.5,
