@@ -174,7 +174,9 @@ def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Itera
     """Numbers before a unit, with "a meter", "half a meter", "a quarter of an hour"."""
     one, of = table.words.get("one", frozenset()), table.words.get("of", frozenset())
     for value, after in _numbers(language)(words, at):
-        if after < len(words) and words[after] in of:
+        # "Four of the inches" says nobody, but "forty inches" is heard so.
+        parts = language != "en" or value != int(value)
+        if parts and after < len(words) and words[after] in of:
             onward = after + 1
             if onward < len(words) and (words[onward] in one or words[onward] == "the"):
                 onward += 1

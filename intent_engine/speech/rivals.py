@@ -7,7 +7,8 @@ one model heard "put down the rug", is far ahead of all others, until somebody a
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ import numpy.typing as npt
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows
 from intent_engine.speech.writing import spellings, written
@@ -24,6 +26,13 @@ __all__ = ["Rivals"]
 
 AT_A_PLACE = 3
 """Words at most for one place of a sentence."""
+NUMBERS = 5
+"""Numbers at most for one number, of which nearly any is a sentence."""
+DIGITS = "1234567890"
+FIRST_DIGITS = 3
+"""First digits that a number may have, whose second is asked for, where a model writes them one by one."""
+LEAST = 1e-6
+"""Least probability that a number ends."""
 MAX_KEPT = 4000
 """Places of the grammar whose words are kept."""
 
@@ -42,6 +51,7 @@ class Rivals:
         self._tokenizer = tokenizer
         self._language = language
         self._firsts: dict[tuple[str, bool], list[int]] = {}
+        self._digits = self._digit_pieces()
         self._kept: dict[tuple[Any, bool], tuple[list[str], npt.NDArray[np.int64]]] = {}
 
     def pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
@@ -59,13 +69,20 @@ class Rivals:
             widely: whether also for the words of numbers of several words. They are mostly written in digits, so that
                 they are known only where the model was asked about the sentence in words.
         """
+        return {
+            place: rows[begin] if begin is not None else None
+            for place, begin in self._begins(words, rows, widely=widely).items()
+        }
+
+    def _begins(self, words: Sequence[str], rows: Rows, *, widely: bool) -> dict[int, tuple[int, ...] | None]:
+        """For the places of a sentence the pieces before it, as the model was asked about them."""
         places: dict[int, list[tuple[int, ...]]] = {}
         for number, run in itertools.groupby(range(len(words)), lambda place: words[place] in NUMBER_WORDS):
             run_places = list(run)
             several = number and len(run_places) > 1
             if widely or not several:
                 places.update((place, self._beginnings(words[:place], in_words=several)) for place in run_places)
-        return {place: next((rows[one] for one in some if one in rows), None) for place, some in places.items()}
+        return {place: next((one for one in some if one in rows), None) for place, some in places.items()}
 
     def _beginnings(self, words: Sequence[str], *, in_words: bool) -> list[tuple[int, ...]]:
         """The pieces of the words that a sentence begins with, however they are written, or with numbers in words."""
@@ -89,12 +106,20 @@ class Rivals:
         graph = self._search.graph
         state = graph.start()
         found: list[tuple[float, tuple[str, ...], str]] = []
-        before = self.before(words, rows, widely=widely)
+        begins = self._begins(words, rows, widely=widely)
         for place, word in enumerate(words):
-            row = before.get(place)
+            begin = begins.get(place)
             others, pieces = self._words_after(state, word, place == 0)
-            if row is not None:
+            if begin is not None:
+                row = rows[begin]
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
+                if number := words[place : place + _number_from(words, place)]:
+                    said = max(said, self._likelihood(number, begin, rows) + _total(row))
+                    found += [
+                        (behind, (*words[:place], *onward), word)
+                        for behind, other in self._other_numbers(others, number, begin, rows)
+                        if behind <= near and self._leads(state, onward := (other, *words[place + len(number) :]))
+                    ]
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
                     found += [
                         (behind, (*words[:place], *onward), word)
@@ -127,13 +152,81 @@ class Rivals:
         return bool(graph.accepting(state))
 
     def _first_pieces(self, word: str, first: bool) -> list[int]:
-        """Of a word, and of a number in digits."""
+        """Of a word, and of a number in digits, unless it begins as all numbers do."""
         found = self._firsts.get((word, first))
         if found is None:
             capitals = (True, False) if first else (False,)
-            found = [self.pieces(one, capital)[0] for one in spellings([word], self._language) for capital in capitals]
+            spelled = spellings([word], self._language)
+            pieces = [self.pieces(one, capital)[0] for one in spelled for capital in capitals]
+            found = [piece for piece in pieces if piece not in self._digits[:1]] or pieces
             self._firsts[word, first] = found
         return found
+
+    # -- numbers ------------------------------------------------------------------------------------
+
+    def digits(self, words: Sequence[str], rows: Rows) -> list[tuple[int, ...]]:
+        """Beginnings of numbers in digits that a model has still to be asked about, which writes them digit by digit:
+        its first piece is the same for all numbers.
+
+        Args:
+            words: of the sentence.
+            rows: what it made of some beginnings.
+        """
+        if not self._digits:
+            return []
+        sign, *digits = self._digits
+        wanted = []
+        for place, begin in self._begins(words, rows, widely=True).items():
+            if begin is None or not _number_from(words, place):
+                continue
+            signed = (*begin, sign)
+            if signed not in rows:
+                wanted.append(signed)
+            else:
+                likely = sorted(digits, key=lambda digit: -rows[signed][digit])[:FIRST_DIGITS]
+                wanted += [(*signed, digit) for digit in likely if (*signed, digit) not in rows]
+        return wanted
+
+    def _digit_pieces(self) -> list[int]:
+        """The piece before every number in digits, and the digits; nothing where there is no such piece."""
+        pieces = [self._tokenizer.encode(" " + digit) for digit in DIGITS]
+        if any(len(one) != 2 or one[0] != pieces[0][0] for one in pieces):
+            return []
+        return [pieces[0][0], *(one[1] for one in pieces)]
+
+    def _other_numbers(
+        self, others: Iterable[str], number: Sequence[str], begin: tuple[int, ...], rows: Rows
+    ) -> list[tuple[float, str]]:
+        """Numbers of one word that may stand for a whole number: (nats behind, word), the likeliest first."""
+        said = self._likelihood(number, begin, rows)
+        found = sorted(
+            (said - self._likelihood([other], begin, rows), other)
+            for other in NUMBER_WORDS.intersection(others)
+            if [other] != list(number)
+        )
+        values: dict[tuple[str, ...], tuple[float, str]] = {}
+        for behind, other in found:
+            values.setdefault(in_digits([other]), (behind, other))  # "forty", and not "fourty" too
+        return list(values.values())[:NUMBERS]
+
+    def _likelihood(self, number: Sequence[str], begin: tuple[int, ...], rows: Rows) -> float:
+        """Of a number after some pieces, however it is spelled: by its first piece, or its first digits where a model
+        writes them one by one and was asked about them."""
+        likely = -math.inf
+        for spelled in spellings(number, self._language):
+            pieces = self.pieces(spelled, False)
+            one_by_one = pieces[0] in self._digits[:1]
+            chance = 0.0
+            for at, piece in enumerate(pieces[:3] if one_by_one else pieces[:1]):
+                row = rows.get(begin + pieces[:at])
+                if row is None:
+                    break
+                chance += float(row[piece]) - _total(row)
+            if one_by_one and (after := rows.get(begin + pieces)) is not None:
+                another = _total(after[self._digits[1:]]) - _total(after)
+                chance += math.log(max(1.0 - math.exp(another), LEAST))
+            likely = max(likely, chance)
+        return likely
 
     def _words_after(self, state: Any, said: str, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
         """The words that may follow, each with a first piece; of very many those that are like the one said."""
@@ -149,6 +242,19 @@ class Rivals:
                     self._kept.clear()
                 self._kept[state, first] = known
         return known
+
+
+def _number_from(words: Sequence[str], place: int) -> int:
+    """Of how many words the number is that begins at a place; 0 if none begins there."""
+    if place and words[place - 1] in NUMBER_WORDS:
+        return 0
+    return sum(1 for _ in itertools.takewhile(NUMBER_WORDS.__contains__, words[place:]))
+
+
+def _total(row: npt.NDArray[np.float32]) -> float:
+    """What all log probabilities of a row make together, in nats: 0 but for a constant that all have."""
+    top = row.max()
+    return float(top + np.log(np.exp(row - top).sum()))
 
 
 def _likeliest(words: Sequence[str], ahead: npt.NDArray[np.float32], near: float, said: str) -> list[tuple[float, str]]:

@@ -280,9 +280,11 @@ class Steering(Clearness):
         """What the model makes of each place of a sentence: as it heard it freely, or asked anew."""
         rivals = self._guide(language).rivals
         rows = self.decoded(encoded)
-        if all(row is not None for row in rivals.before(words, rows, widely=widely).values()):
-            return rows
-        return dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
+        if any(row is None for row in rivals.before(words, rows, widely=widely).values()):
+            rows = dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
+        while widely and (wanted := rivals.digits(words, rows)):
+            rows = {**rows, **dict(self.next_pieces(encoded, wanted, 1, language))}
+        return rows
 
     def _beginning(self, encoded: Encoded, language: str | None) -> npt.NDArray[np.float32]:
         """How likely every piece is to be the first: as it was heard freely, or asked anew."""
