@@ -51,6 +51,7 @@ class Rivals:
         self._tokenizer = tokenizer
         self._language = language
         self._firsts: dict[tuple[str, bool], list[int]] = {}
+        self._numbers: dict[tuple[str, ...], list[tuple[int, ...]]] = {}
         self._digits = self._digit_pieces()
         self._kept: dict[tuple[Any, bool], tuple[list[str], npt.NDArray[np.int64]]] = {}
 
@@ -106,7 +107,7 @@ class Rivals:
         graph = self._search.graph
         state = graph.start()
         found: list[tuple[float, tuple[str, ...], str]] = []
-        begins = self._begins(words, rows, widely=widely)
+        begins, chances = self._begins(words, rows, widely=widely), _Chances(rows)
         for place, word in enumerate(words):
             begin = begins.get(place)
             others, pieces = self._words_after(state, word, place == 0)
@@ -114,10 +115,10 @@ class Rivals:
                 row = rows[begin]
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
                 if number := words[place : place + _number_from(words, place)]:
-                    said = max(said, self._likelihood(number, begin, rows) + _total(row))
+                    said = max(said, self._likelihood(number, begin, chances) + chances.total(begin))
                     found += [
                         (behind, (*words[:place], *onward), word)
-                        for behind, other in self._other_numbers(others, number, begin, rows)
+                        for behind, other in self._other_numbers(others, number, begin, chances)
                         if behind <= near and self._leads(state, onward := (other, *words[place + len(number) :]))
                     ]
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
@@ -195,12 +196,12 @@ class Rivals:
         return [pieces[0][0], *(one[1] for one in pieces)]
 
     def _other_numbers(
-        self, others: Iterable[str], number: Sequence[str], begin: tuple[int, ...], rows: Rows
+        self, others: Iterable[str], number: Sequence[str], begin: tuple[int, ...], chances: _Chances
     ) -> list[tuple[float, str]]:
         """Numbers of one word that may stand for a whole number: (nats behind, word), the likeliest first."""
-        said = self._likelihood(number, begin, rows)
+        said = self._likelihood(number, begin, chances)
         found = sorted(
-            (said - self._likelihood([other], begin, rows), other)
+            (said - self._likelihood([other], begin, chances), other)
             for other in NUMBER_WORDS.intersection(others)
             if [other] != list(number)
         )
@@ -209,24 +210,25 @@ class Rivals:
             values.setdefault(in_digits([other]), (behind, other))  # "forty", and not "fourty" too
         return list(values.values())[:NUMBERS]
 
-    def _likelihood(self, number: Sequence[str], begin: tuple[int, ...], rows: Rows) -> float:
+    def _likelihood(self, number: Sequence[str], begin: tuple[int, ...], chances: _Chances) -> float:
         """Of a number after some pieces, however it is spelled: by its first piece, or its first digits where a model
         writes them one by one and was asked about them."""
         likely = -math.inf
-        for spelled in spellings(number, self._language):
-            pieces = self.pieces(spelled, False)
+        for pieces in self._spelled(tuple(number)):
             one_by_one = pieces[0] in self._digits[:1]
-            chance = 0.0
-            for at, piece in enumerate(pieces[:3] if one_by_one else pieces[:1]):
-                row = rows.get(begin + pieces[:at])
-                if row is None:
-                    break
-                chance += float(row[piece]) - _total(row)
-            if one_by_one and (after := rows.get(begin + pieces)) is not None:
-                another = _total(after[self._digits[1:]]) - _total(after)
-                chance += math.log(max(1.0 - math.exp(another), LEAST))
+            telling = pieces[:3] if one_by_one else pieces[:1]
+            known = itertools.takewhile(lambda after: after[0] in chances.rows, _along(begin, telling))
+            chance = sum(chances.of(before, piece) for before, piece in known)
+            if one_by_one and (ended := begin + pieces) in chances.rows:
+                chance += chances.none_of(ended, tuple(self._digits[1:]))
             likely = max(likely, chance)
         return likely
+
+    def _spelled(self, number: tuple[str, ...]) -> list[tuple[int, ...]]:
+        """The pieces of a number inside a sentence, in all its spellings."""
+        if number not in self._numbers:
+            self._numbers[number] = [self.pieces(one, False) for one in spellings(number, self._language)]
+        return self._numbers[number]
 
     def _words_after(self, state: Any, said: str, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
         """The words that may follow, each with a first piece; of very many those that are like the one said."""
@@ -251,10 +253,38 @@ def _number_from(words: Sequence[str], place: int) -> int:
     return sum(1 for _ in itertools.takewhile(NUMBER_WORDS.__contains__, words[place:]))
 
 
-def _total(row: npt.NDArray[np.float32]) -> float:
-    """What all log probabilities of a row make together, in nats: 0 but for a constant that all have."""
-    top = row.max()
-    return float(top + np.log(np.exp(row - top).sum()))
+def _along(begin: tuple[int, ...], pieces: tuple[int, ...]) -> Iterator[tuple[tuple[int, ...], int]]:
+    """Each of some pieces, with all before it."""
+    return ((begin + pieces[:at], piece) for at, piece in enumerate(pieces))
+
+
+class _Chances:
+    """Log probabilities of pieces, from rows that have them up to a constant in each.
+
+    Args:
+        rows: what a model made of some beginnings.
+    """
+
+    def __init__(self, rows: Rows) -> None:
+        self.rows = rows
+        self._totals: dict[tuple[int, ...], float] = {}
+
+    def total(self, begin: tuple[int, ...]) -> float:
+        """The constant of a row."""
+        if begin not in self._totals:
+            row = self.rows[begin]
+            top = row.max()
+            self._totals[begin] = float(top + np.log(np.exp(row - top).sum()))
+        return self._totals[begin]
+
+    def of(self, begin: tuple[int, ...], piece: int) -> float:
+        """Of a piece after some others."""
+        return float(self.rows[begin][piece]) - self.total(begin)
+
+    def none_of(self, begin: tuple[int, ...], pieces: tuple[int, ...]) -> float:
+        """Of anything but some pieces."""
+        any_of = math.exp(float(np.logaddexp.reduce(self.rows[begin][list(pieces)])) - self.total(begin))
+        return math.log(max(1.0 - any_of, LEAST))
 
 
 def _likeliest(words: Sequence[str], ahead: npt.NDArray[np.float32], near: float, said: str) -> list[tuple[float, str]]:
