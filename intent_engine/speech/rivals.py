@@ -29,6 +29,7 @@ AT_A_PLACE = 3
 NUMBERS = 5
 """Numbers at most for one number, of which nearly any is a sentence."""
 DIGITS = "1234567890"
+"""All that a number is written with, of those that have one word."""
 FIRST_DIGITS = 3
 """First digits that a number may have, whose second is asked for, where a model writes them one by one."""
 LEAST = 1e-6
@@ -96,7 +97,7 @@ class Rivals:
         self, words: Sequence[str], rows: Rows, near: float, *, widely: bool = False
     ) -> dict[tuple[str, ...], str]:
         """Sentences beside one, likeliest first, each with the word of it in whose place they have another; or with a
-        word that it has not, or not with one that it has.
+        word that it has not, or not with one that it has; or with a number of one word in place of one of several.
 
         Args:
             words: of a sentence of the grammar.

@@ -176,6 +176,19 @@ def test_who_is_unsure_asks_at_once(engine, first):
     assert other.listened == [SOUND.size]
 
 
+def asked_during(monkeypatch, one, step: str, other, known: bool) -> threading.Event:
+    """That the second is asked; it must be while the first takes a step, or must not be until then."""
+    asked = threading.Event()
+    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
+
+    def taken(_given):
+        assert asked.wait(60 if known else 0) is known
+        return UNSURE
+
+    monkeypatch.setattr(one, step, taken)
+    return asked
+
+
 @pytest.mark.parametrize(
     ("words", "score", "known"),
     [
@@ -189,14 +202,7 @@ def test_who_is_unsure_asks_at_once(engine, first):
 def test_what_may_be_a_command_is_asked_about_while_the_first_compares(engine, monkeypatch, words, score, known):
     """And what is probably other talk only if the first finds a command in it."""
     both, one, other = two(engine, Thinks(heard(words, 0.5, score=score), {FORWARD: -14.0}), UNSURE)
-    asked = threading.Event()
-    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
-
-    def compare(opinion):
-        assert asked.wait(60 if known else 0) is known
-        return opinion
-
-    monkeypatch.setattr(one, "compare", compare)
+    asked = asked_during(monkeypatch, one, "compare", other, known)
     both.transcribe(SOUND)
     assert asked.is_set()
 
@@ -212,14 +218,7 @@ FURTHER = np.concatenate((SOUND, SOUND))
 def test_of_an_utterance_that_was_in_doubt_both_listen_at_once_when_it_goes_on(engine, monkeypatch, first, then, known):
     both, one, other = two(engine, first, UNSURE)
     both.transcribe(SOUND, final=False)
-    asked = threading.Event()
-    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
-
-    def listen(_samples):
-        assert asked.wait(60 if known else 0) is known
-        return UNSURE
-
-    monkeypatch.setattr(one, "listen", listen)
+    asked = asked_during(monkeypatch, one, "listen", other, known)
     both.transcribe(then, final=False)
     assert asked.is_set()
 
