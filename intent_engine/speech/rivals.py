@@ -19,7 +19,7 @@ from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.guided import MANY_WORDS
-from intent_engine.speech.scoring import Rows
+from intent_engine.speech.scoring import Rows, total
 from intent_engine.speech.writing import spellings, written
 
 __all__ = ["Rivals"]
@@ -78,13 +78,19 @@ class Rivals:
 
     def _begins(self, words: Sequence[str], rows: Rows, *, widely: bool) -> dict[int, tuple[int, ...] | None]:
         """For the places of a sentence the pieces before it, as the model was asked about them."""
-        places: dict[int, list[tuple[int, ...]]] = {}
-        for number, run in itertools.groupby(range(len(words)), lambda place: words[place] in NUMBER_WORDS):
-            run_places = list(run)
-            several = number and len(run_places) > 1
-            if widely or not several:
-                places.update((place, self._beginnings(words[:place], in_words=several)) for place in run_places)
-        return {place: next((one for one in some if one in rows), None) for place, some in places.items()}
+        several = {
+            place + more
+            for place in range(len(words))
+            if (count := _number_from(words, place)) > 1
+            for more in range(count)
+        }
+        return {
+            place: next(
+                (one for one in self._beginnings(words[:place], in_words=place in several) if one in rows), None
+            )
+            for place in range(len(words))
+            if widely or place not in several
+        }
 
     def _beginnings(self, words: Sequence[str], *, in_words: bool) -> list[tuple[int, ...]]:
         """The pieces of the words that a sentence begins with, however they are written, or with numbers in words."""
@@ -217,11 +223,9 @@ class Rivals:
         likely = -math.inf
         for pieces in self._spelled(tuple(number)):
             one_by_one = pieces[0] in self._digits[:1]
-            telling = pieces[:3] if one_by_one else pieces[:1]
-            known = itertools.takewhile(lambda after: after[0] in chances.rows, _along(begin, telling))
-            chance = sum(chances.of(before, piece) for before, piece in known)
+            chance = chances.of(begin, pieces[:3] if one_by_one else pieces[:1])
             if one_by_one and (ended := begin + pieces) in chances.rows:
-                chance += chances.none_of(ended, tuple(self._digits[1:]))
+                chance += chances.none_of(ended, self._digits[1:])
             likely = max(likely, chance)
         return likely
 
@@ -254,11 +258,6 @@ def _number_from(words: Sequence[str], place: int) -> int:
     return sum(1 for _ in itertools.takewhile(NUMBER_WORDS.__contains__, words[place:]))
 
 
-def _along(begin: tuple[int, ...], pieces: tuple[int, ...]) -> Iterator[tuple[tuple[int, ...], int]]:
-    """Each of some pieces, with all before it."""
-    return ((begin + pieces[:at], piece) for at, piece in enumerate(pieces))
-
-
 class _Chances:
     """Log probabilities of pieces, from rows that have them up to a constant in each.
 
@@ -273,18 +272,22 @@ class _Chances:
     def total(self, begin: tuple[int, ...]) -> float:
         """The constant of a row."""
         if begin not in self._totals:
-            row = self.rows[begin]
-            top = row.max()
-            self._totals[begin] = float(top + np.log(np.exp(row - top).sum()))
+            self._totals[begin] = total(self.rows[begin])
         return self._totals[begin]
 
-    def of(self, begin: tuple[int, ...], piece: int) -> float:
-        """Of a piece after some others."""
-        return float(self.rows[begin][piece]) - self.total(begin)
+    def of(self, begin: tuple[int, ...], pieces: tuple[int, ...]) -> float:
+        """Of some pieces after others, as far as the model was asked."""
+        chance = 0.0
+        for place, piece in enumerate(pieces):
+            before = begin + pieces[:place]
+            if before not in self.rows:
+                break
+            chance += float(self.rows[before][piece]) - self.total(before)
+        return chance
 
-    def none_of(self, begin: tuple[int, ...], pieces: tuple[int, ...]) -> float:
-        """Of anything but some pieces."""
-        any_of = math.exp(float(np.logaddexp.reduce(self.rows[begin][list(pieces)])) - self.total(begin))
+    def none_of(self, begin: tuple[int, ...], pieces: Sequence[int]) -> float:
+        """Of anything but some pieces after others."""
+        any_of = math.exp(total(self.rows[begin][list(pieces)]) - self.total(begin))
         return math.log(max(1.0 - any_of, LEAST))
 
 

@@ -18,7 +18,7 @@ from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logit
 from intent_engine.speech.whisper_decoder import WhisperDecoder, own_decoder
 from intent_engine.speech.writing import spellings, written
 
-__all__ = ["Rows", "Scoring", "ScoringWhisper"]
+__all__ = ["Rows", "Scoring", "ScoringWhisper", "total"]
 
 SCORED_MARGIN = 1.5
 """s of silence after the speech that texts are scored against. With half a second one text in ten was taken for three
@@ -37,6 +37,12 @@ ONWARD = 3
 Rows: TypeAlias = Mapping[tuple[int, ...], npt.NDArray[np.float32]]
 """How likely every piece is after some beginnings of a text: ``(vocabulary,)`` log probabilities, up to a constant in
 each."""
+
+
+def total(row: npt.NDArray[np.float32]) -> float:
+    """What all log probabilities of a row make together, in nats: the constant up to which they are such."""
+    top = row.max()
+    return float(top + np.log(np.exp(row - top).sum()))
 
 
 class Scoring(ABC):
@@ -207,8 +213,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
                 if place > len(tokens):
                     break
                 row = logits_row(logits)
-                top = row.max()
-                yield tokens[:place], row - (top + np.log(np.exp(row - top).sum()))
+                yield tokens[:place], row - total(row)
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
         """With the full stop that ends a text. Whisper's own end is no part: ``align`` gives it no probability."""
