@@ -11,6 +11,7 @@ from collections.abc import Collection, Sequence
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.grammar import Intent
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
@@ -60,6 +61,12 @@ class Judge:
             return meaning, Outlook.COMPLETE if prefix.status is PrefixStatus.COMPLETE else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
+    def wait(self, transcript: Transcript, meaning: Interpretation | None) -> float | None:
+        """s of silence that end it where it could go on: the longest that its intents ask for; None: they do not."""
+        if meaning is None or meaning.status is not Status.ACCEPTED:
+            return None
+        return max((one.wait for one in self._intents(transcript, meaning) if one.wait is not None), default=None)
+
     def _language(self, transcript: Transcript) -> str | None:
         """The grammar for a transcript: that of the language spoken, where there is one."""
         return transcript.language if transcript.language in self.engine.languages else None
@@ -95,13 +102,17 @@ class Judge:
         if meaning is None:
             return SURE_ENOUGH
         several = len(meaning.actions) > 1
-        said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
-        intents = self.engine.matcher(self._language(transcript)).grammar.intents
-        asked = [intent.min_confidence for name, intent in intents.items() if name in said]
+        asked = (intent.min_confidence for intent in self._intents(transcript, meaning))
         enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
         if meaning.stops:
             return min(enough, enough_to_stop(transcript))
         return max(enough, SURE_ENOUGH_OF_SEVERAL) if several else enough
+
+    def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
+        """What was said, one intent for each kind of command."""
+        said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
+        intents = self.engine.matcher(self._language(transcript)).grammar.intents
+        return [intent for name, intent in intents.items() if name in said]
 
 
 def _hardly_heard(transcript: Transcript) -> bool:

@@ -351,7 +351,7 @@ class Runtime:
     def _judge(self, utterance: _Utterance, time: float) -> None:
         assert utterance.result is not None
         meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
-        self._endpoint.judge(outlook)
+        self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
         self._tell(
             HeardKind.PARTIAL,
             time,

@@ -195,6 +195,13 @@ def test_without_portaudio(intent_engine, tmp_path, args):
         (["listen", "--pcm", "-", "--push-to-talk"], 2, "push-to-talk needs a terminal"),
         (["run", "-"], 3, "standard input is empty"),
         (["run", "examples/demo.flac", "--wake-word", "!"], 2, "the wake word has no letters"),
+        (
+            ["run", "examples/demo.flac", "--wait", "extendible=1"],
+            2,
+            "--wait: there is no wait 'extendible'\n    did you mean 'extendable'?",
+        ),
+        (["listen", "--wait", "unknown=never"], 2, "--wait: 'never' is no time to wait"),
+        (["evaluate", "shared", "--wait", "other"], 2, "--wait: '' is no time to wait"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )

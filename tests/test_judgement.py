@@ -119,6 +119,34 @@ def test_numbers_that_sound_alike_are_each_others(word):
     assert high == (low - 10) * 10
 
 
+OWN_WAITS = """
+intents:
+  order: {action: {type: custom, name: order}, sentences: ["a latte [with milk]"], wait: 450 ms}
+  wave: {action: {type: custom, name: wave}, sentences: ["wave [at me]"], wait: 0.2}
+  bow: {action: {type: custom, name: bow}, sentences: ["bow [low]"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "wait"),
+    [
+        ("a latte", 0.45),
+        ("wave", 0.2),
+        ("bow", None),
+        ("wave and a latte", 0.45),
+        ("bow and wave", 0.2),
+        ("fetch a pony", None),
+        ("don't wave", None),
+    ],
+)
+def test_an_intent_says_how_long_it_waits_for_more(tmp_path, text, wait):
+    (tmp_path / "own.yaml").write_text(OWN_WAITS, encoding="utf-8")
+    judge = Judge(IntentEngine.from_files(tmp_path / "own.yaml"))
+    transcript = heard(text, 1.0)
+    meaning, _ = judge.outlook(transcript, (), ())
+    assert judge.wait(transcript, meaning) == wait
+
+
 OWN_RISK = """
 intents:
   order: {action: {type: custom, name: order}, sentences: ["a large latte"], min_confidence: 0.4}

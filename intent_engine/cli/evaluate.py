@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel
+from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.evaluation.scoring import Outcome, Score
+    from intent_engine.speech.endpoint import Settings
     from intent_engine.speech.recognizer import Recognizer
     from intent_engine.speech.reflex import Reflex
 
@@ -52,6 +53,7 @@ def evaluate(
     ] = False,
     no_reflex: NoReflex = False,
     no_noise_filter: NoNoiseFilter = False,
+    wait: Wait = None,
     noise: Annotated[
         list[Path] | None, typer.Option("--noise", help="Recording of noise to mix in; may be repeated.")
     ] = None,
@@ -81,6 +83,7 @@ def evaluate(
     from intent_engine.evaluation.trial import Trial, scores
 
     snrs = _snrs(snr) if noise else []
+    settings = waits(wait)
     if snr and not noise:
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
     engine = load_engine(grammar, locations, language)
@@ -93,7 +96,7 @@ def evaluate(
     with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, second_model, language, free):
             reflex = None if no_reflex else _reflex(engine, language)
-            listener = _listener(engine, recognizer, robot, reflex, not no_noise_filter)
+            listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter)
             avoid_pauses()
             for found in trial.hear(rows, listener, name):
                 outcomes += found
@@ -167,7 +170,12 @@ def _reflex(engine: IntentEngine, language: str | None) -> Reflex:
 
 
 def _listener(
-    engine: IntentEngine, recognizer: Recognizer, robot: str, reflex: Reflex | None, noise_filter: bool
+    engine: IntentEngine,
+    recognizer: Recognizer,
+    robot: str,
+    settings: Settings,
+    reflex: Reflex | None,
+    noise_filter: bool,
 ) -> Listener:
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.execution.robots.robot_file import load_robot
@@ -176,6 +184,7 @@ def _listener(
         engine,
         recognizer,
         load_robot(find("robots", robot)),
+        settings=settings,
         reflex=reflex,
         noise_filter="auto" if noise_filter else None,
     )

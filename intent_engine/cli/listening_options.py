@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.watching import Watch
+from intent_engine.errors import ConfigError, Problem
+from intent_engine.language.grammar import LONGEST_WAIT
+from intent_engine.language.yaml_source import did_you_mean
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.cli.session import Session
     from intent_engine.execution.clock import Clock
+    from intent_engine.speech.endpoint import Settings
 
-__all__ = ["Hearing", "RawSamples", "SecondModel", "Telling", "session"]
+__all__ = ["Hearing", "NoNoiseFilter", "NoReflex", "RawSamples", "SecondModel", "Telling", "Wait", "session", "waits"]
 
 Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
 SecondModel = Annotated[
@@ -39,6 +44,14 @@ Denoise = Annotated[
     typer.Option("--denoise", help="Take steady noise out by spectral gating instead; seldom better, see the docs."),
 ]
 NoNoiseFilter = Annotated[bool, typer.Option("--no-noise-filter", help="Recognise the sound as it is, noise and all.")]
+Wait = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=SECONDS",
+        help="Silence that ends what was said, as extendable=0.5; may be repeated. Names: complete, settled, "
+        "extendable, doubtful, incomplete, other, unknown.",
+    ),
+]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
 Draw = Annotated[bool, typer.Option("--map", help="Draw the way of the robot in the terminal at the end.")]
 Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in the terminal while it goes.")]
@@ -65,6 +78,7 @@ class Hearing:
     wake_word: WakeWord = None
     denoise: Denoise = False
     no_noise_filter: NoNoiseFilter = False
+    wait: Wait = None
 
 
 @dataclass(frozen=True)
@@ -108,9 +122,36 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
         reflex=not hearing.no_reflex,
         denoise=hearing.denoise,
         noise_filter=not (hearing.no_noise_filter or hearing.denoise),
+        settings=waits(hearing.wait),
         as_json=telling.as_json,
         plot=telling.plot,
         draw=telling.draw,
         live=telling.live,
         journal=telling.journal,
     )
+
+
+def waits(texts: list[str] | None) -> Settings:
+    """The endpoint with these waits, each as ``extendable=0.5``.
+
+    Raises:
+        ConfigError: one is unknown, or no time.
+    """
+    from intent_engine.speech.endpoint import Outlook, Settings
+
+    names = [outlook.value for outlook in Outlook]
+    changed: dict[str, Any] = {}
+    for text in texts or ():
+        name, _, number = (part.strip() for part in text.partition("="))
+        if name not in names:
+            hint = did_you_mean(name, names) or f"the waits are {', '.join(names)}"
+            raise ConfigError(Problem(f"--wait: there is no wait {name!r}", hint=hint))
+        try:
+            seconds = float(number.removesuffix("s"))
+        except ValueError:
+            seconds = math.nan
+        if not 0 <= seconds <= LONGEST_WAIT:
+            hint = f"seconds of silence, 0 to {LONGEST_WAIT:g}: --wait {name}=0.5"
+            raise ConfigError(Problem(f"--wait: {number!r} is no time to wait", hint=hint))
+        changed[f"wait_{name}"] = seconds
+    return replace(Settings(), **changed)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.runtime import Runtime, Summary
     from intent_engine.speech.audio import AudioSource, Report
+    from intent_engine.speech.endpoint import Settings
     from intent_engine.speech.recognizer import Recognizer
     from intent_engine.speech.reflex import Reflex
 
@@ -52,6 +53,8 @@ class Session:
     reflex: bool = True
     denoise: bool = False
     noise_filter: bool = True
+    settings: Settings | None = None
+    """Waits of the endpoint; None: its own."""
     as_json: bool = False
     plot: Path | None = None
     draw: bool = False
@@ -110,6 +113,7 @@ class Session:
                 executor,
                 recognizer,
                 reflex=reflex,
+                settings=self.settings,
                 noise_filter="auto" if self.noise_filter else None,
                 on_event=reporter.heard,
             )

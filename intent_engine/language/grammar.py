@@ -11,6 +11,7 @@ from intent_engine.language.template_tree import Node
 
 __all__ = [
     "ACTION_PARAMETERS",
+    "LONGEST_WAIT",
     "QUANTITY_KINDS",
     "SLOT_TYPES",
     "ActionSpec",
@@ -49,6 +50,9 @@ ACTION_PARAMETERS: dict[str, dict[str, str]] = {
     "custom": {},
 }
 """What each action takes, and the kind of each value."""
+
+LONGEST_WAIT = 5.0
+"""s of silence in a sentence. Who pauses longer says another, and a robot that waits longer seems not to have heard."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +153,8 @@ class Intent:
     """Wins over intents of lower priority where both accept a text."""
     min_confidence: float | None = None
     """How sure it must be that it was said, 0 to 1, before spoken words are acted on; None: the runtime's own."""
+    wait: float | None = None
+    """s of silence that end a spoken one that could go on; None: the endpoint's own."""
     examples: tuple[Example, ...] = ()
     description: str = ""
     place: Place | None = None

@@ -8,6 +8,7 @@ from typing import Any
 
 from intent_engine.language.grammar import (
     ACTION_PARAMETERS,
+    LONGEST_WAIT,
     QUANTITY_KINDS,
     ActionSpec,
     Condition,
@@ -81,6 +82,7 @@ def read_intent(
         excludes=frozenset(text for _, _, text in source.entries((*path, "excludes"), spec.get("excludes"))),
         priority=spec.get("priority", 0) if (*path, "priority") not in source.broken else 0,
         min_confidence=spec.get("min_confidence") if (*path, "min_confidence") not in source.broken else None,
+        wait=_wait(parts, (*path, "wait"), spec),
         examples=tuple(_examples(parts, (*path, "examples"), spec.get("examples"))),
         description=str(spec.get("description", "")),
         place=source.place(path, key=True),
@@ -115,6 +117,7 @@ def merged(old: Intent, new: Intent) -> Intent:
         excludes=old.excludes | new.excludes,
         priority=new.priority or old.priority,
         min_confidence=old.min_confidence if new.min_confidence is None else new.min_confidence,
+        wait=old.wait if new.wait is None else new.wait,
         examples=old.examples + new.examples,
         description=old.description or new.description,
     )
@@ -175,6 +178,18 @@ def _values(
         elif parts.finite(at, value):
             result[key] = value
     return result
+
+
+def _wait(parts: PartReader, path: YamlPath, spec: Mapping[str, Any]) -> float | None:
+    """The silence that ends a sentence; one without end would keep a robot from what it was told."""
+    if "wait" not in spec or path in parts.source.broken:
+        return None
+    wait = parts.quantity(path, "duration", spec["wait"], None)
+    if wait is not None and not 0 <= wait <= LONGEST_WAIT:
+        hint = f"0 to {LONGEST_WAIT:g} s, for example wait: 450 ms"
+        parts.source.problem(path, f"a wait of {wait:g} s is none that ends a sentence", hint)
+        return None
+    return wait
 
 
 def _examples(parts: PartReader, path: YamlPath, examples: Any) -> Iterator[Example]:

@@ -74,8 +74,18 @@ class Settings:
     max_speech: float = 20.0
     """An utterance longer than any command is ended."""
 
-    def wait(self, outlook: Outlook) -> float:
-        """Silence after which an utterance with this outlook is over."""
+    def wait(self, outlook: Outlook, asked: float | None = None) -> float:
+        """Silence after which an utterance with this outlook is over.
+
+        Args:
+            outlook: what the grammar thinks of it.
+            asked: s that its intent waits where it could go on; None: it says nothing. Hardly heard it waits as much
+                longer as any other.
+        """
+        if asked is not None and outlook is Outlook.EXTENDABLE:
+            return asked
+        if asked is not None and outlook is Outlook.DOUBTFUL:
+            return asked + self.wait_doubtful - self.wait_extendable
         return {
             Outlook.COMPLETE: self.wait_complete,
             Outlook.SETTLED: self.wait_settled,
@@ -101,7 +111,7 @@ class Endpointer:
         self._spoken = 0.0
         self._silent = 0.0
         self._whole = 0.0
-        self._outlook = Outlook.UNKNOWN
+        self.judge(Outlook.UNKNOWN)
 
     @property
     def speaking(self) -> bool:
@@ -113,9 +123,10 @@ class Endpointer:
         """s of silence at the end of the utterance so far."""
         return self._silent
 
-    def judge(self, outlook: Outlook) -> None:
-        """What the grammar thinks of the words that were decoded at the last pause."""
+    def judge(self, outlook: Outlook, asked: float | None = None) -> None:
+        """What the grammar thinks of the words that were decoded at the last pause, and how long their intent waits."""
         self._outlook = outlook
+        self._asked = asked
 
     def frame(self, probability: float) -> Signal:
         """Take one frame's probability of speech."""
@@ -127,7 +138,7 @@ class Endpointer:
             self._speaking = True
             self._spoken = self._whole = self._voiced * FRAME_SECONDS
             self._silent = 0.0
-            self._outlook = Outlook.UNKNOWN
+            self.judge(Outlook.UNKNOWN)
             return Signal.STARTED
         self._whole += FRAME_SECONDS
         if self._whole >= settings.max_speech:
@@ -138,7 +149,7 @@ class Endpointer:
             self._spoken += FRAME_SECONDS
             self._silent = 0.0
             if resumed:
-                self._outlook = Outlook.UNKNOWN
+                self.judge(Outlook.UNKNOWN)
                 return Signal.RESUMED
             return Signal.NONE
         first = self._silent == 0
@@ -146,7 +157,7 @@ class Endpointer:
         if first:
             return Signal.PAUSED
         # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
-        if self._silent + FRAME_SECONDS / 2 >= settings.wait(self._outlook):
+        if self._silent + FRAME_SECONDS / 2 >= settings.wait(self._outlook, self._asked):
             short = self._spoken < settings.min_speech
             self.reset()
             return Signal.SHORT if short else Signal.ENDED

@@ -144,6 +144,8 @@ MISTAKES: dict[str, str | bytes] = {
     "a fixed slot that nothing takes": move(sentence="{say: back up, slots: {dirction: backward}}"),
     "a fixed slot in the wrong unit": move(sentence="{say: inch ahead, slots: {direction: forward, distance: 1 s}}"),
     "a state that is required and excluded": wave("sentences: [wave]", "requires: [docked]", "excludes: [docked]"),
+    "a wait of an hour": wave("sentences: [wave]", "wait: 1 h"),
+    "a wait that is no time": wave("sentences: [wave]", "wait: 2 m"),
     # -- sentences that meet
     "the same sentence in two intents": says("wave") + "  bow:\n    action: stop\n    sentences: [wave]\n",
     # -- patterns

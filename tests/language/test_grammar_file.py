@@ -136,13 +136,13 @@ def test_an_included_file_is_read_first_and_the_one_that_includes_it_wins():
     base = "intents:\n  wave:\n    action: custom\n    defaults: {times: 1, who: all}\n    sentences: [wave]\n"
     grammar = load(
         "include: [base.yaml]\nfillers: [please]\nintents:\n  wave: {action: custom, defaults: {times: 3}, "
-        "sentences: [wave a lot], priority: 2, min_confidence: 0.5, requires: [awake]}\n",
+        "sentences: [wave a lot], priority: 2, min_confidence: 0.5, wait: 450 ms, requires: [awake]}\n",
         base=base + "fillers: [uh]\n",
     )
     wave = grammar.intents["wave"]
     assert [sentence.text for sentence in wave.sentences] == ["wave", "wave a lot"]
     assert wave.defaults == {"times": 3, "who": "all"}
-    assert (wave.priority, wave.min_confidence, wave.requires) == (2, 0.5, {"awake"})
+    assert (wave.priority, wave.min_confidence, wave.wait, wave.requires) == (2, 0.5, 0.45, {"awake"})
     assert grammar.fillers == (("uh",), ("please",))
     assert grammar.files == ("base.yaml", "grammar.yaml")
 

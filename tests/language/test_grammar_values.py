@@ -40,6 +40,7 @@ intents:
     examples: [go forward: {direction: forward}, back up, never go: rejected]
     priority: 2
     min_confidence: 0.5
+    wait: 400 ms
   turn:
     {action: {type: turn, direction: "{side}"}, sentences: ["turn {side} [{angle}]"], requires: [], excludes: ['off']}
   visit: {action: {type: navigate, location: '{place}'}, sentences: ['visit {place}'], description: places}

@@ -45,17 +45,42 @@ def test_an_utterance():
     assert not endpoint.speaking
 
 
-@pytest.mark.parametrize("outlook", WAITS)
-def test_how_long_it_waits_is_what_the_grammar_thinks(outlook):
+def silence_until_the_end(outlook: Outlook, asked: float | None = None) -> float:
+    """s of silence that end an utterance with this outlook."""
     endpoint = Endpointer()
     play(endpoint, (SPEECH, 1.0))
     assert endpoint.frame(SILENCE) is Signal.PAUSED
-    endpoint.judge(outlook)
+    endpoint.judge(outlook, asked)
     silent = 1
     while endpoint.frame(SILENCE) is not Signal.ENDED:
         silent += 1
-        assert silent < 100
-    assert (silent + 1) * FRAME_SECONDS == pytest.approx(WAITS[outlook], abs=FRAME_SECONDS / 2 + 1e-9)
+        assert silent < 200
+    return (silent + 1) * FRAME_SECONDS
+
+
+def as_frames(seconds: float) -> object:
+    return pytest.approx(seconds, abs=FRAME_SECONDS / 2 + 1e-9)
+
+
+@pytest.mark.parametrize("outlook", WAITS)
+def test_how_long_it_waits_is_what_the_grammar_thinks(outlook):
+    assert silence_until_the_end(outlook) == as_frames(WAITS[outlook])
+
+
+@given(st.sampled_from(list(Outlook)), st.floats(0.1, 5.0))
+def test_an_intent_says_how_long_it_waits_only_where_it_could_go_on(outlook, asked):
+    changed = {Outlook.EXTENDABLE: asked, Outlook.DOUBTFUL: asked + 0.1}
+    assert silence_until_the_end(outlook, asked) == as_frames(changed.get(outlook, WAITS[outlook]))
+
+
+def test_what_one_intent_asked_for_is_not_for_the_next():
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0), (SILENCE, FRAME_SECONDS))
+    endpoint.judge(Outlook.EXTENDABLE, 3.0)
+    assert play(endpoint, (SILENCE, 1.0), (SPEECH, 0.5)) == [Signal.RESUMED]
+    assert play(endpoint, (SILENCE, 0.1)) == [Signal.PAUSED]
+    endpoint.judge(Outlook.EXTENDABLE)
+    assert play(endpoint, (SILENCE, 0.3)) == [Signal.ENDED]
 
 
 def test_every_wait_can_be_set():

@@ -74,6 +74,21 @@ def test_wake_word(go_forward, said, done):
     assert (robot.pose().x > 0) is done
 
 
+@pytest.mark.parametrize(("wait", "seconds"), [("", 0.35), ("wait: 900 ms", 0.9), ("wait: 0.2", 0.2)])
+def test_an_intent_waits_as_long_as_its_grammar_says(tmp_path, go_forward, wait, seconds):
+    grammar = tmp_path / "bar.yaml"
+    order = f"  order: {{action: {{type: custom, name: order}}, sentences: ['a latte [with milk]'], {wait}}}\n"
+    grammar.write_text(f"language: en\nintents:\n{order}", "utf-8")
+    clock = VirtualClock()
+    events = []
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        runtime = Runtime(IntentEngine.from_files(grammar), executor, Says("a latte"), on_event=events.append)
+        runtime.run(Frames(framed(go_forward)))
+    (meant,) = (event for event in events if event.kind is HeardKind.INTERPRETATION)
+    assert meant.interpretation.actions
+    assert meant.time - meant.speech_ended == pytest.approx(seconds, abs=0.017)
+
+
 def test_a_stop_needs_no_wake_word(go_forward):
     engine = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", wake=["robot"])
     clock = VirtualClock()
