@@ -56,7 +56,8 @@ class Expected:
     """What must be done; None: not labelled."""
     types: tuple[str, ...] | None = None
     """Types of what must be done; None: not labelled."""
-
+    by_text: bool = False
+    """Whether all this was taken from the text: then who does the same in other words ("go for two meters") is right."""
     stops: bool = False
     """Whether it is a stop that the reflex knows: one of the grammar's stop phrases is said."""
 
@@ -288,7 +289,7 @@ class _Reader:
             actions = meaning.actions if meaning.status is Status.ACCEPTED else None
         kinds = types or tuple(action.type for action in actions or ()) or tuple(map(self._kind(engine), steps))
         stops = bool(kinds) and set(kinds) == {"stop"} and (text is None or _says_stop(engine, text))
-        return Expected(steps, actions, types, stops)
+        return Expected(steps, actions, types, by_text=actions is not None and "actions" not in data, stops=stops)
 
     def _kind(self, engine: IntentEngine) -> Callable[[Step], str]:
         kinds = {name: intent.action.type for grammar in engine.grammars for name, intent in grammar.intents.items()}

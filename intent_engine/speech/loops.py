@@ -17,15 +17,14 @@ def fold_loop(text: str) -> str:
     sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
     sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
     the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
-    is what was said.
+    is what was said. So it is of any that begins as three of three words and more that follow it ("turn right for 40 5
+    degrees turn right for 45 degrees turn right for 45 degrees turn right").
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
     for length in range(1, len(words) // 2 + 1):
         unit = plain[:length]
-        repeats = 1
-        while plain[repeats * length : (repeats + 1) * length] == unit:
-            repeats += 1
+        repeats = _times(unit, plain)
         rest = plain[repeats * length :]
         whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
         if repeats >= (2 if whole else 3) and _begins(unit, rest):
@@ -33,6 +32,9 @@ def fold_loop(text: str) -> str:
         again = plain[length : 2 * length]
         if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
             return " ".join(words[:length])
+    for start in range(SHORT_SENTENCE, len(words)):
+        if _loop_after(plain, start):
+            return " ".join(words[:start])
     for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
@@ -50,7 +52,29 @@ def goes_round(text: str) -> bool:
         unit, rest = plain[:length], plain[times * length :]
         if len(rest) >= 2 and plain[: times * length] == unit * times and unit[: len(rest)] == rest:
             return True
+    return any(_loop_after(plain, start) for start in range(SHORT_SENTENCE, len(words)))
+
+
+def _loop_after(words: list[str], start: int) -> bool:
+    """Whether a sentence before a place is followed by others that begin as it does, and are the same: two, and the
+    beginning of one more."""
+    rest = words[start:]
+    if rest[: SHORT_SENTENCE - 1] != words[: SHORT_SENTENCE - 1]:
+        return False
+    for length in range(SHORT_SENTENCE, len(rest) // 2 + 1):
+        unit = rest[:length]
+        more = rest[_times(unit, rest) * length :]
+        if len(rest) >= 2 * length + 2 and _begins(unit, more):
+            return True
     return False
+
+
+def _times(unit: list[str], words: list[str]) -> int:
+    """How often some words begin with others."""
+    length, times = len(unit), 0
+    while unit and words[times * length : (times + 1) * length] == unit:
+        times += 1
+    return times
 
 
 def _changed(unit: list[str], again: list[str]) -> int:

@@ -37,6 +37,7 @@ from intent_engine.speech.moonshine_weights import (
     moonshine_package,
 )
 from intent_engine.speech.opinion import Opinion, Reading, as_read
+from intent_engine.speech.pace import too_few
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar, end_left_out
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
@@ -163,7 +164,8 @@ class SecondOpinion:
         asked = asked or (None if talk else self._ask(samples))
         first = self._first.compare(heard)
         confidence = first.transcript.sureness
-        word = confidence >= SURE_OF_A_WORD and " " not in first.transcript.text.strip()
+        said = first.transcript.text.split()
+        word = confidence >= SURE_OF_A_WORD and len(said) == 1 and not too_few(said, samples)
         if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
             return _Look(samples, first, None, self._first.clear(first), False)
         self._asked = samples

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
+from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
@@ -36,6 +37,8 @@ FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
+FULL_CIRCLE = 2 * math.pi + 0.01
+"""rad of a turn that people ask for, and a little."""
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
 NARRATING = frozenset(
@@ -148,19 +151,30 @@ class SpokenGrammar:
         grammar = self._known(language).matcher.grammar
         count = 0
         while count < len(words) - 1:
-            lengths = [
-                len(phrase)
-                for phrase in (*grammar.fillers, *grammar.operators.sequence)
-                if tuple(words[count : count + len(phrase)]) == phrase
-            ]
-            if not lengths:
+            length = _phrase_at(words, count, (*grammar.fillers, *grammar.operators.sequence))
+            if not length:
                 break
-            count += max(lengths)
+            count += length
         return count if count < len(words) else 0
 
     def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words change nothing, wherever they stand: "please"."""
         return self.lead([*words, ""], language) == len(words)
+
+    def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether an exact sentence is what people say: without words in free slots that no list has, without a word
+        inside that says nothing ("turn like by sixteen degrees"), and without a turn of more than a circle ("five
+        fourteen degrees" was "by fourteen"). Else it may be another that was heard a little wrong."""
+        turns = (action.angle for action in meaning.actions if isinstance(action, Turn))
+        round_and_round = any(abs(angle) > FULL_CIRCLE for angle in turns)
+        return not (round_and_round or self._empty_inside(words, language) or self.unknown(words, meaning, language))
+
+    def _empty_inside(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether words that say nothing stand between others of a sentence."""
+        fillers = self._known(language).matcher.grammar.fillers
+        inside = range(self.lead(words, language) + 1, len(words))
+        empty = [at for at in inside if _phrase_at(words, at, fillers)]
+        return any(not self.says_nothing(words[at:], language) for at in empty)
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
@@ -291,6 +305,11 @@ def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: in
         if letters >= least and min(nearer, default=0.0) >= BEYOND * letters:
             return end
     return ()
+
+
+def _phrase_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
+    """Words of the longest of some phrases that stands at a place; 0: none does."""
+    return max((len(one) for one in phrases if tuple(words[at : at + len(one)]) == one), default=0)
 
 
 def _mean(values: Sequence[float]) -> float:

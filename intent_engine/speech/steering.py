@@ -23,6 +23,7 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import Clearness
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.opinion import Opinion, Reading, as_read
+from intent_engine.speech.pace import too_few, too_many
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.scoring import Rows
@@ -121,8 +122,9 @@ class Steering(Clearness):
         if not free or self.refused(encoded, free, meaning, language):
             return Opinion(self, samples, encoded, heard, settled=True)
         words = self.grammar.words(free, language)
-        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
-        if exact and mean > DOUBTFUL_SCORE and not self.grammar.unknown(words, meaning, language):
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE
+        in_time = not (too_many(words, samples) or too_few(words, samples))
+        if exact and in_time and self.grammar.plain(words, meaning, language):
             close = self._close(encoded, words, language)
             unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
@@ -219,7 +221,9 @@ class Steering(Clearness):
         story = self.story(heard.encoded, free, language)
 
         def possible(sentence: Sequence[str]) -> bool:
-            return not goes_on(sentence, [words]) and self.grammar.possible(sentence, story, language, heard=words)
+            if goes_on(sentence, [words]) or too_many(sentence, heard.samples):
+                return False
+            return self.grammar.possible(sentence, story, language, heard=words)
 
         return possible
 
