@@ -61,9 +61,9 @@ class Opinion:
         (free_score,) = self.model.score(self.encoded, [self.transcript.free_text], self.transcript.language)
         return {words: View(score, free_score, letters_apart(words, heard)) for words, score in scores.items()}
 
-    def beside(self, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+    def beside(self, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
         """As :meth:`Steering.beside`."""
-        return self.model.beside(self, words)
+        return self.model.beside(self, words, far=far)
 
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""

@@ -18,6 +18,7 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows, total
 from intent_engine.speech.writing import spellings, written
@@ -51,6 +52,7 @@ class Rivals:
         self._search = search
         self._tokenizer = tokenizer
         self._language = language
+        self._detours = Detours(search)
         self._firsts: dict[tuple[str, bool], list[int]] = {}
         self._numbers: dict[tuple[str, ...], list[tuple[int, ...]]] = {}
         self._digits = self._digit_pieces()
@@ -100,7 +102,7 @@ class Rivals:
         return [self.pieces(one, capital) for one in spelled for capital in (True, False)]
 
     def beside(
-        self, words: Sequence[str], rows: Rows, near: float, *, widely: bool = False
+        self, words: Sequence[str], rows: Rows, near: float, *, widely: bool = False, far: bool = False
     ) -> dict[tuple[str, ...], str]:
         """Sentences beside one, likeliest first, each with the word of it in whose place they have another; or with a
         word that it has not, or not with one that it has; or with a number of one word in place of one of several.
@@ -110,6 +112,7 @@ class Rivals:
             rows: how likely the model finds every piece in its places.
             near: nats by which the first piece of another word may be less likely.
             widely: whether also with another word in a number of several, with a word more, and with one less.
+            far: whether also with a few other words, as :mod:`~intent_engine.speech.detours` has them.
         """
         graph = self._search.graph
         state = graph.start()
@@ -126,14 +129,15 @@ class Rivals:
                     found += [
                         (behind, (*words[:place], *onward), word)
                         for behind, other in self._other_numbers(others, number, begin, chances)
-                        if behind <= near and self._leads(state, onward := (other, *words[place + len(number) :]))
+                        if behind <= near and leads(graph, state, onward := (other, *words[place + len(number) :]))
                     ]
                 for behind, other in _likeliest(others, row[pieces] - said, near, word):
-                    found += [
-                        (behind, (*words[:place], *onward), word)
-                        for onward in self._onward(tuple(words[place:]), other, widely=widely)
-                        if self._leads(state, onward)
-                    ]
+                    rest = tuple(words[place:])
+                    if far:
+                        ends = self._detours.ways(state, other, rest)
+                    else:
+                        ends = [end for end in self._onward(rest, other, widely=widely) if leads(graph, state, end)]
+                    found += [(behind, (*words[:place], *end), word) for end in ends]
             state = graph.step(state, word)
             if state is None:
                 break
@@ -149,15 +153,6 @@ class Rivals:
                 yield (other, *words)
             if words[1:2] == (other,):
                 yield words[1:]
-
-    def _leads(self, state: Any, words: Sequence[str]) -> bool:
-        """Whether words lead from a state of the grammar to the end of a sentence."""
-        graph = self._search.graph
-        for word in words:
-            state = graph.step(state, word)
-            if state is None:
-                return False
-        return bool(graph.accepting(state))
 
     def _first_pieces(self, word: str, first: bool) -> list[int]:
         """Of a word, and of a number in digits, unless it begins as all numbers do."""

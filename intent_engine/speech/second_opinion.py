@@ -189,7 +189,7 @@ class SecondOpinion:
         assert look.second is not None
         searched = self._beside.submit(self._second.result().search, look.second)
         first = self._first.search(look.first)
-        both, _ = self._weighed(first, searched.result())
+        both, _ = self._weighed(first, searched.result(), far=True)
         return both
 
     def _stops(self, heard: Transcript) -> bool:
@@ -202,7 +202,7 @@ class SecondOpinion:
         with contextlib.suppress(Exception):  # one that was never made has nothing to let go of; one that hangs cannot
             closed.result(timeout=CLOSING)
 
-    def _weighed(self, first: Opinion, second: Opinion) -> tuple[Transcript, float]:
+    def _weighed(self, first: Opinion, second: Opinion, *, far: bool = False) -> tuple[Transcript, float]:
         """What two models heard in the same sound, as one; and the letters by which it differs from the words that the
         nearer of them heard.
 
@@ -212,7 +212,7 @@ class SecondOpinion:
         for one in (first, second):
             if self._meaning(one.transcript).refuses:
                 return one.transcript, 0.0
-        readings = self.joint(first, second)
+        readings = self.joint(first, second, far=far)
         if not readings:
             return heard, math.inf
         best = readings[0]
@@ -239,10 +239,10 @@ class SecondOpinion:
             *([" ".join(left_out)] if says_something else []),
         ]
 
-    def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
+    def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
         """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both
-        think of them, likeliest first."""
-        return doubted(self._grammar, (first, second), self._each)
+        think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.weighing.doubted`."""
+        return doubted(self._grammar, (first, second), self._each, far=far)
 
     def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
         """The same asked of two models, side by side."""

@@ -91,7 +91,10 @@ class Steering(Clearness):
         """By the grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
         self._guides: dict[str | None, _Guide] = {}
-        self._besides: tuple[Encoded | None, dict[tuple[str, ...], tuple[tuple[str, ...], ...]]] = (None, {})
+        self._besides: tuple[Encoded | None, dict[tuple[tuple[str, ...], bool], tuple[tuple[str, ...], ...]]] = (
+            None,
+            {},
+        )
         """What may have been said in place of some sentences, given the sound that was asked about last."""
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
@@ -102,7 +105,7 @@ class Steering(Clearness):
             self._guide(self.language)
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        self.opinion = self._doubted(self.search(self.compare(self.listen(samples))))
+        self.opinion = self._doubted(self.search(self.compare(self.listen(samples))), far=True)
         return self.clear(self.opinion)
 
     def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
@@ -157,11 +160,11 @@ class Steering(Clearness):
         again = replace(self._compared(again, search=True), settled=True)
         return again if again.transcript.sureness > found.transcript.sureness else found
 
-    def _doubted(self, heard: Opinion) -> Opinion:
-        """What was heard, compared with other commands beside the likeliest."""
+    def _doubted(self, heard: Opinion, *, far: bool = False) -> Opinion:
+        """What was heard, compared with other commands beside the likeliest, as :func:`doubted` has them."""
         if not heard.sentences or heard.transcript.confidence == 1.0:
             return heard
-        return _as_read(heard, doubted(self.grammar, [heard]))
+        return _as_read(heard, doubted(self.grammar, [heard], far=far))
 
     def _compared(self, heard: Opinion, *, search: bool) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
@@ -227,15 +230,17 @@ class Steering(Clearness):
 
         return possible
 
-    def beside(self, heard: Opinion, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
-        """Other commands that may have been said in place of one, and differ in one word; the likeliest first."""
+    def beside(self, heard: Opinion, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
+        """Other commands that may have been said in place of one, and differ in one word, or if ``far`` in a few; the
+        likeliest first."""
         encoded, language = heard.encoded, heard.transcript.language
         if self._besides[0] is not encoded:
             self._besides = encoded, {}
         found = self._besides[1]
-        if words not in found:
-            found[words] = tuple(self._rivals(encoded, words, language, NEAR, self._possible(heard), widely=True))
-        return found[words]
+        if (words, far) not in found:
+            rivals = self._rivals(encoded, words, language, NEAR, self._possible(heard), widely=True, far=far)
+            found[words, far] = tuple(rivals)
+        return found[words, far]
 
     def _rivals(
         self,
@@ -246,6 +251,7 @@ class Steering(Clearness):
         possible: Callable[[Sequence[str]], bool],
         *,
         widely: bool = False,
+        far: bool = False,
     ) -> dict[tuple[str, ...], str]:
         """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
         first.
@@ -256,13 +262,13 @@ class Steering(Clearness):
             language: of the speech.
             near: nats by which the first piece of another word may be less likely.
             possible: whether a sentence may have been said.
-            widely: as for :meth:`~intent_engine.speech.rivals.Rivals.beside`.
+            widely, far: as for :meth:`~intent_engine.speech.rivals.Rivals.beside`.
         """
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:
             return {}
         rows = self._along(encoded, words, language, widely=widely)
-        rivals = self._guide(language).rivals.beside(words, rows, near, widely=widely)
+        rivals = self._guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
         others = (
             sentence
             for sentence in rivals

@@ -57,7 +57,7 @@ class Thinks:
             for words in sentences
         ]
 
-    def beside(self, words):
+    def beside(self, words, *, far=False):
         return tuple(tuple(text.split()) for text in self.others.get(" ".join(words), ()))
 
     def clearness(self, _words):

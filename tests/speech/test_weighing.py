@@ -47,7 +47,7 @@ class Scripted:
     def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
         return [View(self.scores[" ".join(words[3:])], -1.0, letters_apart(words, self.heard)) for words in sentences]
 
-    def beside(self, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+    def beside(self, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
         drink = " ".join(words[3:])
         self.asked.append(drink)
         return tuple(map(order, self.others.get(drink, ())))
