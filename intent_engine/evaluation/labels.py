@@ -57,7 +57,7 @@ class Expected:
     types: tuple[str, ...] | None = None
     """Types of what must be done; None: not labelled."""
     by_text: bool = False
-    """Whether all this was taken from the text: then who does the same in other words ("go for two meters") is right."""
+    """Whether all this was taken from the text: then the same, done after other words ("go for two feet"), is right."""
     stops: bool = False
     """Whether it is a stop that the reflex knows: one of the grammar's stop phrases is said."""
 

@@ -1,8 +1,8 @@
 """Other ways through a grammar from one place of a sentence to a later one: what was said may differ from the sentence
 that seems likeliest in more than a word.
 
-"Make me" may have been said in place of "an", "dark roast" between two words, and "forty" in place of "for two". In long
-sentences a search piece by piece finds such a way late or never.
+"Make me" may have been said in place of "an", "dark roast" between two words, and "forty" in place of "for two". In
+long sentences a search piece by piece finds such a way late or never.
 """
 
 from __future__ import annotations

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from rapidfuzz.distance import Levenshtein
+
 __all__ = ["fold_loop", "goes_round"]
 
 LONG_SENTENCE = 4
 """Words of a sentence that nobody says twice in one breath."""
 SHORT_SENTENCE = 3
 """Words of a sentence that nobody says three times in one breath."""
+MANY_WORDS = 8
+"""Words of a sentence that nobody begins again after one that is like it,"""
+LIKE = 0.7
+"""in this share of its letters."""
 
 
 def fold_loop(text: str) -> str:
@@ -17,8 +23,8 @@ def fold_loop(text: str) -> str:
     sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
     sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
     the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
-    is what was said. So it is of any that begins as three of three words and more that follow it ("turn right for 40 5
-    degrees turn right for 45 degrees turn right for 45 degrees turn right").
+    is what was said. So it is where two and more follow that are the same, and like it ("turn right for 40 5 degrees
+    turn right for 45 degrees turn right for 45 degrees turn right"); or one of many words and the beginning of another.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]
@@ -32,9 +38,9 @@ def fold_loop(text: str) -> str:
         again = plain[length : 2 * length]
         if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
             return " ".join(words[:length])
-    for start in range(SHORT_SENTENCE, len(words)):
-        if _loop_after(plain, start):
-            return " ".join(words[:start])
+    alike, start = max((_loop_after(plain, place), -place) for place in range(len(words) + 1))
+    if alike:
+        return " ".join(words[:-start])
     for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
@@ -52,21 +58,23 @@ def goes_round(text: str) -> bool:
         unit, rest = plain[:length], plain[times * length :]
         if len(rest) >= 2 and plain[: times * length] == unit * times and unit[: len(rest)] == rest:
             return True
-    return any(_loop_after(plain, start) for start in range(SHORT_SENTENCE, len(words)))
-
-
-def _loop_after(words: list[str], start: int) -> bool:
-    """Whether a sentence before a place is followed by others that begin as it does, and are the same: two, and the
-    beginning of one more."""
-    rest = words[start:]
-    if rest[: SHORT_SENTENCE - 1] != words[: SHORT_SENTENCE - 1]:
-        return False
-    for length in range(SHORT_SENTENCE, len(rest) // 2 + 1):
-        unit = rest[:length]
-        more = rest[_times(unit, rest) * length :]
-        if len(rest) >= 2 * length + 2 and _begins(unit, more):
-            return True
     return False
+
+
+def _loop_after(words: list[str], start: int) -> float:
+    """How like a sentence before a place is to others that follow it and are the same, two, or one of many words, and
+    the beginning of one more; 0: it is none that is followed by such."""
+    before, rest = " ".join(words[:start]), words[start:]
+    for length in range(SHORT_SENTENCE, len(rest)):
+        unit = rest[:length]
+        repeats = 1 if length >= MANY_WORDS else 2
+        begun = MANY_WORDS // 2 if length >= MANY_WORDS else 2
+        if len(rest) < repeats * length + begun or not _begins(unit, rest[_times(unit, rest) * length :]):
+            continue
+        alike = Levenshtein.normalized_similarity(before, " ".join(unit))
+        if alike >= LIKE:
+            return alike
+    return 0.0
 
 
 def _times(unit: list[str], words: list[str]) -> int:

@@ -9,7 +9,9 @@ import pytest
 from intent_engine.actions import Move, Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
+from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
+from intent_engine.evaluation.scoring import Condition, Verdict, judge
 
 
 @pytest.fixture(scope="module")
@@ -39,6 +41,23 @@ def test_a_text_means_what_the_grammar_makes_of_it(engine, write):
     assert command.expected.steps[0].intent == "move"
     assert not talk.expected.command
     assert (command.line, talk.line) == (1, 3)
+
+
+def test_who_does_what_a_text_says_is_right_in_other_words(engine, write):
+    said, labelled = read_labels(
+        write(
+            {"audio": "a.wav", "text": "go forward two meters"},
+            {"audio": "a.wav", "text": "go forward two meters", "intent": "move", "slots": {"direction": "forward"}},
+        ),
+        engine,
+    )
+    assert said.expected.by_text
+    assert not labelled.expected.by_text
+    meaning = engine.parse("go two meters")
+    assert meaning.slots != engine.parse("go forward two meters").slots
+    hearing = Hearing(meanings=[meaning], acts=[Act(meaning, 1.0, 0.5)])
+    assert judge(said, Condition("tiny.en"), hearing).verdict is Verdict.RIGHT
+    assert judge(labelled, Condition("tiny.en"), hearing).verdict is Verdict.WRONG
 
 
 def test_a_label_is_believed_before_the_grammar(engine, write):

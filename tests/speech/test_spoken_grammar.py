@@ -47,6 +47,27 @@ def test_a_sentence_carries_what_it_would_do(engine, grammar):
 
 
 @pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("turn left ninety degrees", True),
+        ("please turn left ninety degrees", True),
+        ("turn left ninety degrees please", True),
+        ("turn left please and go forward", False),
+        ("turn left and then go forward two meters", True),
+        ("turn like by sixteen degrees", False),
+        ("turn right five hundred and fourteen degrees", False),
+        ("turn right three hundred and sixty degrees", True),
+        ("pick up the cup", True),
+        ("pick up the florble", False),
+    ],
+)
+def test_what_people_say_is_plain(engine, grammar, text, plain):
+    meaning = engine.parse(text)
+    assert meaning.status is Status.ACCEPTED
+    assert grammar.plain(text.split(), meaning) is plain
+
+
+@pytest.mark.parametrize(
     ("text", "unknown"),
     [
         ("take the cup", False),

@@ -45,6 +45,21 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     assert found.free_text == misheard
 
 
+@pytest.mark.parametrize(
+    ("words", "settled"),
+    [
+        ("Go forward two meters.", True),
+        ("Right.", False),
+        ("Go like two meters.", False),
+        ("Turn right 514 degrees.", False),
+        ("Go forward two meters and " * 8 + "stop.", False),
+    ],
+)
+def test_an_exact_sentence_is_looked_at_again_where_nobody_says_it_so(hears, spoken, words, settled):
+    """It is too short or too long for its sound, has a word inside that says nothing, or turns in circles."""
+    assert hears(words).listen(spoken).settled is settled
+
+
 @pytest.mark.parametrize(("score", "looked"), [(-0.1, False), (-0.9, True)], ids=["clear", "mumbled"])
 def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, score, looked):
     whisper = hears("The orchestra played a waltz by an unknown composer", score)
