@@ -12,8 +12,8 @@ import typer
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import LONGEST_WAIT
-from intent_engine.language.yaml_source import did_you_mean
 from intent_engine.resources import find
 
 if TYPE_CHECKING:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot
 from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
@@ -13,7 +14,6 @@ from intent_engine.language.grammar_values import action_problems, example_probl
 from intent_engine.language.patterns import pattern_problems
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, references
 from intent_engine.language.utterance import PhraseSet
-from intent_engine.language.yaml_source import did_you_mean
 
 __all__ = ["check_meaning"]
 

@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Operators, Slot
 from intent_engine.language.grammar_checks import check_meaning
 from intent_engine.language.grammar_intents import merged, read_intent
 from intent_engine.language.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.schema_problems import schema_problems
 from intent_engine.language.template_tree import Node
-from intent_engine.language.yaml_source import YamlPath, YamlSource, did_you_mean, read_yaml
+from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 
 __all__ = ["default_operators", "load_grammars", "phrase", "schema"]
 

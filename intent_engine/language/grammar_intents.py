@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import (
     ACTION_PARAMETERS,
     LONGEST_WAIT,
@@ -20,7 +21,7 @@ from intent_engine.language.grammar import (
 )
 from intent_engine.language.grammar_parts import PartReader
 from intent_engine.language.template_tree import Node, references
-from intent_engine.language.yaml_source import YamlPath, did_you_mean
+from intent_engine.language.yaml_source import YamlPath
 
 __all__ = ["merged", "read_intent", "slot_of_parameter", "slots_by_label"]
 

@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.template_tree import Choice, Node
-from intent_engine.language.yaml_source import YamlPath, YamlSource, did_you_mean
+from intent_engine.language.yaml_source import YamlPath, YamlSource
 
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 

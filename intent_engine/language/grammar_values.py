@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import (
     ACTION_PARAMETERS,
     QUANTITY_KINDS,
@@ -17,7 +18,7 @@ from intent_engine.language.grammar import (
 )
 from intent_engine.language.grammar_intents import slot_of_parameter, slots_by_label
 from intent_engine.language.grammar_parts import Places
-from intent_engine.language.yaml_source import YamlPath, did_you_mean
+from intent_engine.language.yaml_source import YamlPath
 
 __all__ = ["action_problems", "example_problems", "value_problems"]
 

@@ -10,8 +10,8 @@ from numbers import Real
 from typing import Any
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.name_words import name_words
-from intent_engine.language.yaml_source import did_you_mean
 
 __all__ = ["DEFAULT_FRAME", "Draft", "Location", "Row", "checked"]
 

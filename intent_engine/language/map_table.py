@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.map_draft import FIELDS, Draft, Row
-from intent_engine.language.yaml_source import did_you_mean
 
 __all__ = ["read_table"]
 

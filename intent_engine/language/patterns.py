@@ -13,11 +13,11 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Sentence
 from intent_engine.language.grammar_parts import Places
 from intent_engine.language.template_tree import Word
 from intent_engine.language.utterance import PhraseSet
-from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher

@@ -18,6 +18,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.errors import ConfigError
+from intent_engine.hints import did_you_mean
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
@@ -26,7 +27,6 @@ from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template_tree import Sequence as Parts
-from intent_engine.language.yaml_source import did_you_mean
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action

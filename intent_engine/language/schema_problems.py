@@ -8,8 +8,9 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.schema_check import surely_valid
-from intent_engine.language.yaml_source import YamlSource, did_you_mean
+from intent_engine.language.yaml_source import YamlSource
 
 if TYPE_CHECKING:
     from jsonschema import ValidationError

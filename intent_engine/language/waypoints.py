@@ -11,8 +11,9 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from intent_engine.hints import did_you_mean
 from intent_engine.language.map_draft import DEFAULT_FRAME, Draft, Row
-from intent_engine.language.yaml_source import YamlPath, YamlSource, did_you_mean
+from intent_engine.language.yaml_source import YamlPath, YamlSource
 
 __all__ = ["read_waypoints"]
 

@@ -11,9 +11,10 @@ from typing import Any
 import yaml
 
 from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 
-__all__ = ["YamlSource", "did_you_mean", "read_yaml"]
+__all__ = ["YamlSource", "read_yaml"]
 
 MAX_BYTES = 64 * 1024 * 1024
 """A file beyond this is not one that a person wrote for us."""
@@ -279,11 +280,3 @@ def _neighbours(file: Path) -> Iterable[Path]:
         return list(file.parent.iterdir())
     except OSError:
         return []
-
-
-def did_you_mean(word: str, known: Iterable[str]) -> str | None:
-    """A hint naming the known word that is nearest, or None if none is near."""
-    from rapidfuzz import fuzz, process
-
-    found = process.extractOne(word, list(known), scorer=fuzz.ratio, score_cutoff=60)
-    return f"did you mean {found[0]!r}?" if found else None

@@ -38,9 +38,9 @@ def fold_loop(text: str) -> str:
         again = plain[length : 2 * length]
         if length >= SHORT_SENTENCE and again == plain[2 * length : 3 * length] and _changed(unit, again) <= 1:
             return " ".join(words[:length])
-    alike, start = max((_loop_after(plain, place), -place) for place in range(len(words) + 1))
-    if alike:
-        return " ".join(words[:-start])
+    end = max(range(len(words) + 1), key=lambda place: _loop_after(plain, place))
+    if _loop_after(plain, end):
+        return " ".join(words[:end])
     for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])

@@ -127,7 +127,8 @@ class Steering(Clearness):
         words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE
         in_time = not (too_many(words, samples) or too_few(words, samples))
-        if exact and in_time and self.grammar.plain(words, meaning, language):
+        # Whatever is odd about a stop, it is done at once.
+        if exact and (meaning.stops or (in_time and self.grammar.plain(words, meaning, language))):
             close = self._close(encoded, words, language)
             unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.language import yaml_source
-from intent_engine.language.yaml_source import YamlSource, did_you_mean, parse_yaml, read_yaml
+from intent_engine.language.yaml_source import YamlSource, parse_yaml, read_yaml
 
 
 def parsed(text: str) -> YamlSource:
@@ -172,11 +172,3 @@ def test_a_file_that_cannot_be_had(tmp_path):
     assert (problem.message, problem.hint) == ("no such file", "did you mean 'grammar.yaml'?")
     (problem,) = read_yaml(tmp_path).problems
     assert problem.message == "is a folder, not a file"
-
-
-@pytest.mark.parametrize(
-    ("word", "hint"),
-    [("distnce", "did you mean 'distance'?"), ("fwd", "did you mean 'forward'?"), ("zebra", None), ("", None)],
-)
-def test_did_you_mean(word, hint):
-    assert did_you_mean(word, ["distance", "forward", "angle"]) == hint

@@ -50,6 +50,8 @@ def test_what_was_nearly_heard_becomes_the_sentence(engine, hears, spoken, mishe
     [
         ("Go forward two meters.", True),
         ("Right.", False),
+        ("Stop.", True),
+        ("Stop like now.", True),
         ("Go like two meters.", False),
         ("Turn right 514 degrees.", False),
         ("Go forward two meters and " * 8 + "stop.", False),
