@@ -47,6 +47,13 @@ def test_the_exit_code_is_the_answer(intent_engine, grammar, text, options, code
     assert (done.returncode, done.stderr) == (code, "")
 
 
+def test_a_grammar_may_be_named_as_other_verbs_take_it(intent_engine, grammar):
+    paths = [grammar(FINE), grammar(DOUBTFUL, "h.yaml")]
+    by_option = intent_engine("check", paths[0], "--grammar", paths[1])
+    assert "0 errors, 1 warning" in by_option.stdout
+    assert by_option.stdout == intent_engine("check", *paths).stdout
+
+
 def test_one_bad_file_does_not_disturb_another(intent_engine, grammar):
     done = intent_engine("check", grammar(BROKEN, "bad.yaml"), grammar(FINE, "good.yaml"))
     assert done.returncode == 1

@@ -29,6 +29,9 @@ def check(
     grammars: Annotated[
         list[str] | None, typer.Argument(help="Grammar files, or names of shipped ones.", show_default="en")
     ] = None,
+    named: Annotated[
+        list[str] | None, typer.Option("--grammar", "-g", help="The same, as other verbs take it.", show_default=False)
+    ] = None,
     locations: Locations = None,
     together: Annotated[
         bool, typer.Option("--together", help="Take the files as one grammar, not each for itself.")
@@ -42,7 +45,7 @@ def check(
     """Tell what is wrong or doubtful in grammar files: sentences that meet or are never understood, examples that
     fail, names that sound alike; and how large and how ambiguous the grammars are.
     """
-    names = grammars or ["en"]
+    names = [*(grammars or ()), *(named or ())] or ["en"]
     maps = [find("locations", name) for name in locations] if locations else [default_locations()]
     count: Counter[str] = Counter()
     for group in [names] if together else [[name] for name in names]:
