@@ -79,7 +79,7 @@ class Ways:
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
         avoid_pauses()
         return cls(
-            Listener(engine, ours, robot, reflex=reflex_for(engine, background=False) if reflex else None),
+            Listener(engine, ours, robot, reflex=reflex_for(engine, background=False, beside=ours) if reflex else None),
             Listener(engine, peer, robot, settings=late, speculate=False, noise_filter=None),
         )
 

@@ -95,7 +95,7 @@ def evaluate(
     outcomes: list[Outcome] = []
     with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, second_model, language, free):
-            reflex = None if no_reflex else _reflex(engine, language)
+            reflex = None if no_reflex else _reflex(engine, language, recognizer)
             listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter)
             avoid_pauses()
             for found in trial.hear(rows, listener, name):
@@ -163,10 +163,10 @@ def _names(models: list[str]) -> dict[str, str]:
     return {model: name if list(short.values()).count(name) == 1 else model for model, name in short.items()}
 
 
-def _reflex(engine: IntentEngine, language: str | None) -> Reflex:
+def _reflex(engine: IntentEngine, language: str | None, beside: Recognizer) -> Reflex:
     from intent_engine.speech.reflex import reflex_for
 
-    return reflex_for(engine, language=language, background=False)
+    return reflex_for(engine, language=language, background=False, beside=beside)
 
 
 def _listener(

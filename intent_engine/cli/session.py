@@ -89,7 +89,7 @@ class Session:
                 for name, place in (self.engine.locations or {}).items()
             }
             recognizer = stack.enter_context(contextlib.closing(self._recognizer()))
-            reflex = self._reflex()
+            reflex = self._reflex(recognizer)
             if reflex is not None:
                 stack.enter_context(contextlib.closing(reflex))
             robot: Robot
@@ -185,13 +185,14 @@ class Session:
             plot_path(robot, self.plot, title="The way of the robot")
             note(f"the way of the robot is drawn in {self.plot}")
 
-    def _reflex(self) -> Reflex | None:
+    def _reflex(self, beside: Recognizer) -> Reflex | None:
         if not self.reflex:
             return None
         from intent_engine.execution.clock import SteppedClock
         from intent_engine.speech.reflex import reflex_for
 
-        return reflex_for(self.engine, language=self.language, background=not isinstance(self.clock, SteppedClock))
+        background = not isinstance(self.clock, SteppedClock)
+        return reflex_for(self.engine, language=self.language, background=background, beside=beside)
 
     def _recognizer(self) -> Recognizer:
         from intent_engine.speech.free import free_recognizer

@@ -203,11 +203,13 @@ class Speech:
         from intent_engine.speech.reflex import reflex_for
         from intent_engine.speech.second_opinion import recognizer_for
 
-        reflex = reflex_for(self._engine) if parameters.reflex else None
+        recognizer: Recognizer
         if parameters.free:
-            return free_recognizer(parameters.model, language=self._engine.languages[0], tell=self._log.info), reflex
-        second = parameters.second_model or None
-        return recognizer_for(self._engine, parameters.model, second=second, tell=self._log.info), reflex
+            recognizer = free_recognizer(parameters.model, language=self._engine.languages[0], tell=self._log.info)
+        else:
+            second = parameters.second_model or None
+            recognizer = recognizer_for(self._engine, parameters.model, second=second, tell=self._log.info)
+        return recognizer, reflex_for(self._engine, beside=recognizer) if parameters.reflex else None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

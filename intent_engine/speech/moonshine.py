@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
 
@@ -28,7 +28,7 @@ from intent_engine.speech.prefix_tree import Beginning, PrefixTree, RecentTrees
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.scoring import Scoring
 
-__all__ = ["MoonshineRecognizer", "ScoringMoonshine"]
+__all__ = ["MoonshineModel", "MoonshineRecognizer", "ScoringMoonshine"]
 
 _Floats: TypeAlias = npt.NDArray[np.float32]
 
@@ -42,12 +42,41 @@ RETRY_MARGIN = 0.5
 """s of silence after the speech with which it is tried again."""
 
 
+@dataclass(frozen=True, slots=True)
+class MoonshineModel:
+    """A model that is loaded. It knows nothing of what it hears, so recognisers in several threads may share it."""
+
+    encoder: Any
+    decoder: MoonshineDecoder
+    tokenizer: MoonshinePieces
+
+    @classmethod
+    def load(cls, model: str, *, threads: int = 1, tell: Callable[[str], object] | None = None) -> MoonshineModel:
+        """Load a model; the arguments are those of :class:`MoonshineRecognizer`.
+
+        Raises:
+            WeightsError: it cannot be found or loaded.
+        """
+        folder = find_moonshine(model, tell)
+        try:
+            return cls(
+                load_graph(str(folder.graphs / ENCODER), threads),
+                MoonshineDecoder(folder.graphs, threads),
+                MoonshinePieces(folder.tokenizer),
+            )
+        except Exception as error:  # ONNX Runtime's errors have no common class
+            raise WeightsError(
+                f"model {model} cannot be loaded from {folder.graphs}: {error}\n"
+                "    delete that folder; it is made again"
+            ) from None
+
+
 class MoonshineRecognizer:
     """Free decoding with a Moonshine model, in English. Life cycle: made (loaded) -> ``transcribe`` ... -> ``close()``.
 
     Args:
         model: "moonshine-base", or a folder as Moonshine publishes it: ``encoder_model.ort``,
-            ``decoder_model_merged.ort``, ``tokenizer.bin``.
+            ``decoder_model_merged.ort``, ``tokenizer.bin``. Or one that is loaded.
         threads: of the processor; a small model is fastest with one.
         tell: is told what takes long: that the weights are made ready, once on a machine.
 
@@ -60,23 +89,18 @@ class MoonshineRecognizer:
     device = "cpu"
 
     def __init__(
-        self, model: str = "moonshine-base", *, threads: int = 1, tell: Callable[[str], object] | None = None
+        self,
+        model: str | MoonshineModel = "moonshine-base",
+        *,
+        threads: int = 1,
+        tell: Callable[[str], object] | None = None,
     ) -> None:
-        folder = find_moonshine(model, tell)
-        try:
-            self._encoder = load_graph(str(folder.graphs / ENCODER), threads)
-            self._decoder = MoonshineDecoder(folder.graphs, threads)
-            self._tokenizer = MoonshinePieces(folder.tokenizer)
-        except Exception as error:  # ONNX Runtime's errors have no common class
-            raise WeightsError(
-                f"model {model} cannot be loaded from {folder.graphs}: {error}\n"
-                "    delete that folder; it is made again"
-            ) from None
+        self.model = MoonshineModel.load(model, threads=threads, tell=tell) if isinstance(model, str) else model
         self._trees = RecentTrees()
 
     def tokenizer(self, language: str | None = None) -> Any:
         """The pieces that it writes in."""
-        return self._tokenizer
+        return self.model.tokenizer
 
     def encode(self, samples: Samples, seconds: float = 0.0) -> Encoded:
         """Encode speech, padded to at least ``seconds``."""
@@ -84,7 +108,7 @@ class MoonshineRecognizer:
         least = int(max(seconds, LEAST_SECONDS) * SAMPLE_RATE)
         if samples.size < least:
             samples = np.pad(samples, (0, least - samples.size))
-        (states,) = self._encoder.run(None, {"input_values": samples[np.newaxis].astype(np.float32)})
+        (states,) = self.model.encoder.run(None, {"input_values": samples[np.newaxis].astype(np.float32)})
         return Encoded(states, samples.size / SAMPLE_RATE)
 
     def detect(self, encoded: Encoded) -> str:
@@ -105,7 +129,7 @@ class MoonshineRecognizer:
         """The likeliest words: (text, mean log probability, whether it went round in a loop)."""
         pieces, rows = self._greedy(encoded)
         score = sum(float(row.max()) for row in rows.values()) / len(rows)
-        text = self._tokenizer.decode(list(pieces))
+        text = self.model.tokenizer.decode(list(pieces))
         folded = fold_loop(text)
         return folded, score, folded != text
 
@@ -120,13 +144,17 @@ class MoonshineRecognizer:
             if piece == END:
                 break
             pieces += (piece,)
-            if goes_round(self._tokenizer.decode(list(pieces))):
+            if goes_round(self.model.tokenizer.decode(list(pieces))):
                 break
         return pieces, rows
 
+    def chances(self, encoded: Encoded, beginning: Beginning) -> _Floats:
+        """The log probability of every next piece, ``(pieces,)``, after those that a text begins with."""
+        return self._tree(encoded).chances([beginning])[beginning]
+
     def _tree(self, encoded: Encoded) -> PrefixTree:
         prompt = (BEGINNING,)
-        return self._trees.of(encoded, prompt, lambda: PrefixTree(self._decoder, encoded.features[0], prompt))
+        return self._trees.of(encoded, prompt, lambda: PrefixTree(self.model.decoder, encoded.features[0], prompt))
 
     def close(self) -> None:
         """Let go of what is known of sounds; nothing else is held."""
@@ -160,7 +188,7 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
         plain = [text.strip().rstrip(".!?") for text in texts]
-        pieces = [self._tokenizer.encode(" " + text) if text else [] for text in plain]
+        pieces = [self.model.tokenizer.encode(" " + text) if text else [] for text in plain]
         tree = self._tree(encoded)
         tree.learn([*own, END] for own in pieces)
         return [np.append(tree.likelihood(own), np.logaddexp.reduce(tree.after(own, self._ends))) for own in pieces]
@@ -168,4 +196,4 @@ class ScoringMoonshine(MoonshineRecognizer, Scoring):
     @cached_property
     def _ends(self) -> list[int]:
         """Pieces after which a sentence is over."""
-        return [END, *(piece for sign in ".?!" for piece in self._tokenizer.encode(sign))]
+        return [END, *(piece for sign in ".?!" for piece in self.model.tokenizer.encode(sign))]

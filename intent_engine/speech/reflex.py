@@ -14,18 +14,21 @@ import math
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
-from itertools import product
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import start_beside
+from intent_engine.speech.stop_phrases import MoonshineStops, StopPhrases
 from intent_engine.speech.whisper import WhisperRecognizer, logits_row
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
+    from intent_engine.speech.moonshine import MoonshineModel
+    from intent_engine.speech.recognizer import Recognizer
 
 __all__ = ["Reflex", "WhisperReflex", "reflex_for"]
 
@@ -53,12 +56,10 @@ QUIET_FRAMES = 3
 """Frames without sound after which nothing new is to be heard. The "p" of "stop" is silent for shorter."""
 QUIET = 0.03
 """RMS of such frames, as a part of the loudest frame's in the window: 30 dB below."""
-MAX_PIECES = 5
-"""Tokens of a phrase; longer ones are left to the recogniser."""
 MAX_LEADS = 80
 """Words before a stop that are known; more would only slow the start."""
-OPEN = 0.1
-"""Probability of a beginning that is followed up; each costs as much again as the first token."""
+OPEN_QUESTION = 0.005
+"""Part of the threshold from which the second model is asked: of other words by people 3 in 5 looks."""
 
 
 class Reflex(Protocol):
@@ -91,6 +92,7 @@ class WhisperReflex:
         background: look in a thread beside, so that listening never waits; False on a virtual clock, where the same
             sound must always give the same.
         threshold: probability in one look that holds the robot.
+        second: another model, as soon as it is loaded, that is asked about a first word which may be a stop.
 
     Raises:
         WeightsError: the model cannot be found or loaded.
@@ -107,6 +109,7 @@ class WhisperReflex:
         language: str | None = "en",
         background: bool = True,
         threshold: float = THRESHOLD,
+        second: Future[MoonshineModel | None] | None = None,
     ) -> None:
         self._whisper = WhisperRecognizer(model, device=device, language=language, threads=1)
         self._threshold = threshold
@@ -115,45 +118,23 @@ class WhisperReflex:
         if not phrases:
             raise ValueError("no stop phrase")
         self.phrases = phrases
-        self._complete, self._onward = self._pieces(phrases, tuple(dict.fromkeys(leads)))
+        self._leads = tuple(dict.fromkeys(leads))
+        self._pieces = StopPhrases(phrases, self._leads, self._whisper.tokenizer().encode)
+        self._second = second
+        self._second_ears: MoonshineStops | None = None
         self._sound: deque[Samples] = deque(maxlen=WINDOW_FRAMES)
+        self._whole: list[Samples] = []
+        """All since the onset, as long as the first word is being said."""
         self._length = 0
         self._since = 0
         self._looked = 0
         self._evidence: deque[float] = deque(maxlen=LOOKS)
         self._worker = _Worker(self._look) if background else None
 
-    def _pieces(
-        self, phrases: Sequence[tuple[str, ...]], leads: Sequence[str]
-    ) -> tuple[frozenset[tuple[int, ...]], dict[tuple[int, ...], list[int]]]:
-        """The phrases as tokens, in the ways that the model writes them; and for each beginning how it may go on."""
-        tokenizer = self._whisper.tokenizer()
-        complete: set[tuple[int, ...]] = set()
-        for phrase, lead in product(phrases, ("", *leads)):
-            if lead and len(phrase) > 1:
-                continue
-            said = " ".join([lead, *phrase] if lead else phrase)
-            # Before a comma a sentence does not begin again: "Robot, stop".
-            texts = {said, said.capitalize()}
-            if lead:
-                texts.add(f"{lead.capitalize()}, {' '.join(phrase)}")
-            for text in texts:
-                for spaced in (" " + text, text):
-                    tokens = tuple(tokenizer.encode(spaced))
-                    if len(tokens) <= MAX_PIECES:
-                        complete.add(tokens)
-        kept = frozenset(
-            tokens for tokens in complete if not any(tokens[:length] in complete for length in range(1, len(tokens)))
-        )
-        onward: dict[tuple[int, ...], set[int]] = {}
-        for tokens in kept:
-            for length, token in enumerate(tokens):
-                onward.setdefault(tokens[:length], set()).add(token)
-        return kept, {begun: sorted(following) for begun, following in onward.items()}
-
     def begin(self, frames: Sequence[Samples]) -> None:
         self._sound.clear()
         self._sound.extend(np.nan_to_num(samples, posinf=0.0, neginf=0.0) for samples in frames)
+        self._whole = list(self._sound)
         self._length = 0
         self._since = EVERY_FRAMES
         self._looked = 0
@@ -165,10 +146,12 @@ class WhisperReflex:
         self._length += 1
         self._since += 1
         early = self._length <= EARLY_FRAMES
+        if early:
+            self._whole.append(self._sound[-1])
         due = self._since >= (EVERY_FRAMES if early else LATER_FRAMES) and not self._quiet()
         if not due:
             return self._worker is not None and self._worker.found
-        view = _View(tuple(self._sound), self._looked == 0, early)
+        view = _View(tuple(self._sound), self._looked == 0, tuple(self._whole) if early else ())
         if self._worker is None:
             found = self._look(view)
         elif self._worker.offer(view):
@@ -191,8 +174,12 @@ class WhisperReflex:
         if view.first:
             self._evidence.clear()
         found = self.probability(np.concatenate(view.frames))
+        threshold = self._threshold * (1.0 if view.whole else LATER)
+        if view.whole and threshold * OPEN_QUESTION <= found < threshold:
+            second = self._asked_second()
+            if second is not None:
+                found = (found + second.probability(np.concatenate(view.whole))) / 2
         self._evidence.append(math.log(max(found, 1e-9)))
-        threshold = self._threshold * (1.0 if view.early else LATER)
         together = len(self._evidence) == LOOKS and sum(self._evidence) / LOOKS >= math.log(threshold * AGREED)
         return found >= threshold or together
 
@@ -201,19 +188,17 @@ class WhisperReflex:
         if samples.size < SAMPLE_RATE // 10:
             return 0.0
         encoded = self._whisper.encode(samples, INPUT_SECONDS)
-        total = 0.0
-        begun: tuple[int, ...] | None = ()
-        chance = 1.0
-        while begun is not None and total < self._threshold * LATER:
-            row = self._next(encoded.features, begun)
-            ways = [((*begun, token), chance * float(row[token])) for token in self._onward[begun]]
-            total += sum(likely for way, likely in ways if way in self._complete)
-            begun, chance = max(
-                ((way, likely) for way, likely in ways if way not in self._complete and likely >= OPEN),
-                key=lambda way: way[1],
-                default=(None, 0.0),
-            )
-        return total
+        return self._pieces.chance(lambda begun: self._next(encoded.features, begun), self._threshold * LATER)
+
+    def _asked_second(self) -> MoonshineStops | None:
+        """The second model; None: there is none, or it is not loaded yet."""
+        ready = self._second is not None and (self._worker is None or self._second.done())
+        if self._second is not None and ready:
+            loaded = None if self._second.exception() else self._second.result()
+            if loaded is not None:
+                self._second_ears = MoonshineStops(loaded, self.phrases, self._leads)
+            self._second = None
+        return self._second_ears
 
     def _next(self, features: Any, begun: Sequence[int]) -> Any:
         """Probability of each token after a beginning, ``(tokens,)``."""
@@ -238,8 +223,8 @@ class _View:
     frames: tuple[Samples, ...]
     first: bool
     """Of its utterance."""
-    early: bool
-    """Whether the utterance has only begun."""
+    whole: tuple[Samples, ...]
+    """All since the onset, if the utterance has only begun; else empty."""
 
 
 class _Worker:
@@ -304,7 +289,12 @@ class _Worker:
 
 
 def reflex_for(
-    engine: IntentEngine, *, language: str | None = None, model: str | None = None, background: bool = True
+    engine: IntentEngine,
+    *,
+    language: str | None = None,
+    model: str | None = None,
+    background: bool = True,
+    beside: Recognizer | None = None,
 ) -> WhisperReflex:
     """The reflex of an engine: the stop phrases of its grammar, after any of its fillers and wake words.
 
@@ -313,10 +303,13 @@ def reflex_for(
         language: of the grammar; None: its first.
         model: None: tiny.en for English, tiny for other languages.
         background: see :class:`WhisperReflex`.
+        beside: the recogniser of the same robot; if its second model is Moonshine, the reflex asks that too.
 
     Raises:
         WeightsError: the model cannot be found or loaded.
     """
+    from intent_engine.speech.second_opinion import SecondOpinion
+
     grammar = engine.matcher(language).grammar
     leads = [" ".join(words) for words in (*grammar.wake, *grammar.operators.correction, *grammar.fillers)]
     return WhisperReflex(
@@ -325,6 +318,7 @@ def reflex_for(
         model=model or ("tiny.en" if grammar.language == "en" else "tiny"),
         language=grammar.language,
         background=background,
+        second=beside.second_weights() if isinstance(beside, SecondOpinion) and grammar.language == "en" else None,
     )
 
 

@@ -29,6 +29,7 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.evidence import letters_apart
+from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
     find_moonshine,
@@ -147,6 +148,16 @@ class SecondOpinion:
         if look.doubtful and final:
             transcript = self._searched(look)
         return replace(transcript, draft=look.doubtful and not final, decode_seconds=time.perf_counter() - began)
+
+    def second_weights(self) -> Future[MoonshineModel | None]:
+        """The weights of the second model as soon as they are loaded, for others who listen; None: it is no
+        Moonshine."""
+
+        def weights() -> MoonshineModel | None:
+            second = self._second.result()
+            return second.model if isinstance(second, MoonshineRecognizer) else None
+
+        return self._beside.submit(weights)
 
     def _look(self, samples: Samples) -> _Look:
         """What both models make of a sound at first sight. The second looks while the first still compares, unless that

@@ -25,7 +25,7 @@ def known(request, go_forward):
     if moonshine_package() is None:
         pytest.skip("Moonshine's package is for Linux on x86-64")
     moonshine = ScoringMoonshine()
-    return moonshine._decoder, moonshine.encode(sound).features[0], (BEGINNING,)
+    return moonshine.model.decoder, moonshine.encode(sound).features[0], (BEGINNING,)
 
 
 @pytest.fixture(scope="module")

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from concurrent.futures import Future
 
 import numpy as np
 import pytest
 import soundfile
 from speech_stage import DATA, ROOT, Jumpy, framed
 
+from intent_engine.errors import WeightsError
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.moonshine import MoonshineModel
 from intent_engine.speech.reflex import (
     AGREED,
     EARLY_FRAMES,
@@ -19,12 +22,14 @@ from intent_engine.speech.reflex import (
     LATER,
     LATER_FRAMES,
     LOOKS,
+    OPEN_QUESTION,
     QUIET,
     THRESHOLD,
     WINDOW_FRAMES,
     WhisperReflex,
     reflex_for,
 )
+from intent_engine.speech.second_opinion import recognizer_for
 from intent_engine.speech.voice import SileroVoice
 
 
@@ -130,6 +135,68 @@ def test_where_nothing_new_is_heard_nothing_is_looked_at(reflex, monkeypatch) ->
     assert max(counted) <= 512 * WINDOW_FRAMES
 
 
+class Second:
+    """Another model, which finds a stop phrase with this probability."""
+
+    def __init__(self, found: float) -> None:
+        self.found = found
+        self.asked: list[int] = []
+
+    def probability(self, samples: np.ndarray) -> float:
+        self.asked.append(samples.size // 512)
+        return self.found
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "held", "asked"),
+    [
+        (THRESHOLD * 0.6, THRESHOLD * 1.5, [0], [1]),
+        (THRESHOLD * 0.6, THRESHOLD * 0.5, [4], [1, 3, 5]),
+        (THRESHOLD * 0.6, 0.0, [], [1, 3, 5, 7, 9, 11, 13, 15, 17, 19]),
+        (THRESHOLD * OPEN_QUESTION * 0.9, 1.0, [], []),
+        (THRESHOLD * 1.1, 0.0, [0], []),
+    ],
+    ids=["sure", "likely thrice", "another word", "not asked about what is clear", "nor about what is sure"],
+)
+def test_a_second_model_has_a_say_in_the_first_word(reflex, monkeypatch, first, second, held, asked):
+    other = Second(second)
+    monkeypatch.setattr(reflex, "_asked_second", lambda: other)
+    frames = looked(reflex, monkeypatch, [first] * 10, LOUD)
+    assert frames[:1] == held
+    assert other.asked[: len(asked)] == asked
+    if not held:
+        assert other.asked == asked, "of what comes later it is not asked"
+
+
+def test_a_second_model_is_asked_once_it_is_there(engine, spoken, demo):
+    row = next(row for row in spoken if row["action"] == "stop")
+    sound = said(demo, row)
+    coming: Future[MoonshineModel | None] = Future()
+    made = WhisperReflex([("stop",)], second=coming)
+    try:
+        assert made._asked_second() is None
+        coming.set_result(MoonshineModel.load("moonshine-base"))
+        second = made._asked_second()
+        assert second is made._asked_second()
+        assert second.probability(sound) > 0.5
+        assert second.probability(np.zeros(SAMPLE_RATE // 2, np.float32)) < THRESHOLD
+    finally:
+        made.close()
+
+
+@pytest.mark.parametrize("outcome", ["none", "broken"])
+def test_without_a_second_model_it_goes_on_alone(outcome):
+    coming: Future[MoonshineModel | None] = Future()
+    if outcome == "none":
+        coming.set_result(None)
+    else:
+        coming.set_exception(WeightsError("the weights are damaged"))
+    made = WhisperReflex([("stop",)], second=coming, background=False)
+    assert made._asked_second() is None
+    assert made._asked_second() is None
+    made.close()
+
+
 def test_longer_phrases_are_heard_at_their_beginning(reflex) -> None:
     assert ("stop",) in reflex.phrases
     assert not any(words[0] == "stop" and len(words) > 1 for words in reflex.phrases)
@@ -194,8 +261,8 @@ def kitchen_noise(samples: np.ndarray, snr: float, seed: int) -> np.ndarray:
 
 
 @pytest.mark.data
-@pytest.mark.parametrize(("snr", "most_missed", "most_others"), [(None, 0, 1), (10.0, 2, 2)])
-def test_people_who_say_stop(reflex, snr, most_missed, most_others) -> None:
+@pytest.mark.parametrize(("snr", "most_missed", "most_others"), [(None, 0, 1), (10.0, 1, 2)])
+def test_people_who_say_stop(engine, snr, most_missed, most_others) -> None:
     labels = DATA / "gsc_words" / "labels.jsonl"
     if not labels.exists():
         pytest.skip("the recordings of ../shared/data are not here")
@@ -203,6 +270,8 @@ def test_people_who_say_stop(reflex, snr, most_missed, most_others) -> None:
     stops = [row for row in rows if row["label"] == "stop"][:24]
     others = [row for row in rows if row["label"] not in ("stop", "_silence_")][::15]
     quiet = np.zeros(int(0.5 * SAMPLE_RATE), np.float32)
+    recognizer = recognizer_for(engine)
+    reflex = reflex_for(engine, background=False, beside=recognizer)
 
     def held(numbered: tuple[int, dict[str, str]]) -> bool:
         seed, row = numbered
@@ -212,3 +281,5 @@ def test_people_who_say_stop(reflex, snr, most_missed, most_others) -> None:
 
     assert sum(map(held, enumerate(stops))) >= len(stops) - most_missed
     assert sum(map(held, enumerate(others))) <= most_others
+    recognizer.close()
+    reflex.close()
