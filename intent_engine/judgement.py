@@ -7,6 +7,7 @@ that acts on a guess does what was not said.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine, PrefixStatus
@@ -31,9 +32,16 @@ ANOTHER_WORD = 1.75
 """unless another word was heard that is likelier by this gap: "wow" is not "whoa". Of 58 "stop" by as many people,
 clean and at 10 dB, none had a gap above 1.5 where tiny.en was sure of it at 0.4 to 0.7; 13 "wow" had 1.8 to 2.7."""
 
+HARDLY_A_WORD = -1.5
+"""Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
+for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-reflex.md)."""
+
 CLEARLY = -0.35
 """Mean log probability of the words heard, below which quiet ones beside a pause may be lost: of what is heard in doubt
 of orders of coffee four of ten are below it in quiet, and six of ten at 6 dB."""
+
+
+_HELD = "a stop was heard before the word had ended, and nothing else was heard clearly"
 
 
 class Judge:
@@ -85,6 +93,22 @@ class Judge:
                 alternatives=(transcript.text,),
             )
         return meaning
+
+    def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
+        """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended: a
+        stop, unless something else was heard clearly. To go on would pass over a stop; to stand costs a word.
+
+        Args:
+            transcript: what was heard.
+            meaning: what it means by itself.
+        """
+        sure = meaning.status is Status.ACCEPTED and transcript.sureness >= SURE_ENOUGH_OF_SEVERAL
+        if meaning.stops or sure or transcript.score > HARDLY_A_WORD:
+            return meaning
+        language = self._language(transcript)
+        phrase = next(iter(self.engine.matcher(language).grammar.operators.stop))
+        stop = self.engine.parse(" ".join(phrase), language=language)
+        return replace(stop, confidence=SURE_ENOUGH_TO_STOP, reason=_HELD)
 
     def unsure(self, transcript: Transcript, meaning: Interpretation | None = None) -> bool:
         """Whether the sentence of the grammar that was found is too unlikely to have been said.

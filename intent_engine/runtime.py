@@ -214,6 +214,7 @@ class Runtime:
             if utterance is not None:
                 self._end(utterance, frame.time, waiting)
                 self._endpoint.reset()
+            recent.clear()
             return None
         probability = self._voice.probability(frame.samples)
         signal = self._endpoint.frame(probability)
@@ -239,6 +240,11 @@ class Runtime:
             utterance.job, utterance.result, utterance.judged = None, None, False
         elif signal in (Signal.ENDED, Signal.SHORT):
             utterance.short = signal is Signal.SHORT
+            if not utterance.short:
+                # What was said already is no part of what follows: "turn left" would be done, and then "left".
+                silent = round((frame.time - utterance.last_voice) / FRAME_SECONDS)
+                while len(recent) > silent:
+                    recent.popleft()
             self._end(utterance, frame.time, waiting)
             return None
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
@@ -375,6 +381,8 @@ class Runtime:
                 self._release(time, "nothing was said")
             return
         meaning = self._judgement.meaning(transcript, self._state(), self._last)
+        if self._held:
+            meaning = self._judgement.held(transcript, meaning)
         if utterance.short and not meaning.stops:
             if self._held:
                 self._release(time, "too short to be another word than a stop")

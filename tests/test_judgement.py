@@ -10,6 +10,7 @@ from intent_engine import IntentEngine, Status
 from intent_engine.judgement import (
     ANOTHER_WORD,
     CLEARLY,
+    HARDLY_A_WORD,
     SURE_ENOUGH,
     SURE_ENOUGH_OF_SEVERAL,
     SURE_ENOUGH_TO_STOP,
@@ -172,3 +173,25 @@ def test_an_intent_says_how_sure_it_must_be_but_a_stop_is_never_harder(tmp_path,
     judge = Judge(IntentEngine.from_files(tmp_path / "own.yaml"))
     assert judge.meaning(heard(text, enough), (), ()).status is Status.ACCEPTED
     assert judge.meaning(heard(text, enough - 0.01), (), ()).actions == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "score", "confidence", "stops"),
+    [
+        ("go", HARDLY_A_WORD - 0.1, 0.74, True),
+        ("go", HARDLY_A_WORD - 0.1, SURE_ENOUGH_OF_SEVERAL, False),
+        ("go", HARDLY_A_WORD + 0.1, 0.74, False),
+        ("back", HARDLY_A_WORD - 0.1, 0.09, True),
+        ("seven", -0.3, 0.0, False),
+        ("stop", HARDLY_A_WORD - 0.1, 0.46, True),
+        ("don't stop", HARDLY_A_WORD - 0.1, 1.0, True),
+    ],
+)
+def test_a_stop_that_was_felt_stays_one_unless_something_else_was_heard(judge, text, score, confidence, stops):
+    """What was "stop" in noise became "go" (0.74), and the robot drove on."""
+    transcript = Transcript(text, score, "Oh", gap=1.0, confidence=confidence)
+    alone = judge.meaning(transcript, (), ())
+    held = judge.held(transcript, alone)
+    assert held.stops is stops
+    if not stops or alone.stops:
+        assert held is alone

@@ -11,10 +11,10 @@ import numpy as np
 
 from intent_engine import Executor, SimulatedRobot
 from intent_engine.runtime import Heard, HeardKind, Summary
-from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame, Resampler
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["DATA", "ROOT", "Frames", "Jumpy", "Listened", "Says", "framed"]
+__all__ = ["DATA", "ROOT", "Frames", "Jumpy", "Listened", "Says", "Voiced", "framed"]
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DATA = ROOT.parent / "shared" / "data"
@@ -56,6 +56,22 @@ class Jumpy:
         return True
 
     def close(self) -> None: ...
+
+
+class Voiced:
+    """A voice detector that hears speech at some times: (begin, end) in s."""
+
+    def __init__(self, *times: tuple[float, float]) -> None:
+        self._times = times
+        self._frames = 0
+
+    def reset(self) -> None:
+        self._frames = 0
+
+    def probability(self, samples: np.ndarray) -> float:
+        time = self._frames * FRAME_SECONDS
+        self._frames += 1
+        return float(any(begin - 1e-6 <= time < end - 1e-6 for begin, end in self._times))
 
 
 def framed(samples: np.ndarray, rate: int = SAMPLE_RATE) -> list[Frame]:

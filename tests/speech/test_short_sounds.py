@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from speech_stage import Jumpy, Listened, Says
+from speech_stage import Jumpy, Listened, Says, Voiced
 
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
@@ -15,28 +15,12 @@ LONG, SHORT = 1.0, 2 * FRAME_SECONDS
 """s of speech: a command, and what the voice detector heard of one "stop" of 58."""
 
 
-class Heard:
-    """A voice detector that hears speech at some times: (begin, end) in s."""
-
-    def __init__(self, *times: tuple[float, float]) -> None:
-        self._times = times
-        self._frames = 0
-
-    def reset(self) -> None:
-        self._frames = 0
-
-    def probability(self, samples: np.ndarray) -> float:
-        time = self._frames * FRAME_SECONDS
-        self._frames += 1
-        return float(any(begin - 1e-6 <= time < end - 1e-6 for begin, end in self._times))
-
-
 @pytest.fixture
 def hear(listen):
     def run(lengths: Sequence[float], *texts: str, **options: object) -> Listened:
         times = [(1.0 + 2.0 * number, 1.0 + 2.0 * number + length) for number, length in enumerate(lengths)]
         sound = np.zeros(int((times[-1][1] + 1.5) * SAMPLE_RATE), np.float32)
-        return listen(sound, Says(*texts), voice=Heard(*times), noise_filter=None, **options)
+        return listen(sound, Says(*texts), voice=Voiced(*times), noise_filter=None, **options)
 
     return run
 
