@@ -64,7 +64,7 @@ def test_every_frame_of_speech_is_heard_in_one_utterance(engine, spans, text):
 
 
 def test_what_was_done_is_not_done_again_by_its_own_end(listen):
-    """The "p" of "stop" comes after a silence, and so does the "t" of "turn left", of which "left" alone is a command."""
+    """The "p" of "stop" comes after a silence, as does the "t" of "turn left", of which "left" alone is a command."""
     recognizer = Asked("turn left ninety degrees")
     frames = numbered(80)
     tail = 0.9 + 5 * FRAME_SECONDS
