@@ -36,6 +36,10 @@ HARDLY_A_WORD = -1.5
 """Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
 for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-reflex.md)."""
 
+HARDLY_A_SENTENCE = 2
+"""Words heard, above which more was said than a stop: hardly any stop phrase is longer. At 10 dB a sentence is often
+heard as hardly a word, and some of them hold the robot: "Please now take one" was "move backward one meter"."""
+
 CLEARLY = -0.35
 """Mean log probability of the words heard, below which quiet ones beside a pause may be lost: of what is heard in doubt
 of orders of coffee four of ten are below it in quiet, and six of ten at 6 dB."""
@@ -95,15 +99,18 @@ class Judge:
         return meaning
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
-        """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended: a
-        stop, unless something else was heard clearly. To go on would pass over a stop; to stand costs a word.
+        """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
+
+        That is a stop, unless something else was heard clearly, or more words than a stop has. To go on would pass over
+        a stop; to stand costs a word.
 
         Args:
             transcript: what was heard.
             meaning: what it means by itself.
         """
         sure = meaning.status is Status.ACCEPTED and transcript.sureness >= SURE_ENOUGH_OF_SEVERAL
-        if meaning.stops or sure or transcript.score > HARDLY_A_WORD:
+        longer = len(transcript.free_text.split()) > HARDLY_A_SENTENCE
+        if meaning.stops or sure or longer or transcript.score > HARDLY_A_WORD:
             return meaning
         language = self._language(transcript)
         phrase = next(iter(self.engine.matcher(language).grammar.operators.stop))

@@ -176,20 +176,22 @@ def test_an_intent_says_how_sure_it_must_be_but_a_stop_is_never_harder(tmp_path,
 
 
 @pytest.mark.parametrize(
-    ("text", "score", "confidence", "stops"),
+    ("text", "free_text", "score", "confidence", "stops"),
     [
-        ("go", HARDLY_A_WORD - 0.1, 0.74, True),
-        ("go", HARDLY_A_WORD - 0.1, SURE_ENOUGH_OF_SEVERAL, False),
-        ("go", HARDLY_A_WORD + 0.1, 0.74, False),
-        ("back", HARDLY_A_WORD - 0.1, 0.09, True),
-        ("seven", -0.3, 0.0, False),
-        ("stop", HARDLY_A_WORD - 0.1, 0.46, True),
-        ("don't stop", HARDLY_A_WORD - 0.1, 1.0, True),
+        ("go", "Oh", HARDLY_A_WORD - 0.1, 0.74, True),
+        ("go", "Oh", HARDLY_A_WORD - 0.1, SURE_ENOUGH_OF_SEVERAL, False),
+        ("go", "Oh", HARDLY_A_WORD + 0.1, 0.74, False),
+        ("back", "Oh", HARDLY_A_WORD - 0.1, 0.09, True),
+        ("seven", "7", -0.3, 0.0, False),
+        ("stop", "Oh", HARDLY_A_WORD - 0.1, 0.46, True),
+        ("go back", "start spreading", HARDLY_A_WORD - 0.1, 0.34, True),
+        ("go back", "please now take one", HARDLY_A_WORD - 0.1, 0.34, False),
+        ("don't stop", "Oh", HARDLY_A_WORD - 0.1, 1.0, True),
     ],
 )
-def test_a_stop_that_was_felt_stays_one_unless_something_else_was_heard(judge, text, score, confidence, stops):
+def test_a_stop_that_was_felt_stays_one_unless_another_was_heard(judge, text, free_text, score, confidence, stops):
     """What was "stop" in noise became "go" (0.74), and the robot drove on."""
-    transcript = Transcript(text, score, "Oh", gap=1.0, confidence=confidence)
+    transcript = Transcript(text, score, free_text, gap=1.0, confidence=confidence)
     alone = judge.meaning(transcript, (), ())
     held = judge.held(transcript, alone)
     assert held.stops is stops
