@@ -81,6 +81,8 @@ class Slot:
     """SI, inclusive."""
     maximum: float | None = None
     """SI, inclusive."""
+    usual_step: float | None = None
+    """SI: people say its multiples. Another number that sounds like one must be heard far more clearly; None: any."""
     values: tuple[tuple[Any, Node], ...] = ()
     """Choice: value and the template that spells it."""
     max_words: int = 4

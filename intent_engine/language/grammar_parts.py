@@ -18,7 +18,7 @@ from intent_engine.language.yaml_source import YamlPath, YamlSource
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max")),
+    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "usual_step")),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -165,14 +165,16 @@ class PartReader:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{unit!r} is not a unit of {kind}", hint)
             unit = None
-        low, high = (
+        low, high, step = (
             self.quantity((*path, key), kind, spec[key], unit)
             if key in spec and kind in QUANTITY_KINDS and (*path, key) not in source.broken
             else None
-            for key in ("min", "max")
+            for key in ("min", "max", "usual_step")
         )
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
+        if step is not None and step <= 0:
+            source.problem((*path, "usual_step"), f"{spec['usual_step']!r} has no multiples", "more than 0: 5 deg")
         values = self._values(values_at, name, kind, spec.get("values")) if kind in ("choice", "boolean") else ()
         if len(source.problems) > before or any(broken[: len(path)] == path for broken in source.broken):
             return None
@@ -182,6 +184,7 @@ class PartReader:
             unit=unit,
             minimum=low,
             maximum=high,
+            usual_step=step,
             values=values,
             max_words=spec.get("max_words", 4),
             allow=frozenset(word for text in spec.get("allow", ()) for word in plain_phrase(text)),

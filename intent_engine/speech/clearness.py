@@ -94,9 +94,14 @@ class Clearness(Scoring):
             said, *others = self.score_words(encoded, [words, *rivals.values()], language)
             ahead = [said - other for other in others]
         return {
-            word: apart - RIVAL_MARGIN + (TEEN if word.endswith("ty") else -TEEN)
-            for word, apart in zip(rivals, ahead, strict=True)
+            word: apart - RIVAL_MARGIN + (TEEN if word.endswith("ty") else -TEEN) + self._usual(words, other, language)
+            for (word, other), apart in zip(rivals.items(), ahead, strict=True)
         }
+
+    def _usual(self, words: Sequence[str], other: Sequence[str], language: str | None) -> float:
+        """nats by which the numbers of a sentence are more usual than those of another."""
+        said, instead = (self.grammar.parse(" ".join(one), language) for one in (words, other))
+        return self.grammar.unusual(instead, language) - self.grammar.unusual(said, language)
 
     def _heard_apart(self, encoded: Encoded, other: Sequence[str], language: str | None) -> float:
         """nats by which what was heard freely is likelier than another sentence, at the piece where they part."""

@@ -21,6 +21,7 @@ from intent_engine.language.utterance import Utterance
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.opinion import Reading
+from intent_engine.speech.usual import UsualNumbers
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
 
 if TYPE_CHECKING:
@@ -41,6 +42,9 @@ FULL_CIRCLE = 2 * math.pi + 0.01
 """rad of a turn that people ask for, and a little."""
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
+UNUSUAL = 2.0
+"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, and a turn of
+more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
     | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
@@ -69,6 +73,7 @@ class _Known:
     words: frozenset[str]
     in_slots: frozenset[str]
     search: UtteranceSearch
+    usual: UsualNumbers
     least: float
     """Confidence from which anything is acted on."""
     found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
@@ -125,7 +130,9 @@ class SpokenGrammar:
         if any(word not in words and not _stands_for(word, misheard) for word in story):
             return False
         meaning = self.parse(" ".join(words), language)
-        known = meaning.status in (Status.ACCEPTED, Status.AMBIGUOUS) or meaning.refuses
+        # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.
+        asks = meaning.status is Status.AMBIGUOUS and len(meaning.alternatives) > 1
+        known = meaning.status is Status.ACCEPTED or asks or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
@@ -165,9 +172,7 @@ class SpokenGrammar:
         """Whether an exact sentence is what people say: without words in free slots that no list has, without a word
         inside that says nothing ("turn like by sixteen degrees"), and without a turn of more than a circle ("five
         fourteen degrees" was "by fourteen"). Else it may be another that was heard a little wrong."""
-        turns = (action.angle for action in meaning.actions if isinstance(action, Turn))
-        round_and_round = any(abs(angle) > FULL_CIRCLE for angle in turns)
-        return not (round_and_round or self._empty_inside(words, language) or self.unknown(words, meaning, language))
+        return not (_circles(meaning) or self._empty_inside(words, language) or self.unknown(words, meaning, language))
 
     def _empty_inside(self, words: Sequence[str], language: str | None) -> bool:
         """Whether words that say nothing stand between others of a sentence."""
@@ -195,6 +200,10 @@ class SpokenGrammar:
         known = self._known(language).in_slots
         return [word for word in said_in_slots(meaning.slots) if word not in known]
 
+    def unusual(self, meaning: Interpretation, language: str | None = None) -> float:
+        """nats by which a sentence is less likely for its numbers, before it was heard."""
+        return UNUSUAL * (self._known(language).usual.unusual(meaning) + _circles(meaning))
+
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
         """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
 
@@ -203,8 +212,10 @@ class SpokenGrammar:
         rows = []
         for words, seen in views.items():
             unknown = sum(isinstance(word, FreeWord) for word in words)
+            meaning = self.parse(" ".join(words), language)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
-            rows.append((rank, words, seen, unknown, self.parse(" ".join(words), language).actions))
+            rank -= self.unusual(meaning, language)
+            rows.append((rank, words, seen, unknown, meaning.actions))
         rows.sort(key=lambda row: (-row[0], row[1]))
         readings = []
         for place, (rank, words, seen, unknown, actions) in enumerate(rows):
@@ -235,7 +246,9 @@ class SpokenGrammar:
             search = UtteranceSearch(matcher.likely, words)
             asked = [intent.min_confidence for intent in matcher.grammar.intents.values()]
             least = min([SURE_ENOUGH, *(one for one in asked if one is not None)])
-            known = self._kept[language] = _Known(matcher, words, known_in_slots(matcher), search, least)
+            known = self._kept[language] = _Known(
+                matcher, words, known_in_slots(matcher), search, UsualNumbers(matcher.grammar), least
+            )
         return known
 
     def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
@@ -305,6 +318,11 @@ def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: in
         if letters >= least and min(nearer, default=0.0) >= BEYOND * letters:
             return end
     return ()
+
+
+def _circles(meaning: Interpretation) -> int:
+    """Turns of more than a circle in a sentence."""
+    return sum(isinstance(action, Turn) and abs(action.angle) > FULL_CIRCLE for action in meaning.actions)
 
 
 def _phrase_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:

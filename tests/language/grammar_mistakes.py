@@ -120,6 +120,9 @@ MISTAKES: dict[str, str | bytes] = {
     "min larger than max": slot("{type: distance, min: 5 m, max: 10 cm}"),
     "a limit in the wrong unit": slot("{type: distance, min: 5 kg}"),
     "a limit in words that are no number": slot("{type: duration, max: long}"),
+    "a usual step of nothing": slot("{type: angle, usual_step: 0 deg}"),
+    "a usual step for words": slot("{type: text, usual_step: 5}"),
+    "a usual step in the wrong unit": slot("{type: angle, usual_step: 5 m}"),
     "a unit of something else": slot("{type: angle, unit: m}"),
     "too many words": slot("{type: text, max_words: 40}"),
     # -- actions and their values

@@ -31,7 +31,8 @@ SMALL = {
         "language": "en", "include": ["other.yaml"], "fillers": ["please"], "wake": ["robot"],
         "phrases": {"go": "(go|move)", "from": ["a", "b"]},
         "slots": {
-            "far": {"type": "distance", "min": 0.5, "max": "20 m", "unit": "m"}, "side": ["left", "right"],
+            "far": {"type": "distance", "min": 0.5, "max": "20 m", "unit": "m", "usual_step": 1},
+            "side": ["left", "right"],
             "thing": {"type": "text", "max_words": 4, "without": ["it"], "fuzzy": False}, "free": "text",
             "colour": {"values": {"red": ["red", "crimson"], "blue": "blue"}},
         },

@@ -50,6 +50,13 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     for margin, unclear in ((1.9, ("fifty",)), (2.0, ())):
         heard("fifty", "50", margin)
         assert unclear_words(whisper, encoded, ["turn", "left", "fifty", "degrees"], "en") == unclear
+    # Angles are multiples of five degrees, mostly.
+    for margin, unclear in ((5.9, ("sixteen",)), (6.0, ())):
+        heard("sixteen", "16", margin)
+        assert unclear_words(whisper, encoded, ["turn", "left", "sixteen", "degrees"], "en") == unclear
+    for margin, unclear in ((-0.1, ("sixty",)), (0.0, ())):
+        heard("sixty", "60", margin)
+        assert unclear_words(whisper, encoded, ["turn", "left", "sixty", "degrees"], "en") == unclear
     assert unclear_words(whisper, encoded, ["go", "to", "the", "kitchen"], "en") == ()
     heard("fifteen", "15", 0.0)
     assert unclear_words(whisper, encoded, words, "en") == ("fifteen",)

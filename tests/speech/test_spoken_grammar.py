@@ -93,8 +93,9 @@ def test_a_word_of_the_grammar_is_no_thing_that_it_knows(engine, grammar, text, 
         ("turn left", ("when",), False),
         ("head to the kitchen", ("had",), True),
         ("so now", (), False),
+        ("take me to duck", (), False),
     ],
-    ids=["a command", "a refusal", "no sentence", "a story", "what may have been misheard", "sounds"],
+    ids=["a command", "a refusal", "no sentence", "a story", "what may have been misheard", "sounds", "a near name"],
 )
 def test_what_may_be_meant(grammar, text, story, possible):
     assert grammar.possible(text.split(), story) is possible
