@@ -83,7 +83,8 @@ class _Ways:
 
     def names(self, word: str) -> bool:
         """Whether any member says something of this very word."""
-        return word in self.special or any(word in arcs for arcs, _, _ in self.arcs)
+        named = word in self.special or any(word in arcs for arcs, _, _ in self.arcs)
+        return named or any(word in place.refused for place, _, _ in self.wild)
 
 
 class WordState:
@@ -130,6 +131,8 @@ class Automaton:
         loose: also enter the networks for names that may be misspelled, and read sound-alikes.
         traced: whether sentences are read back, and ways on; else it is only walked, and new states are made faster,
             since two ways that differ in preference lead to one state.
+        refusing: whether no free slot swallows what is nothing for it, so that no sentence is found that would be
+            refused; else it is read, and told.
         is_numeral: tells whether a word is a numeral.
         is_number_word: tells whether a word is a number word of the language.
         closed_words: words that a free slot never swallows.
@@ -143,6 +146,7 @@ class Automaton:
         *,
         loose: bool = False,
         traced: bool = True,
+        refusing: bool = False,
         is_numeral: Callable[[str], bool],
         is_number_word: Callable[[str], bool],
         closed_words: frozenset[str] = frozenset(),
@@ -152,6 +156,7 @@ class Automaton:
         self._root = root
         self._loose = loose
         self._traced = traced
+        self._refusing = refusing
         self._is_numeral = is_numeral
         self._is_number_word = is_number_word
         self._closed = closed_words
@@ -260,7 +265,7 @@ class Automaton:
         swallowed: list[_Entry] = [
             (target, stack, index, ())
             for place, stack, index in ways.wild
-            if free or word in place.allowed
+            if (free or word in place.allowed) and not (self._refusing and word in place.refused)
             for target in (place.begun if word in place.begins else place.wild)
         ]
         if not (onward or guessed or swallowed):

@@ -61,13 +61,14 @@ class Matcher:
 
     # -- building ---------------------------------------------------------------------------------------------
 
-    def _automaton(self, root: State, *, loose: bool, traced: bool = True) -> Automaton:
+    def _automaton(self, root: State, *, loose: bool, traced: bool = True, refusing: bool = False) -> Automaton:
         language = self.grammar.language
         return Automaton(
             self.networks,
             root,
             loose=loose,
             traced=traced,
+            refusing=refusing,
             is_numeral=quantities.is_numeral,
             is_number_word=lambda word: quantities.is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
@@ -90,7 +91,8 @@ class Matcher:
     @cached_property
     def likely(self) -> Automaton:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
-        the middle of a misheard sentence is noise, and one that was said there is heard as it is. It is only walked."""
+        the middle of a misheard sentence is noise, and one that was said there is heard as it is. Nor does a free slot
+        take words of its ``without``. It is only walked."""
         return self._utterances(stop_anywhere=False)
 
     @cached_property
@@ -171,7 +173,7 @@ class Matcher:
             alone.final = True
             begin.edges.append(Edge(alone, call=Call("stop")))
         end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
-        return self._automaton(begin, loose=False, traced=stop_anywhere)
+        return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
 
     def _add_networks(self) -> None:
         grammar = self.grammar
@@ -183,7 +185,7 @@ class Matcher:
             self.networks.add_wild(f"wild:{words}", words)
             self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
         for slot in grammar.slots.values():
-            if slot.allow or slot.known:
+            if slot.allow or slot.known or slot.without:
                 self.networks.add_wild(
                     f"text:{slot.name}",
                     slot.max_words,
@@ -191,6 +193,7 @@ class Matcher:
                     free.unfinished,
                     free.alone,
                     slot.known | ARTICLES if slot.known else slot.known,
+                    slot.without,
                 )
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
@@ -229,7 +232,7 @@ class Matcher:
             if slot is None:
                 scope[name] = Call(f"phrase:{name}")
             elif slot.type in FREE_KINDS:
-                key = f"text:{name}" if slot.allow or slot.known else f"free:{slot.max_words}"
+                key = f"text:{name}" if slot.allow or slot.known or slot.without else f"free:{slot.max_words}"
                 scope[f"{name}:{label}"] = Call(key, ("slot", label, name))
             else:
                 loose = None

@@ -49,7 +49,9 @@ class Edge:
 class State:
     """A place in a network."""
 
-    __slots__ = ("allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "wild")
+    __slots__ = (
+        "allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "refused", "wild",
+    )  # fmt: skip
 
     def __init__(self) -> None:
         self.arcs: dict[str, tuple[State, ...]] = {}
@@ -69,6 +71,8 @@ class State:
         self.begun: tuple[State, ...] = ()
         self.known: frozenset[str] = frozenset()
         """Words that are likely in this free slot."""
+        self.refused: frozenset[str] = frozenset()
+        """Words that show that something else is meant than what this free slot takes."""
         self.final = False
         """The end of its network."""
         self.expand: Callable[[State], None] | None = None
@@ -145,6 +149,7 @@ class Networks:
         begins: frozenset[str] = frozenset(),
         alone: frozenset[str] = frozenset(),
         known: frozenset[str] = frozenset(),
+        refused: frozenset[str] = frozenset(),
     ) -> None:
         """One to ``max_words`` words of any kind.
 
@@ -155,8 +160,9 @@ class Networks:
             begins: words that are never the last.
             alone: words that are never the only one.
             known: words that are likely.
+            refused: words with which nothing is meant that it takes.
         """
-        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins, known)
+        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins, known - refused, refused)
 
 
 def _template(node: Node, scope: Mapping[str, Call]) -> Network:
@@ -255,6 +261,7 @@ def _wild(
     begins: frozenset[str],
     alone: frozenset[str],
     known: frozenset[str],
+    refused: frozenset[str],
 ) -> Network:
     start, end = State(), State()
     end.final = True
@@ -264,6 +271,7 @@ def _wild(
         here.wild = (there,)
         here.allowed = allowed
         here.known = known
+        here.refused = refused
         here.begins = (alone if here is start else begins) - allowed
         if left:
             here.begun = (begun,)

@@ -259,6 +259,36 @@ def test_a_word_that_no_sentence_names_is_walked_once_for_all_such_words(monkeyp
     assert steps() == 3
 
 
+NOTHING_FOR_IT = st.lists(st.sampled_from(["ant", "bee", "cat", "yak", "zoo", "7"]), max_size=5)
+
+
+@given(said=NOTHING_FOR_IT, without=NOTHING_FOR_IT.map(frozenset))
+def test_what_was_probably_said_has_nothing_in_a_slot_that_is_nothing_for_it(said: list[str], without: frozenset[str]):
+    """A search that finds "fetch the big right apple" only to hear that "right" is nothing to fetch finds no other."""
+    slots = {"free": Slot("free", "text", max_words=3, without=without)}
+    templates = [parse_template("ant {free} [bee]"), parse_template("[{free}] cat")]
+    matcher = Matcher(grammar_of(templates, slots=slots))
+
+    def thing(words: list[str]) -> bool:
+        return 1 <= len(words) <= 3 and without.isdisjoint(words)
+
+    ant = said[:1] == ["ant"] and (thing(said[1:]) or (said[-1] == "bee" and thing(said[1:-1])))
+    cat = said[-1:] == ["cat"] and (len(said) == 1 or thing(said[:-1]))
+    _, state = matcher.likely.walk(said)
+    assert (state is not None and matcher.likely.accepting(state)) is (ant or cat)
+    for word in set(said) | without:
+        assert not state or not matcher.likely.free(state) or word in without or matcher.likely.step(state, word)
+
+
+def test_what_is_said_all_the_same_is_read_and_told() -> None:
+    slots = {"free": Slot("free", "text", max_words=3, without=frozenset({"yak"}))}
+    matcher = Matcher(grammar_of([parse_template("ant {free}")], slots=slots))
+    assert [one.problem for one in matcher.read(["ant", "zoo"])] == [""]
+    assert [one.problem for one in matcher.read(["ant", "yak"])] == ["'yak' is nothing for slot 'free'"]
+    assert matcher.spoken.walk(["ant", "yak"])[1] is not None
+    assert matcher.likely.walk(["ant", "yak"])[1] is None
+
+
 def test_threads_that_walk_at_once_read_the_same() -> None:
     slots = {"free": Slot("free", "text", max_words=3)}
     matcher = Matcher(grammar_of([parse_template("ant [bee] {free} [cat]"), parse_template("{free} bee")], slots=slots))
