@@ -17,7 +17,7 @@ from intent_engine.execution.admission import Admission, Policy
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
-from intent_engine.execution.motion import Keep, Motion
+from intent_engine.execution.motion import Keep, Motion, Travel
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, StopRun, TaskRun, VelocityLoop
 
@@ -64,6 +64,8 @@ class Conductor:
         self._valid_for = valid_for
         self._queue: deque[Goal] = deque()
         self._keep: dict[int, Keep] = {}
+        self._covered: dict[int, Travel] = {}
+        """What was covered of a goal before it began, by the one that it amends."""
         self._run: Run | None = None
         self._held_since: float | None = None
         self._feedback_at = math.inf
@@ -133,7 +135,9 @@ class Conductor:
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
-    def take(self, goals: list[Goal], keeps: list[Keep], policy: Policy | None, now: float) -> None:
+    def take(
+        self, goals: list[Goal], keeps: list[Keep], policy: Policy | None, now: float, amends: Goal | None = None
+    ) -> None:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
         for goal, keep in zip(goals, keeps, strict=True):
             self._keep[goal.id] = keep
@@ -157,6 +161,8 @@ class Conductor:
             for goal, ending in zip(waiting, refusals, strict=True):
                 self._end(goal, ending or Ending(GoalState.REJECTED, Reason.EARLIER_FAILED, whole), now)
             return
+        if amends is not None and (travel := self._covered_for(waiting[0], amends, now)) is not None:
+            self._covered[waiting[0].id] = travel
         if policy is Policy.REPLACE:
             self._make_way(waiting[0], now)
         for goal in waiting:
@@ -256,7 +262,8 @@ class Conductor:
         if isinstance(action, Stop):
             return StopRun(goal, self._stop_wheels)
         if isinstance(action, (Move, Turn)):
-            return MotionRun(goal, Motion.of(action, self._keep[goal.id]), self._loop)
+            motion = Motion.of(action, self._keep[goal.id])
+            return MotionRun(goal, motion, self._loop, self._covered.get(goal.id))
 
         def begin() -> Any:
             if isinstance(action, Navigate):
@@ -288,6 +295,16 @@ class Conductor:
             self._robot_failed(run, error, now)
         return True
 
+    def _covered_for(self, goal: Goal, amended: Goal, now: float) -> Travel | None:
+        """What a goal that is amended has covered of the one that amends it; None: they do not go the same way."""
+        then, whole = Motion.of(amended.action), Motion.of(goal.action)
+        if not (self._admission.drives(goal.action) and then and whole and then.same_way(whole)):
+            return None
+        if isinstance(self._run, MotionRun) and self._run.goal is amended:
+            return self._run.covered(now)
+        # One that was stopped is over: what follows begins anew.
+        return Travel(amended.feedback.travelled or 0.0, then.duration) if amended.succeeded else None
+
     def _make_way(self, goal: Goal, now: float) -> None:
         """Let a newer utterance take the place of everything; a motion is braked unless another one follows it."""
         while self._queue:
@@ -318,6 +335,7 @@ class Conductor:
             except Exception:
                 log.exception("no last feedback of goal %d", goal.id)
         self._keep.pop(goal.id, None)
+        self._covered.pop(goal.id, None)
         self._move(goal, ending.state, now, ending.reason, ending.detail)
         self._host.ended()
         if ending.state in (GoalState.ABORTED, GoalState.CANCELED):

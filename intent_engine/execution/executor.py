@@ -128,6 +128,7 @@ class Executor:
         policy: Policy | str | None = None,
         keep: Keep | str | Sequence[Keep | str] = Keep.DISTANCE,
         text: str | None = None,
+        amends: Goal | None = None,
     ) -> list[Goal]:
         """Carry out the actions of one utterance, in order; a newer utterance takes the place of an older one.
 
@@ -139,6 +140,9 @@ class Executor:
             policy: what to do with what is being carried out; None: the policy of the first action's type.
             keep: whether ramps cost a motion time (``distance``) or way (``duration``); one for all, or one for each.
             text: what was said, for the journal.
+            amends: an earlier goal that the first action puts right, as "turn left" becomes "turn left ninety degrees":
+                what that has covered already counts, if both drive, or turn, in the same direction. A robot that has
+                come further already comes to rest; it does not go back.
 
         Returns:
             A goal for each action, in order.
@@ -159,7 +163,7 @@ class Executor:
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait = self._wait_for
-                self._conductor.take(goals, keeps, Policy(policy) if policy is not None else None, now)
+                self._conductor.take(goals, keeps, Policy(policy) if policy is not None else None, now, amends)
                 self._advance(now)
         finally:
             self._events.flush()

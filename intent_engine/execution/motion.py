@@ -60,6 +60,10 @@ class Motion:
             return None
         return motion if motion.speed and motion.amount and motion.duration else None
 
+    def same_way(self, other: Motion) -> bool:
+        """Whether both drive, or both turn, in the same direction."""
+        return self.turning is other.turning and (self.speed > 0) is (other.speed > 0)
+
     def rest(self, travel: Travel) -> Motion | None:
         """What is left of it after ``travel``; None if nothing is."""
         amount = self.amount - travel.amount * math.copysign(1.0, self.speed)

@@ -81,13 +81,14 @@ class MotionRun:
 
     needs_rest = False
 
-    def __init__(self, goal: Goal, motion: Motion | None, loop: VelocityLoop) -> None:
+    def __init__(self, goal: Goal, motion: Motion | None, loop: VelocityLoop, before: Travel | None = None) -> None:
+        """``before``: what the goal that this one amends has covered of it."""
         self.goal = goal
-        self._motion = motion
+        self._before = before or Travel()
+        """What was covered before the last pause."""
+        self._motion = motion.rest(self._before) if motion is not None and before is not None else motion
         self._whole = motion
         self._loop = loop
-        self._before = Travel()
-        """What was covered before the last pause."""
         self._pausing = self._left = False
         self._deadline = 0.0
 
@@ -95,6 +96,8 @@ class MotionRun:
         if self._motion is not None:
             planned = self._loop.start(self._motion, now)
             self._deadline = planned + max(1.0, 0.1 * (planned - now))
+        elif self._loop.moving:
+            self._loop.brake(now)  # the goal that this one amends has come as far already
 
     def step(self, now: float) -> Ending | None:
         if self._motion is None:
@@ -148,12 +151,16 @@ class MotionRun:
         whole = self._whole
         if whole is None:
             return Feedback(1.0, 0.0, 0.0)
-        here = self._loop.travel(now) if self._loop.moving and not self._left else Travel()
-        travel = _sum(self._before, here)
+        travel = self.covered(now)
         if self._motion is None:
             return Feedback(1.0, 0.0, travel.amount)
         share = abs(travel.amount) / whole.amount
-        return Feedback(min(share, 1.0), here.time_left if self._loop.moving else None, travel.amount)
+        return Feedback(min(share, 1.0), travel.time_left if self._loop.moving else None, travel.amount)
+
+    def covered(self, now: float) -> Travel:
+        """How far the goal has come, pauses and the goal that it amends included."""
+        here = self._loop.travel(now) if self._loop.moving and not self._left else Travel()
+        return _sum(self._before, here)
 
     def _stand(self, travel: Travel) -> None:
         self._before = _sum(self._before, travel)
