@@ -76,7 +76,7 @@ class Ways:
         robot = load_robot(default_robot())
         ours = recognizer_for(engine, MODEL)
         peer: Recognizer = Transcribe()
-        late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS})
+        late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS} | {"wait_continued": 0.0})
         avoid_pauses()
         return cls(
             Listener(engine, ours, robot, reflex=reflex_for(engine, background=False, beside=ours) if reflex else None),

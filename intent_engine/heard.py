@@ -49,6 +49,8 @@ class Heard:
     outlook: Outlook = Outlook.UNKNOWN
     speech_ended: float | None = None
     """s: the last frame of speech."""
+    goes_on: bool = False
+    """Whether this is the command before and more: its goals were put right, or more were given."""
     detail: str = ""
 
 

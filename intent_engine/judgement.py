@@ -9,15 +9,17 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Move, Navigate, Turn
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Intent
 from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.utterance import Utterance
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "enough_to_stop"]
+__all__ = ["Judge", "can_be_amended", "enough_to_stop"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
@@ -49,10 +51,16 @@ _HELD = "a stop was heard before the word had ended, and nothing else was heard 
 
 
 class Judge:
-    """Judges what was heard by the grammar of an engine, which may be reloaded at any time."""
+    """Judges what was heard by the grammar of an engine, which may be reloaded at any time.
 
-    def __init__(self, engine: IntentEngine) -> None:
+    Args:
+        engine: understands.
+        continuing: whether a motion can be put right while it is done.
+    """
+
+    def __init__(self, engine: IntentEngine, *, continuing: bool = False) -> None:
         self.engine = engine
+        self._continuing = continuing
 
     def outlook(
         self, transcript: Transcript, state: Collection[str], last: Sequence[Action]
@@ -69,7 +77,9 @@ class Judge:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE
             if not prefix.settled:
-                return meaning, Outlook.DOUBTFUL if _hardly_heard(transcript) else Outlook.EXTENDABLE
+                waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
+                shorter = self._continuing and can_be_amended(meaning)
+                return meaning, waits[1 - shorter + _hardly_heard(transcript)]
             return meaning, Outlook.COMPLETE if prefix.status is PrefixStatus.COMPLETE else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
@@ -97,6 +107,24 @@ class Judge:
                 alternatives=(transcript.text,),
             )
         return meaning
+
+    def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """What words that were heard clearly mean after those before, if both are a command word by word: also a
+        correction, for which no model searches. Numbers that sound like another are left to those."""
+        if transcript.score < CLEARLY or ALIKE.keys() & set(self._words(transcript)):
+            return None
+        language = self._language(transcript)
+        meaning = self.engine.parse(f"{before}, {transcript.free_text}", state=state, language=language, spoken=True)
+        return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
+
+    def comes_after(self, transcript: Transcript) -> bool:
+        """Whether it begins with "and then", or the like."""
+        words = tuple(self._words(transcript))
+        sequence = self.engine.matcher(self._language(transcript)).grammar.operators.sequence
+        return any(words[: len(phrase)] == phrase for phrase in sequence)
+
+    def _words(self, transcript: Transcript) -> list[str]:
+        return in_words(Utterance.of(transcript.free_text).words)
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
         """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
@@ -144,6 +172,12 @@ class Judge:
         said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
         intents = self.engine.matcher(self._language(transcript)).grammar.intents
         return [intent for name, intent in intents.items() if name in said]
+
+
+def can_be_amended(meaning: Interpretation) -> bool:
+    """Whether what was understood can be put right while it is done: one drive, turn or way somewhere. What is picked
+    up, or ordered, cannot be taken back."""
+    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate))
 
 
 def _hardly_heard(transcript: Transcript) -> bool:

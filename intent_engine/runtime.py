@@ -12,15 +12,15 @@ import threading
 from collections import deque
 from collections.abc import Callable, Collection
 from concurrent.futures import Future
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any, Literal
 
-import numpy as np
-
 from intent_engine.actions import Action
+from intent_engine.continuing import Continuing, Understood
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import Goal
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.interpretation import Status
 from intent_engine.judgement import Judge
@@ -29,7 +29,8 @@ from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
-from intent_engine.speech.rnnoise import FilteredSpeech, NoiseFilter, installed_filter
+from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
+from intent_engine.speech.spoken_utterance import SpokenUtterance
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
@@ -41,36 +42,6 @@ SECOND_LOOK = 0.1
 """s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
-
-
-@dataclass(slots=True)
-class _Utterance:
-    """The sound of one utterance, and its decode."""
-
-    frames: list[Samples] = field(default_factory=list)
-    last_voice: float = 0.0
-    filtered: FilteredSpeech | None = None
-    job: Future[Transcript] | None = None
-    final: bool = False
-    """Whether the decode is one with all care."""
-    ended: bool = False
-    short: bool = False
-    """Whether it was so short that it can be nothing but a stop."""
-    judged: bool = False
-    result: Transcript | None = None
-
-    @property
-    def draft(self) -> bool:
-        """Whether it was decoded, and the recogniser would hear it better with more care."""
-        return self.result is not None and self.result.draft and not self.final
-
-    def take(self, samples: Samples) -> None:
-        self.frames.append(samples)
-        if self.filtered is not None:
-            self.filtered.add(samples)
-
-    def sound(self) -> Samples:
-        return self.filtered.sound() if self.filtered is not None else np.concatenate(self.frames)
 
 
 class Runtime:
@@ -110,7 +81,10 @@ class Runtime:
     ) -> None:
         self.engine = engine
         self.executor = executor
-        self._judgement = Judge(engine)
+        self._endpoint = Endpointer(settings)
+        within = self._endpoint.settings.wait_continued
+        self._judgement = Judge(engine, continuing=within > 0)
+        self._continuing = Continuing(self._judgement, within)
         if recognizer is None:
             from intent_engine.speech.second_opinion import recognizer_for
 
@@ -119,7 +93,6 @@ class Runtime:
         self._voice = voice if voice is not None else SileroVoice()
         self._reflex = reflex
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
-        self._endpoint = Endpointer(settings)
         self._on_event = on_event
         self._speculate = speculate
         self._stepped = isinstance(executor.clock, SteppedClock)
@@ -171,8 +144,8 @@ class Runtime:
         self._endpoint.reset()
         self._deaf = False
         recent: deque[Samples] = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
-        utterance: _Utterance | None = None
-        waiting: list[_Utterance] = []
+        utterance: SpokenUtterance | None = None
+        waiting: list[SpokenUtterance] = []
         finished = False
         try:
             for frame in source.frames():
@@ -208,8 +181,8 @@ class Runtime:
             self.executor.clock.advance_to(self._base + time)  # type: ignore[attr-defined]
 
     def _frame(
-        self, frame: Frame, recent: deque[Samples], utterance: _Utterance | None, waiting: list[_Utterance]
-    ) -> _Utterance | None:
+        self, frame: Frame, recent: deque[Samples], utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]
+    ) -> SpokenUtterance | None:
         if self._push_to_talk and not self._talk.is_set():
             if utterance is not None:
                 self._end(utterance, frame.time, waiting)
@@ -220,7 +193,7 @@ class Runtime:
         signal = self._endpoint.frame(probability)
         recent.append(frame.samples)
         if signal is Signal.STARTED:
-            utterance = _Utterance(list(recent), frame.time)
+            utterance = SpokenUtterance(list(recent), frame.time, frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
             if self._reflex is not None:
@@ -237,7 +210,7 @@ class Runtime:
         if signal is Signal.PAUSED and self._speculate:
             self._decode(utterance, final=False)
         elif signal is Signal.RESUMED:
-            utterance.job, utterance.result, utterance.judged = None, None, False
+            utterance.speaks_on()
         elif signal in (Signal.ENDED, Signal.SHORT):
             utterance.short = signal is Signal.SHORT
             if not utterance.short:
@@ -253,7 +226,7 @@ class Runtime:
         return utterance
 
     def _gap(
-        self, frame: Frame, recent: deque[Samples], utterance: _Utterance | None, waiting: list[_Utterance]
+        self, frame: Frame, recent: deque[Samples], utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]
     ) -> None:
         """Sound is missing, and a "don't" may be what is missing: the utterance under way is not acted on.
 
@@ -275,7 +248,7 @@ class Runtime:
 
     # -- decoding ----------------------------------------------------------------------------------
 
-    def _decode(self, utterance: _Utterance, *, final: bool) -> None:
+    def _decode(self, utterance: SpokenUtterance, *, final: bool) -> None:
         if not self._decoding.free:
             if not (self._stepped or self._decoding.hung):
                 return  # one decode at a time; what has ended is taken up by _collect
@@ -290,7 +263,7 @@ class Runtime:
         with contextlib.suppress(TimeoutError):  # seen as hung by _ready
             job.exception(timeout=self._decoding.patience)
 
-    def _end(self, utterance: _Utterance, time: float, waiting: list[_Utterance]) -> None:
+    def _end(self, utterance: SpokenUtterance, time: float, waiting: list[SpokenUtterance]) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
         if utterance.job is None:
@@ -299,9 +272,12 @@ class Runtime:
         if self._stepped:
             self._collect(time, None, waiting)
 
-    def _collect(self, time: float, utterance: _Utterance | None, waiting: list[_Utterance]) -> None:
+    def _collect(self, time: float, utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]) -> None:
         """Take up decodes that are ready: judge an utterance under way, act on those that ended."""
         if utterance is not None and not utterance.judged and self._ready(utterance, time):
+            if self._goes_on(utterance):
+                self._decode(utterance, final=utterance.final)
+                return self._collect(time, utterance, waiting) if self._stepped else None
             if utterance.result is not None:
                 self._judge(utterance, time)
             utterance.judged = True
@@ -316,11 +292,13 @@ class Runtime:
             if first.draft:
                 first.job = None
                 continue
+            if self._goes_on(first):
+                continue
             waiting.pop(0)
             if first.result is not None:
                 self._finish(first, time)
 
-    def _ready(self, utterance: _Utterance, time: float) -> bool:
+    def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
         job = utterance.job
         if job is None:
             return False
@@ -338,7 +316,7 @@ class Runtime:
         utterance.result = job.result()
         return True
 
-    def _drain(self, waiting: list[_Utterance]) -> None:
+    def _drain(self, waiting: list[SpokenUtterance]) -> None:
         """The source has ended: wait for the decodes that are under way."""
         while waiting:
             first = waiting[0]
@@ -354,7 +332,14 @@ class Runtime:
                     continue
             self._collect(self._summary.seconds, None, waiting)
 
-    def _judge(self, utterance: _Utterance, time: float) -> None:
+    def _goes_on(self, utterance: SpokenUtterance) -> bool:
+        """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""
+        before = None if self._held else self._continuing.heard_with(utterance, self._state(), self._last)
+        if before is not None:
+            utterance.together_with(before)
+        return before is not None
+
+    def _judge(self, utterance: SpokenUtterance, time: float) -> None:
         assert utterance.result is not None
         meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
         self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
@@ -373,14 +358,13 @@ class Runtime:
         linear, angular = self.executor.snapshot().velocity
         return ("moving",) if linear or angular or not self.executor.idle or self._held else ()
 
-    def _finish(self, utterance: _Utterance, time: float) -> None:
-        transcript = utterance.result
-        assert transcript is not None
+    def _finish(self, utterance: SpokenUtterance, time: float) -> None:
+        understood = self._continuing.understood(utterance, self._state(), self._last)
+        transcript, meaning = understood.transcript, understood.meaning
         if not transcript.text.strip():
             if self._held:
                 self._release(time, "nothing was said")
             return
-        meaning = self._judgement.meaning(transcript, self._state(), self._last)
         if self._held:
             meaning = self._judgement.held(transcript, meaning)
         if utterance.short and not meaning.stops:
@@ -390,36 +374,35 @@ class Runtime:
         self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
-        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, speech_ended=utterance.last_voice)
-        self._tell(
-            HeardKind.INTERPRETATION,
-            time,
-            transcript=transcript,
-            interpretation=meaning,
-            speech_ended=utterance.last_voice,
-        )
+        told: dict[str, Any] = {"speech_ended": utterance.last_voice, "goes_on": understood.step.goes_on}
+        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
+        self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         stopping = meaning.stops
         if stopping:
             self._held = False
-            self._last = ()
+            self._forget()
             self.executor.stop()
             self._summary.accepted += 1
-            self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, speech_ended=utterance.last_voice)
+            self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
         if self._held:
             self._release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
-        self._summary.accepted += 1
         self._last = meaning.actions
-        goals = self.executor.submit(meaning.actions, spoken_at=self._base + utterance.last_voice)
-        self._tell(
-            HeardKind.SUBMITTED,
-            time,
-            interpretation=meaning,
-            goals=tuple(goals),
-            speech_ended=utterance.last_voice,
-        )
+        goals = self._submit(understood, utterance)
+        self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
+
+    def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...]:
+        step, spoken = understood.step, self._base + utterance.last_voice
+        goals = self.executor.submit(step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends)
+        self._summary.accepted += not step.goes_on
+        self._continuing.carried_out(utterance, understood, goals)
+        return tuple(goals)
+
+    def _forget(self) -> None:
+        self._last = ()
+        self._continuing.forget()
 
     def _listen(self, samples: Samples, time: float) -> None:
         if self._reflex is None or self._held:
@@ -436,6 +419,7 @@ class Runtime:
 
     def _failed(self, time: float, why: str) -> None:
         self._held = False
+        self._forget()
         self._summary.errors += 1
         self.executor.stop()
         self._tell(HeardKind.ERROR, time, detail=why)

@@ -9,6 +9,9 @@ voices give the same files.
     intent-engine evaluate out/speech_set
     python scripts/make_speech_set.py --forbidden        # out/forbidden_set: "don't go to the kitchen"
     intent-engine evaluate out/forbidden_set --noise kitchen.flac --snr 6,10
+    python scripts/make_speech_set.py --paused           # out/paused_set: "turn left", a pause, "ninety degrees"
+    intent-engine evaluate out/paused_set
+    intent-engine evaluate out/paused_set --wait continued=0
 
 Voices are those that are installed. On Debian:
 
@@ -176,6 +179,29 @@ do not bring me the box
 don't turn around
 """
 """What shall not be done, each said by every other voice. In noise the first words are soon heard as others."""
+PAUSED = """
+turn left, ninety degrees
+turn right, sixty degrees
+turn left, slowly
+turn right, for three seconds
+go forward, two meters
+go forward, five feet
+go forward, for ten seconds
+go back, half a meter
+move forward, slowly
+drive backward, one meter
+go ahead, three meters
+turn left, no, right
+go forward, no, back
+go to the kitchen, I mean the bedroom
+go to the lounge, no, the dock
+turn around, and then go forward one meter
+turn left, and go to the kitchen
+go forward one meter, then turn right
+"""
+"""Commands of two parts, with a pause where the comma is, in which the first part is a command of its own."""
+PAUSE = (0.25, 1.2)
+"""s"""
 OTHERS = """
 I was going to go to the kitchen
 she went to the bedroom and turned off the light
@@ -270,14 +296,16 @@ class Voice:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=None, help="out/speech_set; out/forbidden_set")
+    parser.add_argument("--out", type=Path, default=None, help="out/speech_set, and so on")
     parser.add_argument("--forbidden", action="store_true", help="a set of commands that shall not be done, alone")
+    parser.add_argument("--paused", action="store_true", help="a set of commands with a pause in them, alone")
     parser.add_argument("--commands", type=int, default=360)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--grammar", type=Path, default=ROOT / "grammars" / "en.yaml")
     parser.add_argument("--locations", type=Path, default=ROOT / "locations" / "home.yaml")
     options = parser.parse_args()
-    options.out = options.out or ROOT / "out" / ("forbidden_set" if options.forbidden else "speech_set")
+    kind = "forbidden" if options.forbidden else "paused" if options.paused else "speech"
+    options.out = options.out or ROOT / "out" / f"{kind}_set"
     voices = find_voices()
     if len(voices) < 8:
         print(f"only {len(voices)} voices are installed; the set wants 8 or more. {__doc__}", file=sys.stderr)
@@ -287,6 +315,8 @@ def main() -> int:
     odd = round(options.commands * SAMPLED)
     if options.forbidden:
         sentences = [one for one in others(engine, FORBIDDEN) for _ in range(len(voices) // 2)]
+    elif options.paused:
+        sentences = [one for one in paused(engine) for _ in voices]
     else:
         sentences = [
             *plain(engine, options.commands - odd, chance),
@@ -300,7 +330,9 @@ def main() -> int:
     lines = []
     for index, sentence in track(list(enumerate(sentences)), "speaking", transient=True):
         voice = voices[index % len(voices)]
-        sound, spoken = recorded(voice.say(str(sentence["text"]), chance.uniform(0.9, 1.2)), chance)
+        speed, text = chance.uniform(0.9, 1.2), str(sentence["text"])
+        speech = with_pause(voice, text, speed, chance) if options.paused else voice.say(text, speed)
+        sound, spoken = recorded(speech, chance)
         name = f"{index:04d}-{voice.name}.flac"
         soundfile.write(audio / name, sound, SAMPLE_RATE, subtype="PCM_16")
         label = {"id": f"{index:04d}", "audio": f"audio/{name}", **sentence, "voice": voice.name}
@@ -356,6 +388,21 @@ def sampled(engine: IntentEngine, count: int, seed: int) -> list[dict[str, Any]]
     return list(found.values())
 
 
+def paused(engine: IntentEngine) -> list[dict[str, Any]]:
+    """Commands with a pause, which mean what they mean without.
+
+    Raises:
+        ValueError: the engine does not understand one.
+    """
+    found = []
+    for text in PAUSED.strip().splitlines():
+        meaning = engine.parse(text)
+        if meaning.status is not Status.ACCEPTED:
+            raise ValueError(f"{text!r}: {meaning.reason}")
+        found.append({"text": text, "actions": [to_json(action) for action in meaning.actions], "kind": "paused"})
+    return found
+
+
 def label(text: str, intent: str, actions: Sequence[Any], kind: str) -> dict[str, Any]:
     return {"text": text, "intent": intent, "actions": [to_json(action) for action in actions], "kind": kind}
 
@@ -382,6 +429,20 @@ def recorded(speech: Samples, chance: random.Random) -> tuple[Samples, float]:
     spoken = end_of_speech(sound)
     noise = np.random.default_rng(chance.getrandbits(32)).normal(0.0, QUIET, sound.size)
     return (sound + noise).astype(np.float32), spoken
+
+
+def with_pause(voice: Voice, text: str, speed: float, chance: random.Random) -> Samples:
+    """The part before the first comma, silence, and what is after it."""
+    first, second = (_trimmed(voice.say(part.strip(), speed)) for part in text.split(",", 1))
+    silence = np.zeros(int(chance.uniform(*PAUSE) * SAMPLE_RATE), np.float32)
+    return np.concatenate((first, silence, second))
+
+
+def _trimmed(speech: Samples) -> Samples:
+    """Without silence around it, at full level."""
+    loudest = max(float(np.abs(speech).max()), 1e-6)
+    loud = np.flatnonzero(np.abs(speech) > 0.01 * loudest)
+    return speech[loud[0] : loud[-1] + 1] / loudest if loud.size else speech
 
 
 def find_voices() -> list[Voice]:

@@ -93,6 +93,21 @@ def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confi
     assert judge.outlook(over, (), ())[1] is Outlook.COMPLETE, "nothing can follow, however it was heard"
 
 
+@pytest.mark.parametrize(
+    ("text", "outlooks"),
+    [
+        ("turn left", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
+        ("go to the dock", (Outlook.COMPLETE, Outlook.COMPLETE)),
+        ("pick up the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
+        ("turn left then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
+    ],
+)
+def test_a_motion_that_can_be_put_right_is_waited_for_less(judge, text, outlooks):
+    continuing = Judge(judge.engine, continuing=True)
+    for score, outlook in zip((CLEARLY, CLEARLY - 0.01), outlooks, strict=True):
+        assert continuing.outlook(Transcript(text, score, "-", gap=0.1, confidence=0.95), (), ())[1] is outlook
+
+
 @pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])
 def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
     meaning = judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=("fifteen",)), (), ())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -49,7 +49,8 @@ Wait = Annotated[
     typer.Option(
         metavar="NAME=SECONDS",
         help="Silence that ends what was said, as extendable=0.5; may be repeated. Names: complete, settled, "
-        "extendable, doubtful, incomplete, other, unknown.",
+        "amendable, extendable, doubtful, incomplete, other, unknown; and continued: in which time words begin that "
+        "may belong to a motion before them, 0 for none.",
     ),
 ]
 Plot = Annotated[Path | None, typer.Option(help="Draw the way of the robot into this file (PNG, SVG or PDF).")]
@@ -137,9 +138,10 @@ def waits(texts: list[str] | None) -> Settings:
     Raises:
         ConfigError: one is unknown, or no time.
     """
-    from intent_engine.speech.endpoint import Outlook, Settings
+    from intent_engine.speech.endpoint import Settings
 
-    names = [outlook.value for outlook in Outlook]
+    waits = (field.name for field in fields(Settings))
+    names = [name.removeprefix("wait_") for name in waits if name.startswith("wait_")]
     changed: dict[str, Any] = {}
     for text in texts or ():
         name, _, number = (part.strip() for part in text.partition("="))

@@ -170,13 +170,20 @@ class _Notes:
         elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
             if event.transcript is not self._partial:
                 self._decoded(event.transcript, event.time)
+            if event.goes_on:
+                self.hearing.free_texts.pop()
             self.hearing.free_texts.append(event.transcript.free_text or event.transcript.text)
         elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
             # Its text is what was heard after all, where the grammar had steered the recogniser too far from the sound.
+            if event.goes_on:
+                self.hearing.texts.pop()
+                self.hearing.meanings.pop()
             self.hearing.texts.append(event.interpretation.text)
             self.hearing.meanings.append(event.interpretation)
         elif event.kind is HeardKind.SUBMITTED and event.interpretation is not None:
             ended = event.speech_ended if event.speech_ended is not None else event.time
+            if event.goes_on:  # what is done counts, and when all of it was
+                self.hearing.acts.pop()
             self.hearing.acts.append(Act(event.interpretation, max(event.time, self._ready), ended))
         elif event.kind is HeardKind.HOLD:
             look = self._reflex.seconds if self._reflex is not None else 0.0

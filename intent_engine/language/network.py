@@ -50,7 +50,8 @@ class State:
     """A place in a network."""
 
     __slots__ = (
-        "allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "refused", "wild",
+        "allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "refused",
+        "wild",
     )  # fmt: skip
 
     def __init__(self) -> None:

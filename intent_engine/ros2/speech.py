@@ -125,6 +125,7 @@ class Speech:
         from std_msgs.msg import Bool, Empty, String
 
         from intent_engine.runtime import Runtime
+        from intent_engine.speech.endpoint import Settings
 
         self._node, self._log, self._end = node, node.get_logger(), end
         self._messages = {"hold": Bool, "stop": Empty, "text": String}
@@ -140,7 +141,14 @@ class Speech:
         }
         self._executor = Executor(_Elsewhere(), on_event=self._executed, handle_sigterm=False)
         self._reflex = reflex
-        self._runtime = Runtime(self._engine, self._executor, recognizer, reflex=reflex, on_event=self._heard)
+        self._runtime = Runtime(
+            self._engine,
+            self._executor,
+            recognizer,
+            reflex=reflex,
+            on_event=self._heard,
+            settings=Settings(wait_continued=0.0),  # a text does not tell the other node that a command goes on
+        )
         avoid_pauses()
         self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
         self._thread.start()

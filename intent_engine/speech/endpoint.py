@@ -23,8 +23,10 @@ class Outlook(StrEnum):
     """A command that nothing can change."""
     SETTLED = "settled"
     """A command of which further words could change the manner only, as "slowly" would."""
+    AMENDABLE = "amendable"
+    """A motion that further words could change, also while it is done."""
     EXTENDABLE = "extendable"
-    """A command that further words could change."""
+    """A command that further words could change, and that cannot be taken back."""
     DOUBTFUL = "doubtful"
     """The same, hardly heard: in noise a pause seems longer than it is, since the quiet words beside it are lost."""
     INCOMPLETE = "incomplete"
@@ -64,11 +66,15 @@ class Settings:
     detector heard one for 64 ms."""
     wait_complete: float = 0.064
     wait_settled: float = 0.128
+    wait_amendable: float = 0.2
     wait_extendable: float = 0.35
     wait_doubtful: float = 0.45
     wait_incomplete: float = 0.7
     wait_other: float = 0.5
     wait_unknown: float = 0.5
+    wait_continued: float = 1.5
+    """After the last words of a motion, within which words begin that may belong to it ("ninety degrees"); 0: none do,
+    and motions wait as long as other commands."""
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
@@ -82,13 +88,14 @@ class Settings:
             asked: s that its intent waits where it could go on; None: it says nothing. Hardly heard it waits as much
                 longer as any other.
         """
-        if asked is not None and outlook is Outlook.EXTENDABLE:
+        if asked is not None and outlook in (Outlook.AMENDABLE, Outlook.EXTENDABLE):
             return asked
         if asked is not None and outlook is Outlook.DOUBTFUL:
             return asked + self.wait_doubtful - self.wait_extendable
         return {
             Outlook.COMPLETE: self.wait_complete,
             Outlook.SETTLED: self.wait_settled,
+            Outlook.AMENDABLE: self.wait_amendable,
             Outlook.EXTENDABLE: self.wait_extendable,
             Outlook.DOUBTFUL: self.wait_doubtful,
             Outlook.INCOMPLETE: self.wait_incomplete,

@@ -132,7 +132,7 @@ def test_what_is_found_does_not_hang_on_what_was_asked_before_or_is_known_of_the
 
 def test_no_word_is_put_into_a_slot_that_does_not_take_it(engine):
     """ "The big red apple" in noise: all that was found had "right" in it, and was refused."""
-    heard = "fetch the big right up bolt to the blue box".split()
+    heard = ["fetch", "the", "big", "right", "up", "bolt", "to", "the", "blue", "box"]
     found = UtteranceSearch(engine.matcher().likely).nearest(heard)
     assert len(found) == 12
     assert all(engine.parse(" ".join(words)).reason != "'right' is nothing for slot 'thing'" for words, _ in found)

@@ -15,6 +15,7 @@ SPEECH, SILENCE = 0.9, 0.05
 WAITS = {
     Outlook.COMPLETE: 0.064,
     Outlook.SETTLED: 0.128,
+    Outlook.AMENDABLE: 0.2,
     Outlook.EXTENDABLE: 0.35,
     Outlook.DOUBTFUL: 0.45,
     Outlook.INCOMPLETE: 0.7,
@@ -69,7 +70,7 @@ def test_how_long_it_waits_is_what_the_grammar_thinks(outlook):
 
 @given(st.sampled_from(list(Outlook)), st.floats(0.1, 5.0))
 def test_an_intent_says_how_long_it_waits_only_where_it_could_go_on(outlook, asked):
-    changed = {Outlook.EXTENDABLE: asked, Outlook.DOUBTFUL: asked + 0.1}
+    changed = {Outlook.AMENDABLE: asked, Outlook.EXTENDABLE: asked, Outlook.DOUBTFUL: asked + 0.1}
     assert silence_until_the_end(outlook, asked) == as_frames(changed.get(outlook, WAITS[outlook]))
 
 

@@ -1,0 +1,151 @@
+"""What is said right after a command may belong to it: "turn left", and a moment later "ninety degrees", "no, right",
+"slowly", or "and then go to the kitchen".
+
+A motion that could go on is begun after a short silence, so that the robot answers at once. What follows, and is no
+command by itself, is heard once more together with it. If both are one command that begins with the words of the first,
+then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from intent_engine.actions import Action
+from intent_engine.execution.admission import Policy
+from intent_engine.execution.goal import Goal, GoalState
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge, can_be_amended
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.utterance import Utterance
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.recognizer import Transcript
+
+if TYPE_CHECKING:
+    from intent_engine.speech.audio import Samples
+    from intent_engine.speech.spoken_utterance import SpokenUtterance
+
+__all__ = ["Continuing", "Step", "Understood"]
+
+LONGEST = 10.0
+"""s of sound that is heard once more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """What is to be done of a command."""
+
+    actions: tuple[Action, ...]
+    policy: Policy | None = None
+    """What becomes of what is being done; None: as for any command."""
+    amends: Goal | None = None
+    """The goal that the first of the actions puts right."""
+    goes_on: bool = False
+    """Whether the command before is a part of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """What came of an utterance."""
+
+    transcript: Transcript
+    meaning: Interpretation
+    step: Step
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """The last command that was carried out."""
+
+    sound: Samples
+    ended: float
+    meaning: Interpretation
+    goals: tuple[Goal, ...]
+
+
+class Continuing:
+    """Keeps the last command, for what may go on from it. For one thread.
+
+    Args:
+        judge: what a transcript means.
+        within: s after the last words of a command, within which those begin that go on from it.
+    """
+
+    def __init__(self, judge: Judge, within: float) -> None:
+        self._judge = judge
+        self._within = within
+        self._said: _Said | None = None
+
+    def carried_out(self, utterance: SpokenUtterance, understood: Understood, goals: Sequence[Goal]) -> None:
+        """A command was begun, by these goals."""
+        whole = understood.meaning
+        before = self._said.goals if self._said is not None else ()
+        given = before[: len(whole.actions) - len(goals)]
+        self._said = _Said(utterance.sound(), utterance.last_voice, whole, (*given, *goals))
+
+    def forget(self) -> None:
+        """Nothing goes on from what was said."""
+        self._said = None
+
+    def heard_with(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Samples | None:
+        """The sound together with which an utterance is to be heard anew, since it is no command by itself; None: there
+        is none, or it has been already."""
+        said, heard = self._before(utterance), utterance.result
+        if said is None or utterance.short or utterance.before is not None:
+            return None
+        if said.sound.size > LONGEST * SAMPLE_RATE or heard is None or not heard.free_text.strip():
+            return None
+        alone = self._judge.meaning(heard, state, last)
+        return None if alone.status is Status.ACCEPTED else said.sound
+
+    def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
+        """What an utterance means that was decoded, by itself or together with the command before."""
+        heard, alone = utterance.result, utterance.alone
+        assert heard is not None
+        said = self._before(utterance)
+        meaning = self._judge.meaning(heard, state, last)
+        if alone is None:
+            queued = said is not None and meaning.status is Status.ACCEPTED and self._judge.comes_after(heard)
+            return Understood(heard, meaning, Step(meaning.actions, Policy.QUEUE if queued else None))
+        if said is not None:
+            if (step := _step(said, meaning)) is not None:
+                return Understood(heard, meaning, step)
+            exact = self._judge.together(said.meaning.text, alone, state)
+            if exact is not None and (step := _step(said, exact)) is not None:
+                return Understood(alone, exact, step)
+        meaning = self._judge.meaning(alone, state, last)
+        return Understood(alone, meaning, Step(meaning.actions))
+
+    def _before(self, utterance: SpokenUtterance) -> _Said | None:
+        """The command that an utterance may belong to."""
+        said = self._said
+        soon = said is not None and utterance.began - said.ended <= self._within
+        return said if said is not None and soon and _under_way(said.goals) else None
+
+
+def _under_way(goals: Sequence[Goal]) -> bool:
+    """Whether nothing came between: no stop, no other command, no failure."""
+    return all(goal.succeeded or not goal.done for goal in goals)
+
+
+def _step(said: _Said, whole: Interpretation) -> Step | None:
+    """What is to be done when a command was heard together with what followed it; None: they are not one."""
+    if whole.status is not Status.ACCEPTED or not _begins_with(whole.text, said.meaning.text):
+        return None
+    if whole.stops:
+        return Step(whole.actions, goes_on=True)
+    done = said.meaning.actions
+    if whole.actions[: len(done)] == done:
+        more = whole.actions[len(done) :]
+        return Step(more, Policy.QUEUE, goes_on=True) if more else None
+    first = said.goals[0]
+    begun = first.succeeded or first.state is GoalState.EXECUTING
+    if not (begun and can_be_amended(said.meaning)):
+        return None
+    return Step(whole.actions, Policy.REPLACE, first, goes_on=True)
+
+
+def _begins_with(whole: str, first: str) -> bool:
+    words, begun = (in_words(Utterance.of(text).words) for text in (whole, first))
+    return words[: len(begun)] == begun and len(words) > len(begun)

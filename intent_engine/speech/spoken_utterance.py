@@ -1,0 +1,68 @@
+"""The sound of one utterance, while it is being said, and what the recogniser makes of it."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from dataclasses import dataclass
+
+import numpy as np
+
+from intent_engine.speech.audio import Samples
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.rnnoise import FilteredSpeech
+
+__all__ = ["SpokenUtterance"]
+
+
+@dataclass(slots=True)
+class SpokenUtterance:
+    """The sound of one utterance, and its decode.
+
+    Life cycle: begun -> it takes frames; at a pause it is decoded, and what was decoded is forgotten if somebody
+    speaks on -> ended -> its last decode is acted on.
+    """
+
+    frames: list[Samples]
+    began: float
+    """s since the source began"""
+    last_voice: float = 0.0
+    """s since the source began: the last frame of speech."""
+    filtered: FilteredSpeech | None = None
+    job: Future[Transcript] | None = None
+    final: bool = False
+    """Whether the decode is one with all care."""
+    ended: bool = False
+    short: bool = False
+    """Whether it was so short that it can be nothing but a stop."""
+    judged: bool = False
+    result: Transcript | None = None
+    before: Samples | None = None
+    """The sound of the command that it may go on from, when it is heard together with that."""
+    alone: Transcript | None = None
+    """What it was by itself, then."""
+
+    @property
+    def draft(self) -> bool:
+        """Whether it was decoded, and the recogniser would hear it better with more care."""
+        return self.result is not None and self.result.draft and not self.final
+
+    def take(self, samples: Samples) -> None:
+        """One frame more."""
+        self.frames.append(samples)
+        if self.filtered is not None:
+            self.filtered.add(samples)
+
+    def sound(self) -> Samples:
+        """What is to be decoded."""
+        said = self.filtered.sound() if self.filtered is not None else np.concatenate(self.frames)
+        return said if self.before is None else np.concatenate((self.before, said))
+
+    def speaks_on(self) -> None:
+        """What was decoded is out of date."""
+        self.job, self.result, self.judged = None, None, False
+        self.before, self.alone = None, None
+
+    def together_with(self, before: Samples) -> None:
+        """Hear it anew, together with the sound of the command before."""
+        self.alone, self.before = self.result, before
+        self.job, self.result, self.judged = None, None, False

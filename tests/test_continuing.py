@@ -1,0 +1,193 @@
+"""What is said right after a command belongs to it, or does not."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.goal import GoalState
+from intent_engine.runtime import Heard, HeardKind
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.recognizer import Transcript
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "speech"))
+from speech_stage import Frames, Voiced, framed  # noqa: E402
+
+ENGINE = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
+SOON = Settings().wait_continued
+APART = Settings(wait_continued=0.0)
+ORDERS = IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml")
+
+
+class Script:
+    """A recogniser that is told what is heard in sounds of what length: the second utterance by itself is shorter than
+    both together."""
+
+    def __init__(self, first: str, second: str, together: str, score: float = 0.0) -> None:
+        self._texts = {"first": first, "second": second, "together": together}
+        self._score = score
+        self.asked: list[str] = []
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        seconds = samples.size / SAMPLE_RATE
+        which = "first" if not self.asked or seconds < 1.0 else "together" if seconds > 2.0 else "second"
+        self.asked.append(which)
+        text = self._texts[which]
+        return Transcript(text, self._score, text, gap=0.0)
+
+    def close(self) -> None: ...
+
+
+class Said:
+    """Two utterances, of 0.4 s and 0.9 s, and what came of them."""
+
+    def __init__(self, script: Script, pause: float = 0.6, engine: IntentEngine = ENGINE, **options: object) -> None:
+        begin = 0.9 + pause
+        clock = VirtualClock()
+        self.robot = SimulatedRobot(clock)
+        self.events: list[Heard] = []
+        self.orders: list[dict[str, object]] = []
+        with Executor(self.robot, clock=clock) as executor:
+            executor.register("order_drink", lambda action: self.orders.append(dict(action.slots)))
+            runtime = Runtime(
+                engine,
+                executor,
+                script,
+                voice=Voiced((0.5, 0.9), (begin, begin + 0.9)),
+                noise_filter=None,
+                on_event=self.events.append,
+                **options,
+            )
+            runtime.run(Frames(framed(np.zeros(int((begin + 3.0) * SAMPLE_RATE), np.float32))))
+            executor.wait()
+            self.pose = self.robot.pose()
+            assert executor.snapshot().velocity == (0.0, 0.0)
+
+    @property
+    def done(self) -> list[Heard]:
+        return [event for event in self.events if event.kind is HeardKind.SUBMITTED]
+
+    @property
+    def goals(self) -> list[GoalState]:
+        return [goal.state for event in self.done for goal in event.goals]
+
+
+def test_an_angle_that_comes_later_is_turned_as_a_whole():
+    said = Said(Script("turn left", "ninety degrees", "Turn left. 90 degrees."))
+    assert said.pose.yaw == pytest.approx(math.pi / 2)
+    assert [event.goes_on for event in said.done] == [False, True]
+    assert said.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+
+
+@given(pause=st.floats(0.3, SOON - 0.1), meters=st.integers(1, 5))
+def test_a_distance_that_comes_later_is_driven_as_a_whole(pause, meters):
+    said = Said(Script("go forward", f"{meters} meters", f"go forward {meters} meters"), pause)
+    assert said.pose.x == pytest.approx(meters)
+
+
+def test_a_correction_that_comes_later_is_done():
+    said = Said(Script("go to the kitchen", "i mean the bedroom", "go to the kitchen, i mean the bedroom"))
+    assert (said.pose.x, said.pose.y) == pytest.approx((2.0, 8.0))
+
+
+def test_a_correction_that_was_heard_clearly_needs_no_model_that_searches_for_it():
+    said = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom"))
+    assert (said.pose.x, said.pose.y) == pytest.approx((2.0, 8.0))
+    hardly = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom", score=-0.5))
+    assert (hardly.pose.x, hardly.pose.y) == pytest.approx((5.0, 2.0))
+
+
+def test_a_number_that_sounds_like_another_must_be_heard_with_the_command():
+    said = Said(Script("turn left", "ninety degrees", "turn left I did a breeze"))
+    assert [event.interpretation.text for event in said.done] == ["turn left"]
+
+
+def test_what_comes_after_it_waits_its_turn():
+    said = Said(Script("turn left", "and then go forward one meter", "-"))
+    assert said.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED]
+    assert math.hypot(said.pose.x, said.pose.y) == pytest.approx(1.0)
+    more = Said(Script("go forward one meter", "and left", "go forward one meter and turn left"))
+    assert more.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED], "the first is not begun again"
+    assert more.pose.x == pytest.approx(1.0)
+    assert more.pose.yaw > 0.5
+
+
+def test_a_command_by_itself_is_one_and_is_not_heard_again():
+    script = Script("turn left", "go forward one meter", "turn left go forward one meter")
+    said = Said(script)
+    assert "together" not in script.asked
+    assert said.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+
+
+def test_a_stop_is_a_stop():
+    said = Said(Script("go forward ten meters", "no stop", "go forward ten meters no stop"))
+    assert said.pose.x < 1.0
+    assert said.goals == [GoalState.CANCELED]
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        Script("turn left", "what a nice day", "turn left what a nice day"),
+        Script("turn left", "ninety degrees", "turn right ninety degrees"),
+        Script("turn left", "ninety degrees", "don't turn left ninety degrees"),
+        Script("turn left", "", "turn left ninety degrees"),
+        Script("turn left", "um", "turn left"),
+    ],
+    ids=["talk", "the first is another then", "forbidden then", "nothing", "nothing new"],
+)
+def test_what_is_no_command_together_changes_nothing(script):
+    said = Said(script)
+    assert len(said.done) == 1
+    assert said.goals == [GoalState.SUCCEEDED]
+    assert said.pose.yaw == pytest.approx(0.75)
+
+
+def test_later_words_belong_to_nothing():
+    script = Script("turn left", "ninety degrees", "turn left ninety degrees")
+    said = Said(script, SOON + 0.3)
+    assert "together" not in script.asked
+    assert said.pose.yaw == pytest.approx(0.75)
+
+
+def test_what_cannot_be_taken_back_is_not_gone_on_with():
+    script = Script("get me a latte", "with soy milk", "get me a latte with soy milk")
+    assert Said(script, engine=ORDERS).orders == [{"coffeeDrink": "latte"}]
+
+
+def test_it_can_be_switched_off():
+    script = Script("turn left", "ninety degrees", "turn left ninety degrees")
+    said = Said(script, settings=APART)
+    assert "together" not in script.asked
+    assert said.pose.yaw == pytest.approx(0.75)
+
+
+def test_a_motion_is_begun_the_sooner_for_it():
+    script = ("turn left", "what", "what")
+    soon, late = (Said(Script(*script), settings=waits).done[0].time for waits in (Settings(), APART))
+    assert late - soon >= 0.1
+
+
+def test_it_goes_on_while_it_is_decoded_in_a_thread_beside():
+    """In real time: nothing of the sound waits for the recogniser."""
+    from intent_engine.execution.clock import MonotonicClock
+
+    script = Script("turn left", "ninety degrees", "turn left ninety degrees")
+    events: list[Heard] = []
+    robot = SimulatedRobot(MonotonicClock())
+    with Executor(robot) as executor:
+        voice = Voiced((0.5, 0.9), (1.5, 2.4))
+        runtime = Runtime(ENGINE, executor, script, voice=voice, noise_filter=None, on_event=events.append)
+        runtime.run(Frames(framed(np.zeros(5 * SAMPLE_RATE, np.float32))))
+    done = [event for event in events if event.kind is HeardKind.SUBMITTED]
+    assert [event.goes_on for event in done] == [False, True]
