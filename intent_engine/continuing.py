@@ -3,13 +3,14 @@
 
 A motion that could go on is begun after a short silence, so that the robot answers at once. What follows, and is no
 command by itself, is heard once more together with it. If both are one command that begins with the words of the first,
-then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn.
+then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn. Of what
+begins with "no", and is not understood, so much is clear that the motion was not meant: the robot stops.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from intent_engine.actions import Action
@@ -30,6 +31,7 @@ __all__ = ["Continuing", "Step", "Understood"]
 
 LONGEST = 10.0
 """s of sound that is heard once more."""
+_WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +54,8 @@ class Understood:
     transcript: Transcript
     meaning: Interpretation
     step: Step
+    withdrawn: bool = False
+    """Whether the command before is taken back, and nothing is done in its place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +86,7 @@ class Continuing:
         whole = understood.meaning
         before = self._said.goals if self._said is not None else ()
         given = before[: len(whole.actions) - len(goals)]
-        self._said = _Said(utterance.sound(), utterance.last_voice, whole, (*given, *goals))
+        self._said = _Said(utterance.said(), utterance.last_voice, whole, (*given, *goals))
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
@@ -115,7 +119,10 @@ class Continuing:
             if exact is not None and (step := _step(said, exact)) is not None:
                 return Understood(alone, exact, step)
         meaning = self._judge.meaning(alone, state, last)
-        return Understood(alone, meaning, Step(meaning.actions))
+        withdrawn = said is not None and meaning.status is not Status.ACCEPTED and self._judge.corrects(alone)
+        if withdrawn:
+            meaning = replace(meaning, reason=_WITHDRAWN)
+        return Understood(alone, meaning, Step(meaning.actions), withdrawn)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""

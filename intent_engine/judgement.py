@@ -119,9 +119,16 @@ class Judge:
 
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
+        return self._begins_with(transcript, self.engine.matcher(self._language(transcript)).grammar.operators.sequence)
+
+    def corrects(self, transcript: Transcript) -> bool:
+        """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
+        corrections = self.engine.matcher(self._language(transcript)).grammar.operators.correction
+        return transcript.score > HARDLY_A_WORD and self._begins_with(transcript, corrections)
+
+    def _begins_with(self, transcript: Transcript, phrases: Collection[tuple[str, ...]]) -> bool:
         words = tuple(self._words(transcript))
-        sequence = self.engine.matcher(self._language(transcript)).grammar.operators.sequence
-        return any(words[: len(phrase)] == phrase for phrase in sequence)
+        return any(words[: len(phrase)] == phrase for phrase in phrases)
 
     def _words(self, transcript: Transcript) -> list[str]:
         return in_words(Utterance.of(transcript.free_text).words)

@@ -206,7 +206,7 @@ class Runtime:
         utterance.take(frame.samples)
         self._listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
-            utterance.last_voice = frame.time
+            utterance.voiced(frame.time)
         if signal is Signal.PAUSED and self._speculate:
             self._decode(utterance, final=False)
         elif signal is Signal.RESUMED:
@@ -387,6 +387,9 @@ class Runtime:
             return
         if self._held:
             self._release(time, "no stop was said")
+        if understood.withdrawn:
+            self._forget()
+            self.executor.stop()
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
         self._last = meaning.actions

@@ -104,7 +104,7 @@ def test_a_correction_that_was_heard_clearly_needs_no_model_that_searches_for_it
     said = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom"))
     assert (said.pose.x, said.pose.y) == pytest.approx((2.0, 8.0))
     hardly = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom", score=-0.5))
-    assert (hardly.pose.x, hardly.pose.y) == pytest.approx((5.0, 2.0))
+    assert hardly.goals == [GoalState.CANCELED]
 
 
 def test_a_number_that_sounds_like_another_must_be_heard_with_the_command():
@@ -151,6 +151,16 @@ def test_what_is_no_command_together_changes_nothing(script):
     assert len(said.done) == 1
     assert said.goals == [GoalState.SUCCEEDED]
     assert said.pose.yaw == pytest.approx(0.75)
+
+
+def test_a_no_takes_it_back_even_if_what_is_meant_instead_is_not_understood():
+    said = Said(Script("go forward ten meters", "no the dog", "go forward ten meters no the dog"))
+    assert said.goals == [GoalState.CANCELED]
+    assert said.pose.x < 2.0
+    told = [event.interpretation for event in said.events if event.kind is HeardKind.INTERPRETATION]
+    assert "taken back" in told[-1].reason
+    hardly = Said(Script("go forward ten meters", "no the dog", "go forward ten meters no the dog", score=-2.0))
+    assert hardly.pose.x == pytest.approx(10.0)
 
 
 def test_later_words_belong_to_nothing():

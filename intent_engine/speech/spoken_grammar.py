@@ -71,6 +71,8 @@ class _Known:
 
     matcher: Matcher
     words: frozenset[str]
+    corrections: frozenset[str]
+    """Words of "I mean", "no", "make that", which a sentence that is corrected has besides."""
     in_slots: frozenset[str]
     search: UtteranceSearch
     usual: UsualNumbers
@@ -183,7 +185,10 @@ class SpokenGrammar:
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
-        known = self._known(language).words.issuperset(word for word in words if not is_numeral(word))
+        there = self._known(language).words
+        if meaning.reason.startswith("corrected"):
+            there = there | self._known(language).corrections
+        known = there.issuperset(word for word in words if not is_numeral(word))
         if known and not self.unlisted(meaning, language):
             return False
         heard = tuple(words)
@@ -246,8 +251,10 @@ class SpokenGrammar:
             search = UtteranceSearch(matcher.likely, words)
             asked = [intent.min_confidence for intent in matcher.grammar.intents.values()]
             least = min([SURE_ENOUGH, *(one for one in asked if one is not None)])
+            corrections = frozenset(word for words in matcher.grammar.operators.correction for word in words)
+            usual = UsualNumbers(matcher.grammar)
             known = self._kept[language] = _Known(
-                matcher, words, known_in_slots(matcher), search, UsualNumbers(matcher.grammar), least
+                matcher, words, corrections, known_in_slots(matcher), search, usual, least
             )
         return known
 

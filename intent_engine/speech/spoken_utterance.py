@@ -7,11 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from intent_engine.speech.audio import Samples
+from intent_engine.speech.audio import FRAME_SAMPLES, Samples
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.rnnoise import FilteredSpeech
 
 __all__ = ["SpokenUtterance"]
+
+KEPT_SILENCE = 3
+"""Frames after the last one of speech: the end of a word is often taken for silence."""
 
 
 @dataclass(slots=True)
@@ -25,8 +28,10 @@ class SpokenUtterance:
     frames: list[Samples]
     began: float
     """s since the source began"""
-    last_voice: float = 0.0
+    last_voice: float
     """s since the source began: the last frame of speech."""
+    silent: int = 0
+    """Frames since then."""
     filtered: FilteredSpeech | None = None
     job: Future[Transcript] | None = None
     final: bool = False
@@ -48,6 +53,7 @@ class SpokenUtterance:
 
     def take(self, samples: Samples) -> None:
         """One frame more."""
+        self.silent += 1
         self.frames.append(samples)
         if self.filtered is not None:
             self.filtered.add(samples)
@@ -56,6 +62,16 @@ class SpokenUtterance:
         """What is to be decoded."""
         said = self.filtered.sound() if self.filtered is not None else np.concatenate(self.frames)
         return said if self.before is None else np.concatenate((self.before, said))
+
+    def voiced(self, time: float) -> None:
+        """The last frame, at ``time`` s, was speech."""
+        self.last_voice, self.silent = time, 0
+
+    def said(self) -> Samples:
+        """What is to be decoded, without most of the silence after it."""
+        silence = max(self.silent - KEPT_SILENCE, 0) * FRAME_SAMPLES
+        sound = self.sound()
+        return sound[: sound.size - silence]
 
     def speaks_on(self) -> None:
         """What was decoded is out of date."""

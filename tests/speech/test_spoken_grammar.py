@@ -54,6 +54,8 @@ def test_a_sentence_carries_what_it_would_do(engine, grammar):
         ("turn left ninety degrees please", True),
         ("turn left please and go forward", False),
         ("turn left and then go forward two meters", True),
+        ("go to the kitchen i mean the bedroom", True),
+        ("turn left no right", True),
         ("turn like by sixteen degrees", False),
         ("turn right five hundred and fourteen degrees", False),
         ("turn right three hundred and sixty degrees", True),
