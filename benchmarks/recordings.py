@@ -37,7 +37,6 @@ from intent_engine.speech.weights import find_weights
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT.parent / "shared" / "data"
 """Recordings that are not the project's own."""
-SPEECH_SET = ROOT / "out" / "speech_set"
 MODEL = "tiny.en"
 PEER = "transcribe, 0.6 s endpoint"
 PEER_WAIT = 0.6
@@ -123,17 +122,19 @@ def needs(path: Path, what: str) -> None:
         raise FileNotFoundError(f"no {path}: {what}")
 
 
-def speech_set() -> Path:
-    """The synthesised set; made, if it is not there yet.
+def speech_set(kind: str = "speech") -> Path:
+    """The labels of a synthesised set, ``speech`` or ``paused``; made, if it is not there yet.
 
     Raises:
         FileNotFoundError: it cannot be made here.
     """
-    if not (SPEECH_SET / "labels.jsonl").exists():
-        done = subprocess.run([sys.executable, str(ROOT / "scripts" / "make_speech_set.py")], check=False)
+    labels = ROOT / "out" / f"{kind}_set" / "labels.jsonl"
+    if not labels.exists():
+        options = [] if kind == "speech" else [f"--{kind}"]
+        done = subprocess.run([sys.executable, str(ROOT / "scripts" / "make_speech_set.py"), *options], check=False)
         if done.returncode:
             raise FileNotFoundError("the set of synthetic commands: scripts/make_speech_set.py says what to install")
-    return SPEECH_SET / "labels.jsonl"
+    return labels
 
 
 # -- rows --------------------------------------------------------------------------------------------------------------

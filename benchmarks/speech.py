@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from benchmarks.recordings import (
     DATA,
-    SPEECH_SET,
+    Heard,
     Ways,
     accuracy_rows,
     hear,
@@ -22,10 +23,11 @@ from benchmarks.recordings import (
     some,
     speech_set,
 )
+from benchmarks.report import Report, Table
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
 from intent_engine.evaluation.labels import read_labels
-from intent_engine.evaluation.scoring import Outcome
+from intent_engine.evaluation.scoring import Outcome, Verdict
 from intent_engine.evaluation.sound import SamplesSource, load, read_whole
 from intent_engine.evaluation.trial import Trial
 from intent_engine.resources import default_grammar, default_locations
@@ -34,18 +36,18 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 _COMMAND = "python -m benchmarks --only speech"
 NOISE_SNR = 10.0
 """dB"""
+NOTE = (
+    "Right + wrong, plain commands and the grammar's rare sentences, ours. Voices named espeak are formant synthesis."
+)
 PAUSE = 1.0
 """s between two commands of a minute of commands."""
 
 
-def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
+def run(quick: bool) -> Iterator[Report | list[dict[str, Any]]]:
     """The rows of this benchmark."""
     engine = IntentEngine.from_files(default_grammar(), locations=default_locations())
     labels = read_labels(speech_set(), engine)
-    kinds = {
-        str(label["id"]): label["kind"]
-        for label in map(json.loads, (SPEECH_SET / "labels.jsonl").read_text("utf-8").splitlines())
-    }
+    notes = {str(label["id"]): label for label in map(json.loads, speech_set().read_text("utf-8").splitlines())}
     chosen = some(labels, quick)
     ways = Ways.of(engine)
     trial = Trial(kitchen(), [NOISE_SNR])
@@ -54,12 +56,31 @@ def run(quick: bool) -> Iterator[list[dict[str, Any]]]:
     for snr in (condition.snr for condition in trial.conditions("")):
         name = "clean" if snr is None else f"kitchen noise at {snr:g} dB"
         for kind, what in (("plain", "plain commands"), ("sampled", "the grammar's rare sentences"), ("other", "talk")):
-            pair = [[one for one in heard[snr] if kinds[one.row.id] == kind] for heard in (ours, peer)]
+            pair = [[one for one in heard[snr] if notes[one.row.id]["kind"] == kind] for heard in (ours, peer)]
             if pair[0]:
                 rows += accuracy_rows(f"{what}, {name}", _COMMAND, *pair)
         rows += reflex_rows(name, ours[snr])
-    yield rows
+    voices = {name: str(note["voice"]) for name, note in notes.items()}
+    yield Report(rows, [by_voice(ours, voices)])
+    paused = some(read_labels(speech_set("paused"), engine), quick)
+    ours, peer = hear("commands with a pause", paused, Trial(), (ways.ours, ways.peer))
+    yield accuracy_rows("commands with a pause of 0.25 to 1.2 s in them, clean", _COMMAND, ours[None], peer[None])
     yield cost(ways, [load(one) for one in labels if one.expected.command][: 4 if quick else 40], quick)
+
+
+def by_voice(heard: Heard, voices: Mapping[str, str]) -> Table:
+    """How many commands were right of each voice: some are hardly like a person's."""
+    conditions = sorted(heard, key=lambda snr: -math.inf if snr is None else -snr)
+    rows = []
+    for voice in dict.fromkeys(voices.values()):
+        cells = []
+        for snr in conditions:
+            mine = [one for one in heard[snr] if voices[one.row.id] == voice and one.row.expected.command]
+            right, wrong = (sum(one.verdict is which for one in mine) for which in (Verdict.RIGHT, Verdict.WRONG))
+            cells.append(f"{right} + {wrong} of {len(mine)}")
+        rows.append([voice, *cells])
+    columns = ["voice", *("clean" if snr is None else f"kitchen noise at {snr:g} dB" for snr in conditions)]
+    return Table("Synthetic commands by voice", columns, sorted(rows), NOTE)
 
 
 def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:

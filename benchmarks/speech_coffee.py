@@ -35,9 +35,15 @@ def run(quick: bool) -> Report:
     snrs = [float(snr) for snr in published["snr_db"]]
     rows = some(read_labels(FOLDER / "labels.jsonl", engine), quick)
     ways = Ways.of(engine, reflex=False)
-    ours, peer = hear("coffee", rows, Trial(kitchen(), snrs), (ways.ours, ways.peer))
+    kitchen_noise = kitchen()
+    ours, peer = hear("coffee", rows, Trial(kitchen_noise, snrs), (ways.ours, ways.peer))
     table, means = [], {}
-    for name, heard in ((OURS, ours), (PEER, peer)):
+    lines = [(OURS, ours), (PEER, peer)]
+    for noise in kitchen_noise.names if kitchen_noise is not None else ():
+        part = {snr: [one for one in found if kitchen_noise.of(one.row.id) == noise] for snr, found in ours.items()}
+        if part[None]:
+            lines.insert(-1, (f"the {len(part[None])} of them in {noise.replace('_', ' ')}", part))
+    for name, heard in lines:
         rights = [100 * (score(heard[snr]).accuracy or 0.0) for snr in snrs]
         means[name] = sum(rights) / len(rights)
         clean = f"{100 * (score(heard[None]).accuracy or 0.0):.1f}"

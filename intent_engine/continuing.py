@@ -13,7 +13,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Pick
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
@@ -147,7 +147,7 @@ def _step(said: _Said, whole: Interpretation) -> Step | None:
         more = whole.actions[len(done) :]
         return Step(more, Policy.QUEUE, goes_on=True) if more else None
     first = said.goals[0]
-    begun = first.succeeded or first.state is GoalState.EXECUTING
+    begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick))
     if not (begun and can_be_amended(said.meaning)):
         return None
     return Step(whole.actions, Policy.REPLACE, first, goes_on=True)

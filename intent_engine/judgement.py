@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from intent_engine.actions import Action, Move, Navigate, Turn
+from intent_engine.actions import Action, Move, Navigate, Pick, Turn
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Intent
@@ -182,9 +182,9 @@ class Judge:
 
 
 def can_be_amended(meaning: Interpretation) -> bool:
-    """Whether what was understood can be put right while it is done: one drive, turn or way somewhere. What is picked
-    up, or ordered, cannot be taken back."""
-    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate))
+    """Whether what was understood can be put right while it is done: one drive, turn or way somewhere, or a hand that
+    reaches for something. What is put down, or ordered, cannot be taken back."""
+    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate, Pick))
 
 
 def _hardly_heard(transcript: Transcript) -> bool:

@@ -156,9 +156,17 @@ class Noise:
 
     def piece(self, name: str, size: int) -> Samples:
         """The noise for the row of a name, ``(size,)``; goes round where the recording is too short."""
-        chance = np.random.default_rng(zlib.crc32(name.encode()))
-        recording = self.recordings[int(chance.integers(len(self.recordings)))]
+        chance, chosen = self._chosen(name)
+        recording = self.recordings[chosen]
         start = int(chance.integers(recording.size))
         if start + size > recording.size and size <= recording.size:
             start = int(chance.integers(recording.size - size + 1))
         return np.take(recording, np.arange(start, start + size), mode="wrap")
+
+    def of(self, name: str) -> str:
+        """The name of the recording from which the row of a name has its noise."""
+        return self.names[self._chosen(name)[1]]
+
+    def _chosen(self, name: str) -> tuple[np.random.Generator, int]:
+        chance = np.random.default_rng(zlib.crc32(name.encode()))
+        return chance, int(chance.integers(len(self.recordings)))
