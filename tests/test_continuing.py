@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import sys
 from pathlib import Path
@@ -12,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine.cli.reporter import Reporter
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.goal import GoalState
 from intent_engine.runtime import Heard, HeardKind
@@ -161,6 +163,21 @@ def test_a_no_takes_it_back_even_if_what_is_meant_instead_is_not_understood():
     assert "taken back" in told[-1].reason
     hardly = Said(Script("go forward ten meters", "no the dog", "go forward ten meters no the dog", score=-2.0))
     assert hardly.pose.x == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize("as_json", [False, True])
+def test_it_is_told_that_a_command_goes_on(capsys, as_json):
+    said = Said(Script("turn left", "ninety degrees", "turn left ninety degrees"))
+    reporter = Reporter(said.robot, as_json=as_json)
+    for event in said.events:
+        reporter.heard(event)
+    told = capsys.readouterr().out
+    if as_json:
+        events = [json.loads(line) for line in told.splitlines()]
+        assert [event.get("goes_on") for event in events if event["event"] == "interpretation"] == [None, True]
+    else:
+        assert "understood  turn side=left\n" in told
+        assert "goes on     turn side=left angle=1.571" in told
 
 
 def test_later_words_belong_to_nothing():

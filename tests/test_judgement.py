@@ -98,7 +98,8 @@ def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confi
     [
         ("turn left", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
         ("go to the dock", (Outlook.COMPLETE, Outlook.COMPLETE)),
-        ("pick up the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
+        ("pick up the cup", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
+        ("put down the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
         ("turn left then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
     ],
 )

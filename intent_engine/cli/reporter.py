@@ -77,6 +77,8 @@ class Reporter:
             data["interpretation"] = event.interpretation.to_json()
         if event.speech_ended is not None:
             data["speech_ended"] = round(event.speech_ended, 3)
+        if event.goes_on:
+            data["goes_on"] = True
         if event.detail:
             data["detail"] = event.detail
         json_line(data)
@@ -87,7 +89,8 @@ class Reporter:
             # the recogniser too far from the sound.
             found = event.interpretation
             self._line(event.time, "heard", found.text, "bold")
-            word = "understood" if found.status is Status.ACCEPTED else found.status.value
+            done = "goes on" if event.goes_on else "understood"
+            word = done if found.status is Status.ACCEPTED else found.status.value
             self._line(None, word, _meaning(found), STYLES[found.status])
         elif event.kind in _TOLD:
             self._line(event.time, _TOLD[event.kind], event.detail or "a stop word, perhaps", "yellow")
