@@ -385,11 +385,12 @@ class Runtime:
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
-        if self._held:
-            self._release(time, "no stop was said")
         if understood.withdrawn:
+            self._held = False
             self._forget()
             self.executor.stop()
+        elif self._held:
+            self._release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
         self._last = meaning.actions
