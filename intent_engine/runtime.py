@@ -235,6 +235,7 @@ class Runtime:
         recent.clear()
         self._endpoint.reset()
         self._voice.reset()
+        self._continuing.forget()
         if frame.deaf:
             if not self._deaf:
                 self._deaf = True

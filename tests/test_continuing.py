@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -53,7 +54,9 @@ class Script:
 class Said:
     """Two utterances, of 0.4 s and 0.9 s, and what came of them."""
 
-    def __init__(self, script: Script, pause: float = 0.6, engine: IntentEngine = ENGINE, **options: object) -> None:
+    def __init__(
+        self, script: Script, pause: float = 0.6, engine: IntentEngine = ENGINE, lost: float = 0.0, **options: object
+    ) -> None:
         begin = 0.9 + pause
         clock = VirtualClock()
         self.robot = SimulatedRobot(clock)
@@ -65,12 +68,14 @@ class Said:
                 engine,
                 executor,
                 script,
-                voice=Voiced((0.5, 0.9), (begin, begin + 0.9)),
                 noise_filter=None,
                 on_event=self.events.append,
-                **options,
+                **{"voice": Voiced((0.5, 0.9), (begin, begin + 0.9)), **options},
             )
-            runtime.run(Frames(framed(np.zeros(int((begin + 3.0) * SAMPLE_RATE), np.float32))))
+            frames = framed(np.zeros(int((begin + 3.0) * SAMPLE_RATE), np.float32))
+            between = next(at for at, frame in enumerate(frames) if frame.time > begin - 0.1)
+            frames[between] = replace(frames[between], lost=lost)
+            runtime.run(Frames(frames))
             executor.wait()
             self.pose = self.robot.pose()
             assert executor.snapshot().velocity == (0.0, 0.0)
@@ -183,6 +188,18 @@ def test_it_is_told_that_a_command_goes_on(capsys, as_json):
 def test_later_words_belong_to_nothing():
     script = Script("turn left", "ninety degrees", "turn left ninety degrees")
     said = Said(script, SOON + 0.3)
+    assert "together" not in script.asked
+    assert said.pose.yaw == pytest.approx(0.75)
+
+
+def test_nothing_goes_on_over_a_gap_in_the_sound():
+    """A "don't" may be what is missing."""
+    script = Script("turn left", "ninety degrees", "turn left ninety degrees")
+
+    class Unreset(Voiced):
+        def reset(self) -> None: ...
+
+    said = Said(script, lost=0.1, voice=Unreset((0.5, 0.9), (1.5, 2.4)))
     assert "together" not in script.asked
     assert said.pose.yaw == pytest.approx(0.75)
 
