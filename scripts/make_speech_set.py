@@ -381,7 +381,9 @@ def sampled(engine: IntentEngine, count: int, seed: int) -> list[dict[str, Any]]
         texts = {
             one.text: one
             for one in drawn
-            if len(one.text.split()) <= MOST_WORDS and not re.search(r"[^a-z '-]", one.text)
+            if len(one.text.split()) <= MOST_WORDS
+            and not re.search(r"[^a-z '-]", one.text)
+            and engine.parse(one.text, last=()).status is Status.ACCEPTED  # "again" is nothing by itself
         }
         for text, one in list(texts.items())[:wanted]:
             found[text] = label(text, one.intent, one.actions, "sampled")
