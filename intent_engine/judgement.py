@@ -80,7 +80,8 @@ class Judge:
                 waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
                 shorter = self._continuing and can_be_amended(meaning)
                 return meaning, waits[1 - shorter + _hardly_heard(transcript)]
-            return meaning, Outlook.COMPLETE if prefix.status is PrefixStatus.COMPLETE else Outlook.SETTLED
+            over = prefix.status is PrefixStatus.COMPLETE or (self._continuing and can_be_amended(meaning))
+            return meaning, Outlook.COMPLETE if over else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
     def wait(self, transcript: Transcript, meaning: Interpretation | None) -> float | None:

@@ -98,6 +98,8 @@ def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confi
     [
         ("turn left", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
         ("go to the dock", (Outlook.COMPLETE, Outlook.COMPLETE)),
+        ("turn left ninety degrees", (Outlook.COMPLETE, Outlook.COMPLETE)),
+        ("turn left then turn right ninety degrees", (Outlook.SETTLED, Outlook.SETTLED)),
         ("pick up the cup", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
         ("put down the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
         ("turn left then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
@@ -107,6 +109,10 @@ def test_a_motion_that_can_be_put_right_is_waited_for_less(judge, text, outlooks
     continuing = Judge(judge.engine, continuing=True)
     for score, outlook in zip((CLEARLY, CLEARLY - 0.01), outlooks, strict=True):
         assert continuing.outlook(Transcript(text, score, "-", gap=0.1, confidence=0.95), (), ())[1] is outlook
+
+
+def test_a_motion_that_cannot_be_put_right_waits_for_its_manner(judge):
+    assert judge.outlook(Transcript("turn left ninety degrees", 0.0, "-", confidence=1.0), (), ())[1] is Outlook.SETTLED
 
 
 @pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])
