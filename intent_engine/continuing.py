@@ -31,6 +31,9 @@ __all__ = ["Continuing", "Step", "Understood"]
 
 LONGEST = 10.0
 """s of sound that is heard once more."""
+ONE_BREATH = 0.45
+"""s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
+commands wait for those that could go on, and two frames for the onset."""
 _WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
 
 
@@ -110,7 +113,7 @@ class Continuing:
         said = self._before(utterance)
         meaning = self._judge.meaning(heard, state, last)
         if alone is None:
-            queued = said is not None and meaning.status is Status.ACCEPTED and self._judge.comes_after(heard)
+            queued = said is not None and not meaning.stops and self._in_turn(said, utterance, meaning, state)
             return Understood(heard, meaning, Step(meaning.actions, Policy.QUEUE if queued else None))
         if said is not None:
             if (step := _step(said, meaning)) is not None:
@@ -123,6 +126,21 @@ class Continuing:
         if withdrawn:
             meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, Step(meaning.actions), withdrawn)
+
+    def _in_turn(
+        self, said: _Said, utterance: SpokenUtterance, meaning: Interpretation, state: Collection[str]
+    ) -> bool:
+        """Whether a command by itself is to be done after the one before: it begins with "and then", or both were said
+        in one breath and are two commands in a row ("turn left, go forward")."""
+        heard = utterance.result
+        if heard is None or meaning.status is not Status.ACCEPTED:
+            return False
+        if self._judge.comes_after(heard):
+            return True
+        if utterance.began - said.ended > ONE_BREATH:
+            return False
+        whole = self._judge.both(said.meaning.text, heard.text, heard, state)
+        return whole.actions == (*said.meaning.actions, *meaning.actions)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""

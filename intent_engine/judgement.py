@@ -114,9 +114,13 @@ class Judge:
         correction, for which no model searches. Numbers that sound like another are left to those."""
         if transcript.score < CLEARLY or ALIKE.keys() & set(self._words(transcript)):
             return None
-        language = self._language(transcript)
-        meaning = self.engine.parse(f"{before}, {transcript.free_text}", state=state, language=language, spoken=True)
+        meaning = self.both(before, transcript.free_text, transcript, state)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
+
+    def both(self, before: str, more: str, transcript: Transcript, state: Collection[str]) -> Interpretation:
+        """What a text means with more words, which are of a transcript."""
+        language = self._language(transcript)
+        return self.engine.parse(f"{before}, {more}", state=state, language=language, spoken=True)
 
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""

@@ -129,6 +129,12 @@ def test_what_comes_after_it_waits_its_turn():
     assert more.pose.yaw > 0.5
 
 
+def test_what_is_said_in_one_breath_is_done_in_a_row():
+    said = Said(Script("turn left", "go forward one meter", "-"), pause=0.3)
+    assert said.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED]
+    assert (math.hypot(said.pose.x, said.pose.y), said.pose.yaw) == pytest.approx((1.0, 0.75))
+
+
 def test_a_command_by_itself_is_one_and_is_not_heard_again():
     script = Script("turn left", "go forward one meter", "turn left go forward one meter")
     said = Said(script)
