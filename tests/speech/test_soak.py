@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 
 HOUR = int(3600 / FRAME_SECONDS)
 MOST = 8.0
-"""MB that memory may grow by in the second half of an hour. What it holds for an utterance is 1 MB."""
+"""MB that memory may grow by in an hour, or the second half of the first. What it holds for an utterance is 1 MB."""
 
 
 def used() -> float:
@@ -86,11 +86,12 @@ def test_an_hour_of_commands_talk_and_noise(engine, whisper, go_forward, demo):
         chords(20, 0.5).astype(np.float32),
         np.full(5 * SAMPLE_RATE, 0.5, np.float32),
     ]
+    play(engine, whisper, sounds)  # the models' own memory grows until everything was heard a few times
     summary, events, memory, x = play(engine, whisper, sounds)
     assert summary.errors == 0
     done = [event for event in events if event.kind is HeardKind.SUBMITTED]
     assert len(done) == 12, "a command every fifth minute, and nothing else"
     assert x == pytest.approx(24.0)
-    assert max(memory[30:]) - memory[30] < MOST, memory
+    assert max(memory) - memory[0] < MOST, memory
     threads = [thread.name for thread in threading.enumerate() if thread.name == "recogniser"]
     assert threads == []
