@@ -18,8 +18,7 @@ from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge, can_be_amended
-from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import plain
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -172,5 +171,5 @@ def _step(said: _Said, whole: Interpretation) -> Step | None:
 
 
 def _begins_with(whole: str, first: str) -> bool:
-    words, begun = (in_words(Utterance.of(text).words) for text in (whole, first))
+    words, begun = plain(whole), plain(first)
     return words[: len(begun)] == begun and len(words) > len(begun)

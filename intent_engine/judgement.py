@@ -12,10 +12,9 @@ from dataclasses import replace
 from intent_engine.actions import Action, Move, Navigate, Pick, Turn
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.grammar import Intent
+from intent_engine.language.grammar import Grammar, Intent
 from intent_engine.language.numbers.english import ALIKE
-from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import plain
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
@@ -94,6 +93,9 @@ class Judge:
         """The grammar for a transcript: that of the language spoken, where there is one."""
         return transcript.language if transcript.language in self.engine.languages else None
 
+    def _grammar(self, transcript: Transcript) -> Grammar:
+        return self.engine.matcher(self._language(transcript)).grammar
+
     def meaning(self, transcript: Transcript, state: Collection[str], last: Sequence[Action]) -> Interpretation:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         language = self._language(transcript)
@@ -112,7 +114,7 @@ class Judge:
     def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
         """What words that were heard clearly mean after those before, if both are a command word by word: also a
         correction, for which no model searches. Numbers that sound like another are left to those."""
-        if transcript.score < CLEARLY or ALIKE.keys() & set(self._words(transcript)):
+        if transcript.score < CLEARLY or ALIKE.keys() & set(plain(transcript.free_text)):
             return None
         meaning = self.both(before, transcript.free_text, transcript, state)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
@@ -124,19 +126,12 @@ class Judge:
 
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
-        return self._begins_with(transcript, self.engine.matcher(self._language(transcript)).grammar.operators.sequence)
+        return _begins_with(transcript, self._grammar(transcript).operators.sequence)
 
     def corrects(self, transcript: Transcript) -> bool:
         """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
-        corrections = self.engine.matcher(self._language(transcript)).grammar.operators.correction
-        return transcript.score > HARDLY_A_WORD and self._begins_with(transcript, corrections)
-
-    def _begins_with(self, transcript: Transcript, phrases: Collection[tuple[str, ...]]) -> bool:
-        words = tuple(self._words(transcript))
-        return any(words[: len(phrase)] == phrase for phrase in phrases)
-
-    def _words(self, transcript: Transcript) -> list[str]:
-        return in_words(Utterance.of(transcript.free_text).words)
+        corrections = self._grammar(transcript).operators.correction
+        return transcript.score > HARDLY_A_WORD and _begins_with(transcript, corrections)
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
         """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
@@ -152,9 +147,8 @@ class Judge:
         longer = len(transcript.free_text.split()) > HARDLY_A_SENTENCE
         if meaning.stops or sure or longer or transcript.score > HARDLY_A_WORD:
             return meaning
-        language = self._language(transcript)
-        phrase = next(iter(self.engine.matcher(language).grammar.operators.stop))
-        stop = self.engine.parse(" ".join(phrase), language=language)
+        phrase = next(iter(self._grammar(transcript).operators.stop))
+        stop = self.engine.parse(" ".join(phrase), language=self._language(transcript))
         return replace(stop, confidence=SURE_ENOUGH_TO_STOP, reason=_HELD)
 
     def unsure(self, transcript: Transcript, meaning: Interpretation | None = None) -> bool:
@@ -182,8 +176,13 @@ class Judge:
     def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
         """What was said, one intent for each kind of command."""
         said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
-        intents = self.engine.matcher(self._language(transcript)).grammar.intents
+        intents = self._grammar(transcript).intents
         return [intent for name, intent in intents.items() if name in said]
+
+
+def _begins_with(transcript: Transcript, phrases: Collection[tuple[str, ...]]) -> bool:
+    words = tuple(plain(transcript.free_text))
+    return any(words[: len(phrase)] == phrase for phrase in phrases)
 
 
 def can_be_amended(meaning: Interpretation) -> bool:

@@ -12,8 +12,7 @@ from intent_engine.actions import Action
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.evaluation.labels import Row, Step, steps_of
-from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import plain
 
 __all__ = ["Condition", "Outcome", "Score", "Verdict", "judge", "plain", "quantile", "score", "wilson"]
 
@@ -163,11 +162,6 @@ def same(one: Any, other: Any) -> bool:
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
     return bool(one == other)
-
-
-def plain(text: str) -> list[str]:
-    """The words of a text, without case, punctuation and the choice between "90" and "ninety"."""
-    return in_words(Utterance.of(text).words)
 
 
 # -- all together ------------------------------------------------------------------------------------------------------

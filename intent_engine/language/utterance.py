@@ -7,8 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
+from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "Utterance"]
+__all__ = ["Openers", "PhraseSet", "Utterance", "plain"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -173,3 +174,8 @@ def _stutter(tokens: Sequence[Token], place: int) -> bool:
         return False
     after = tokens[place + 1].word
     return len(after) > 2 and after.startswith(word)
+
+
+def plain(text: str) -> list[str]:
+    """The words of a text, without case, punctuation and the choice between "90" and "ninety"."""
+    return in_words(Utterance.of(text).words)
