@@ -13,12 +13,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from intent_engine.actions import Action, Pick
+from intent_engine.actions import Action
+from intent_engine.amending import CarriedOut, Step
 from intent_engine.execution.admission import Policy
-from intent_engine.execution.goal import Goal, GoalState
+from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge, can_be_amended
-from intent_engine.language.utterance import plain
+from intent_engine.judgement import Judge
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from intent_engine.speech.audio import Samples
     from intent_engine.speech.spoken_utterance import SpokenUtterance
 
-__all__ = ["Continuing", "Step", "Understood"]
+__all__ = ["Continuing", "Understood"]
 
 LONGEST = 10.0
 """s of sound that is heard once more."""
@@ -34,19 +34,6 @@ ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
 _WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """What is to be done of a command."""
-
-    actions: tuple[Action, ...]
-    policy: Policy | None = None
-    """What becomes of what is being done; None: as for any command."""
-    amends: Goal | None = None
-    """The goal that the first of the actions puts right."""
-    goes_on: bool = False
-    """Whether the command before is a part of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +49,11 @@ class Understood:
 
 @dataclass(frozen=True, slots=True)
 class _Said:
-    """The last command that was carried out."""
+    """The last command that was carried out, and how it was said."""
 
     sound: Samples
     ended: float
-    meaning: Interpretation
-    goals: tuple[Goal, ...]
+    command: CarriedOut
 
 
 class Continuing:
@@ -79,16 +65,18 @@ class Continuing:
     """
 
     def __init__(self, judge: Judge, within: float) -> None:
+        self.on = True
+        """Whether anything goes on from anything."""
         self._judge = judge
         self._within = within
         self._said: _Said | None = None
 
     def carried_out(self, utterance: SpokenUtterance, understood: Understood, goals: Sequence[Goal]) -> None:
         """A command was begun, by these goals."""
-        whole = understood.meaning
-        before = self._said.goals if self._said is not None else ()
-        given = before[: len(whole.actions) - len(goals)]
-        self._said = _Said(utterance.said(), utterance.last_voice, whole, (*given, *goals))
+        whole, given = understood.meaning, tuple(goals)
+        before = self._said.command if self._said is not None else None
+        command = before.grown_to(whole, given) if before is not None else CarriedOut(whole, given)
+        self._said = _Said(utterance.said(), utterance.last_voice, command)
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
@@ -115,10 +103,10 @@ class Continuing:
             queued = said is not None and not meaning.stops and self._in_turn(said, utterance, meaning, state)
             return Understood(heard, meaning, Step(meaning.actions, Policy.QUEUE if queued else None))
         if said is not None:
-            if (step := _step(said, meaning)) is not None:
+            if (step := said.command.step_to(meaning)) is not None:
                 return Understood(heard, meaning, step)
-            exact = self._judge.together(said.meaning.text, alone, state)
-            if exact is not None and (step := _step(said, exact)) is not None:
+            exact = self._judge.together(said.command.meaning.text, alone, state)
+            if exact is not None and (step := said.command.step_to(exact)) is not None:
                 return Understood(alone, exact, step)
         meaning = self._judge.meaning(alone, state, last)
         withdrawn = said is not None and meaning.status is not Status.ACCEPTED and self._judge.corrects(alone)
@@ -138,38 +126,12 @@ class Continuing:
             return True
         if utterance.began - said.ended > ONE_BREATH:
             return False
-        whole = self._judge.both(said.meaning.text, heard.text, heard, state)
-        return whole.actions == (*said.meaning.actions, *meaning.actions)
+        first = said.command.meaning
+        whole = self._judge.both(first.text, heard.text, heard, state)
+        return whole.actions == (*first.actions, *meaning.actions)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""
         said = self._said
-        soon = said is not None and utterance.began - said.ended <= self._within
-        return said if said is not None and soon and _under_way(said.goals) else None
-
-
-def _under_way(goals: Sequence[Goal]) -> bool:
-    """Whether nothing came between: no stop, no other command, no failure."""
-    return all(goal.succeeded or not goal.done for goal in goals)
-
-
-def _step(said: _Said, whole: Interpretation) -> Step | None:
-    """What is to be done when a command was heard together with what followed it; None: they are not one."""
-    if whole.status is not Status.ACCEPTED or not _begins_with(whole.text, said.meaning.text):
-        return None
-    if whole.stops:
-        return Step(whole.actions, goes_on=True)
-    done = said.meaning.actions
-    if whole.actions[: len(done)] == done:
-        more = whole.actions[len(done) :]
-        return Step(more, Policy.QUEUE, goes_on=True) if more else None
-    first = said.goals[0]
-    begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick))
-    if not (begun and can_be_amended(said.meaning)):
-        return None
-    return Step(whole.actions, Policy.REPLACE, first, goes_on=True)
-
-
-def _begins_with(whole: str, first: str) -> bool:
-    words, begun = plain(whole), plain(first)
-    return words[: len(begun)] == begun and len(words) > len(begun)
+        soon = self.on and said is not None and utterance.began - said.ended <= self._within
+        return said if said is not None and soon and said.command.under_way else None

@@ -51,6 +51,8 @@ class Heard:
     """s: the last frame of speech."""
     goes_on: bool = False
     """Whether this is the command before and more: its goals were put right, or more were given."""
+    in_turn: bool = False
+    """Whether it is done after the command before, and not in its place."""
     detail: str = ""
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from intent_engine.actions import Action, Move, Navigate, Pick, Turn
+from intent_engine.actions import Action
+from intent_engine.amending import can_be_amended
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent
@@ -18,7 +19,7 @@ from intent_engine.language.utterance import plain
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "can_be_amended", "enough_to_stop"]
+__all__ = ["Judge", "enough_to_stop"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
@@ -54,12 +55,12 @@ class Judge:
 
     Args:
         engine: understands.
-        continuing: whether a motion can be put right while it is done.
+        continuing: whether a motion can be put right while it is done. It may be changed at any time.
     """
 
     def __init__(self, engine: IntentEngine, *, continuing: bool = False) -> None:
         self.engine = engine
-        self._continuing = continuing
+        self.continuing = continuing
 
     def outlook(
         self, transcript: Transcript, state: Collection[str], last: Sequence[Action]
@@ -77,9 +78,9 @@ class Judge:
                 return meaning, Outlook.COMPLETE
             if not prefix.settled:
                 waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
-                shorter = self._continuing and can_be_amended(meaning)
+                shorter = self.continuing and can_be_amended(meaning)
                 return meaning, waits[1 - shorter + _hardly_heard(transcript)]
-            over = prefix.status is PrefixStatus.COMPLETE or (self._continuing and can_be_amended(meaning))
+            over = prefix.status is PrefixStatus.COMPLETE or (self.continuing and can_be_amended(meaning))
             return meaning, Outlook.COMPLETE if over else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
@@ -183,12 +184,6 @@ class Judge:
 def _begins_with(transcript: Transcript, phrases: Collection[tuple[str, ...]]) -> bool:
     words = tuple(plain(transcript.free_text))
     return any(words[: len(phrase)] == phrase for phrase in phrases)
-
-
-def can_be_amended(meaning: Interpretation) -> bool:
-    """Whether what was understood can be put right while it is done: one drive, turn or way somewhere, or a hand that
-    reaches for something. What is put down, or ordered, cannot be taken back."""
-    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate, Pick))
 
 
 def _hardly_heard(transcript: Transcript) -> bool:

@@ -18,6 +18,7 @@ from typing import Any, Literal
 from intent_engine.actions import Action
 from intent_engine.continuing import Continuing, Understood
 from intent_engine.engine import IntentEngine
+from intent_engine.execution.admission import Policy
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
@@ -82,9 +83,9 @@ class Runtime:
         self.engine = engine
         self.executor = executor
         self._endpoint = Endpointer(settings)
-        within = self._endpoint.settings.wait_continued
-        self._judgement = Judge(engine, continuing=within > 0)
-        self._continuing = Continuing(self._judgement, within)
+        self._judgement = Judge(engine)
+        self._continuing = Continuing(self._judgement, self._endpoint.settings.wait_continued)
+        self.join_sentences()
         if recognizer is None:
             from intent_engine.speech.second_opinion import recognizer_for
 
@@ -119,6 +120,11 @@ class Runtime:
             self._talk.set()
         else:
             self._talk.clear()
+
+    def join_sentences(self, on: bool = True) -> None:
+        """Whether what is said right after a motion may belong to it, as it may unless ``Settings.wait_continued`` is
+        0. For a program that takes the interpretations of this runtime and cannot put right what it has begun."""
+        self._judgement.continuing = self._continuing.on = on and self._endpoint.settings.wait_continued > 0
 
     def close(self) -> None:
         """End :meth:`run` and stop the robot. Idempotent, from any thread."""
@@ -375,7 +381,11 @@ class Runtime:
         self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
-        told: dict[str, Any] = {"speech_ended": utterance.last_voice, "goes_on": understood.step.goes_on}
+        told: dict[str, Any] = {
+            "speech_ended": utterance.last_voice,
+            "goes_on": understood.step.goes_on,
+            "in_turn": not understood.step.goes_on and understood.step.policy is Policy.QUEUE,
+        }
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         stopping = meaning.stops

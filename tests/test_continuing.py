@@ -55,7 +55,13 @@ class Said:
     """Two utterances, of 0.4 s and 0.9 s, and what came of them."""
 
     def __init__(
-        self, script: Script, pause: float = 0.6, engine: IntentEngine = ENGINE, lost: float = 0.0, **options: object
+        self,
+        script: Script,
+        pause: float = 0.6,
+        engine: IntentEngine = ENGINE,
+        lost: float = 0.0,
+        joined: bool = True,
+        **options: object,
     ) -> None:
         begin = 0.9 + pause
         clock = VirtualClock()
@@ -69,7 +75,7 @@ class Said:
                 executor,
                 script,
                 noise_filter=None,
-                on_event=self.events.append,
+                on_event=lambda event: self._heard(event, runtime, joined),
                 **{"voice": Voiced((0.5, 0.9), (begin, begin + 0.9)), **options},
             )
             frames = framed(np.zeros(int((begin + 3.0) * SAMPLE_RATE), np.float32))
@@ -79,6 +85,11 @@ class Said:
             executor.wait()
             self.pose = self.robot.pose()
             assert executor.snapshot().velocity == (0.0, 0.0)
+
+    def _heard(self, event: Heard, runtime: Runtime, joined: bool) -> None:
+        self.events.append(event)
+        if event.kind is HeardKind.SPEECH:
+            runtime.join_sentences(joined)
 
     @property
     def done(self) -> list[Heard]:
@@ -191,6 +202,20 @@ def test_it_is_told_that_a_command_goes_on(capsys, as_json):
         assert "goes on     turn side=left angle=1.571" in told
 
 
+@pytest.mark.parametrize("as_json", [False, True])
+def test_it_is_told_that_a_command_waits_its_turn(capsys, as_json):
+    said = Said(Script("turn left", "and then go forward one meter", "-"))
+    reporter = Reporter(said.robot, as_json=as_json)
+    for event in said.events:
+        reporter.heard(event)
+    told = capsys.readouterr().out
+    if as_json:
+        events = [json.loads(line) for line in told.splitlines()]
+        assert [event.get("in_turn") for event in events if event["event"] == "interpretation"] == [None, True]
+    else:
+        assert "next        move direction=forward distance=1" in told
+
+
 def test_later_words_belong_to_nothing():
     script = Script("turn left", "ninety degrees", "turn left ninety degrees")
     said = Said(script, SOON + 0.3)
@@ -222,10 +247,22 @@ def test_it_can_be_switched_off():
     assert said.pose.yaw == pytest.approx(0.75)
 
 
+@pytest.mark.parametrize("joined", [True, False])
+def test_it_can_be_switched_off_while_it_listens(joined):
+    """By who learns that nobody could put right what was begun."""
+    script = Script("turn left", "ninety degrees", "turn left ninety degrees")
+    said = Said(script, joined=joined)
+    assert ("together" in script.asked) is joined
+    assert said.pose.yaw == pytest.approx(math.pi / 2 if joined else 0.75)
+
+
 def test_a_motion_is_begun_the_sooner_for_it():
     script = ("turn left", "what", "what")
-    soon, late = (Said(Script(*script), settings=waits).done[0].time for waits in (Settings(), APART))
-    assert late - soon >= 0.1
+    soon, apart, late = (
+        Said(Script(*script), **how).done[0].time for how in ({}, {"settings": APART}, {"joined": False})
+    )
+    assert apart - soon >= 0.1
+    assert late == apart
 
 
 def test_it_goes_on_while_it_is_decoded_in_a_thread_beside():

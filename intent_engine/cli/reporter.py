@@ -79,6 +79,8 @@ class Reporter:
             data["speech_ended"] = round(event.speech_ended, 3)
         if event.goes_on:
             data["goes_on"] = True
+        if event.in_turn:
+            data["in_turn"] = True
         if event.detail:
             data["detail"] = event.detail
         json_line(data)
@@ -89,7 +91,7 @@ class Reporter:
             # the recogniser too far from the sound.
             found = event.interpretation
             self._line(event.time, "heard", found.text, "bold")
-            done = "goes on" if event.goes_on else "understood"
+            done = "goes on" if event.goes_on else "next" if event.in_turn else "understood"
             word = done if found.status is Status.ACCEPTED else found.status.value
             self._line(None, word, _meaning(found), STYLES[found.status])
         elif event.kind in _TOLD:

@@ -17,7 +17,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sent
 from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.spellings import spellings
@@ -289,14 +289,20 @@ class Matcher:
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
 
     def _numbers_apart(self, slots: list[SlotReading], words: list[str]) -> list[SlotReading]:
-        """A number is never cut in two: "right seventy five dps" is no angle of seventy and a speed of five."""
+        """A number is never cut in two: "right seventy five dps" is no angle of seventy and a speed of five, and "four
+        meters and half a meter per second" are no four and a half meters at one meter per second."""
         for place, (slot, after) in enumerate(pairwise(slots)):
             if slot.end != after.start or slot.problem or not {slot.slot.type, after.slot.type} <= _COUNTED:
                 continue
-            if self.is_number(words[slot.end - 1]) and self.is_number(words[after.start]):
+            if self._is_cut(words[slot.end - 1], words[after.start]):
                 problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
                 slots[place] = replace(slot, value=None, status="unknown", problem=problem)
         return slots
+
+    def _is_cut(self, last: str, first: str) -> bool:
+        """Whether the last word of one quantity and the first of the next could be of one number."""
+        part_of = self.grammar.language == "en" and last in HALVES and first in ("a", "an")
+        return part_of or (self.is_number(last) and self.is_number(first))
 
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""

@@ -1,9 +1,10 @@
 """The node ``intent_engine``: text in, a moving robot out.
 
-In: ``voice_commands/text`` (std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop``
-(std_msgs/Empty), the services ``stop`` and ``~/reset`` (std_srvs/Trigger). Out: ``voice_commands/command``,
-``voice_commands/action`` and ``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All
-names are relative and can be remapped.
+In: ``voice_commands/text``, and ``voice_commands/amended_text`` for the last text with what belongs to it
+(std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop`` (std_msgs/Empty), the services
+``stop`` and ``~/reset`` (std_srvs/Trigger). Out: ``voice_commands/command``, ``voice_commands/action`` and
+``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All names are relative and can be
+remapped.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 from intent_engine.actions import Action, to_json
+from intent_engine.amending import CarriedOut
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Event
@@ -24,7 +26,7 @@ from intent_engine.execution.journal import Journal
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
-from intent_engine.interpretation import Status
+from intent_engine.interpretation import Interpretation, Status
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
@@ -32,6 +34,8 @@ from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import leave, run_node
 
 __all__ = ["VoiceCommands", "main"]
+
+_TOO_LATE = "it does not go on from what is being done; say all of it again"
 
 
 class VoiceCommands:
@@ -52,6 +56,8 @@ class VoiceCommands:
         self._string = String
         parameters = read_parameters(node)
         self._form = parameters.command_form
+        self._done: CarriedOut | None = None
+        """The last text that was a command."""
         self.engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
@@ -73,6 +79,7 @@ class VoiceCommands:
             self.robot.close()
             raise
         node.create_subscription(String, "voice_commands/text", self._heard, 10)
+        node.create_subscription(String, "voice_commands/amended_text", self._heard_more, 10)
         node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
         node.create_subscription(Empty, "voice_commands/stop", lambda message: self.executor.stop(), 10)
         self._offer_services()
@@ -87,21 +94,46 @@ class VoiceCommands:
 
     def _heard(self, message: Any, info: Any) -> None:
         """A text came in."""
+        self._carry_out(message.data, _age(info), self._take)
+
+    def _heard_more(self, message: Any, info: Any) -> None:
+        """The last text came once more, with what belongs to it."""
+        self._carry_out(message.data, _age(info), self._amend)
+
+    def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
         now = self.executor.clock.now()
-        age = _age(info)
         try:
-            found = self.engine.parse(message.data, state=self._state())
-            if found.status is Status.ACCEPTED:
-                self.executor.submit(found.actions, spoken_at=now - age, text=found.text)
+            found = take(self.engine.parse(text, state=self._state()), now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self.executor.stop()
-            self._log.error(f"{message.data[:200]!r}: {type(error).__name__}: {error}; the robot is stopped")
+            self._log.error(f"{text[:200]!r}: {type(error).__name__}: {error}; the robot is stopped")
             self._tell(status_text("error", self._ros_time(now), detail=f"{type(error).__name__}: {error}"))
             return
-        for text in command_texts(found, self._form):
-            self._commands.publish(self._string(data=text))
+        for command in command_texts(found, self._form):
+            self._commands.publish(self._string(data=command))
         self._tell(interpretation_text(found, self._ros_time(now)))
+
+    def _take(self, found: Interpretation, spoken_at: float) -> Interpretation:
+        if found.status is Status.ACCEPTED:
+            goals = self.executor.submit(found.actions, spoken_at=spoken_at, text=found.text)
+            self._done = CarriedOut(found, tuple(goals))
+        return found
+
+    def _amend(self, found: Interpretation, spoken_at: float) -> Interpretation:
+        if found.stops:
+            self.executor.stop()
+        if found.stops or found.status is not Status.ACCEPTED:
+            return found
+        done = self._done
+        step = done.step_to(found) if done is not None and done.under_way else None
+        if done is None or step is None:
+            return Interpretation(found.text, Status.REJECTED, reason=_TOO_LATE)
+        goals = self.executor.submit(
+            step.actions, spoken_at=spoken_at, policy=step.policy, text=found.text, amends=step.amends
+        )
+        self._done = done.grown_to(found, tuple(goals))
+        return found
 
     def _held(self, message: Any) -> None:
         """A stop word may have been heard, or it was none after all."""

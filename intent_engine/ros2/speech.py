@@ -1,8 +1,9 @@
 """The node ``speech``: sound in, text out.
 
-Out: ``voice_commands/text`` (std_msgs/String), what was said; ``voice_commands/hold`` (std_msgs/Bool), that a stop
-word may be being said, or was none; ``voice_commands/stop`` (std_msgs/Empty), that the robot must stand whatever is
-said, because hearing failed or ended. All names are relative and can be remapped.
+Out: ``voice_commands/text`` (std_msgs/String), what was said; ``voice_commands/amended_text`` (std_msgs/String), the
+last text and what was said right after it, as one; ``voice_commands/hold`` (std_msgs/Bool), that a stop word may be
+being said, or was none; ``voice_commands/stop`` (std_msgs/Empty), that the robot must stand whatever is said, because
+hearing failed or ended. All names are relative and can be remapped.
 """
 
 from __future__ import annotations
@@ -25,12 +26,14 @@ from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
 
 if TYPE_CHECKING:
+    from intent_engine.actions import Action
+    from intent_engine.execution.runs import HandlerContext
     from intent_engine.runtime import Heard
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.recognizer import Recognizer
     from intent_engine.speech.reflex import Reflex
 
-__all__ = ["Speech", "main", "worth_saying"]
+__all__ = ["Speech", "in_a_row", "main", "worth_saying"]
 
 
 def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
@@ -44,10 +47,23 @@ def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
     return found.status is Status.ACCEPTED or engine.parse(found.text).status is not Status.ACCEPTED
 
 
-class _Elsewhere:
-    """The robot that hears itself be stopped: it is driven by another node."""
+def in_a_row(engine: IntentEngine, first: Interpretation, then: Interpretation) -> Interpretation | None:
+    """Two commands in one text, if that means just both."""
+    both = engine.parse(f"{first.text}, {then.text}")
+    return both if both.actions == (*first.actions, *then.actions) else None
 
-    capabilities: frozenset[Capability] = frozenset()
+
+TASK = 3.0
+"""s that what is not a drive or a turn is taken to last: longer than words are waited for that may put it right."""
+
+
+class _Elsewhere:
+    """The robot that hears itself be stopped: it is driven by another node.
+
+    What was said is carried out on it too, to know what may still be put right.
+    """
+
+    capabilities = frozenset({Capability.MOVE, Capability.TURN})
 
     def velocity(self, linear: float, angular: float, valid_for: float) -> None: ...
 
@@ -68,6 +84,11 @@ class _Elsewhere:
         return None
 
     def close(self) -> None: ...
+
+
+def _busy(action: Action, context: HandlerContext) -> None:
+    """As long as another node may be busy with it."""
+    context.cancelled.wait(TASK)
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,10 +146,11 @@ class Speech:
         from std_msgs.msg import Bool, Empty, String
 
         from intent_engine.runtime import Runtime
-        from intent_engine.speech.endpoint import Settings
 
         self._node, self._log, self._end = node, node.get_logger(), end
-        self._messages = {"hold": Bool, "stop": Empty, "text": String}
+        self._messages = {"hold": Bool, "stop": Empty, "text": String, "amended_text": String}
+        self._said: Interpretation | None = None
+        """The last command that was passed on, with all that belongs to it."""
         parameters = read_parameters(node)
         self._engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
@@ -140,6 +162,8 @@ class Speech:
             name: node.create_publisher(kind, f"voice_commands/{name}", 10) for name, kind in self._messages.items()
         }
         self._executor = Executor(_Elsewhere(), on_event=self._executed, handle_sigterm=False)
+        for other in ("navigate", "pick", "place", "custom"):
+            self._executor.register(other, _busy)
         self._reflex = reflex
         self._runtime = Runtime(
             self._engine,
@@ -147,7 +171,6 @@ class Speech:
             recognizer,
             reflex=reflex,
             on_event=self._heard,
-            settings=Settings(wait_continued=0.0),  # a text does not tell the other node that a command goes on
         )
         avoid_pauses()
         self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
@@ -178,14 +201,26 @@ class Speech:
     def _heard(self, event: Heard) -> None:
         from intent_engine.runtime import HeardKind
 
-        if event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
-            found = event.interpretation
-            if worth_saying(self._engine, found):
-                self._publish("text", data=found.text)
-            else:
-                self._log.info(f"not passed on: {found.text!r}: {found.reason}")
+        if event.kind is HeardKind.SPEECH:
+            # Who takes texts alone, as a parser of somebody's own does, could not put right what was begun too early.
+            self._runtime.join_sentences(self._publishers["amended_text"].get_subscription_count() > 0)
+        elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
+            self._pass_on(event.interpretation, event)
         elif event.kind is HeardKind.ERROR:
             self._log.error(f"{event.detail}; the robot is stopped")
+
+    def _pass_on(self, found: Interpretation, event: Heard) -> None:
+        said = self._said
+        self._said = found if found.status is Status.ACCEPTED else None
+        if event.goes_on:
+            self._publish("amended_text", data=found.text)
+        elif not worth_saying(self._engine, found):
+            self._log.info(f"not passed on: {found.text!r}: {found.reason}")
+        elif event.in_turn and said is not None and (both := in_a_row(self._engine, said, found)) is not None:
+            self._said = both
+            self._publish("amended_text", data=both.text)
+        else:
+            self._publish("text", data=found.text)
 
     def _executed(self, event: Event) -> None:
         if event.kind in (EventKind.HOLD, EventKind.RELEASE):

@@ -32,6 +32,11 @@ def engine(root):
         # A number is never cut in two.
         ("turn right seventy five dps", {"side": "right", "turn_speed": math.radians(75)}),
         ("turn left ninety degrees slowly", {"side": "left", "angle": math.pi / 2, "turn_speed": 0.5}),
+        ("go forward four meters half a meter per second", {"direction": "forward", "distance": 4.0, "speed": 0.5}),
+        (
+            "go forward four meters and a half at a meter per second",
+            {"direction": "forward", "distance": 4.5, "speed": 1},
+        ),
         # A quarter is one of a turn.
         ("take a quarter turn left", {"side": "left", "angle": math.pi / 2}),
         ("make a 90 turn left", {"side": "left", "angle": math.pi / 2}),
@@ -67,6 +72,19 @@ def test_each_word_belongs_to_one_part(engine, text, slots):
 )
 def test_fillers_and_corrections_touch_only_what_they_mean(engine, text, slots):
     test_each_word_belongs_to_one_part(engine, text, slots)
+
+
+@pytest.mark.parametrize("text", ["lift behind you", "leave it a bit to the counterclockwise", "take two degrees"])
+def test_directions_and_amounts_are_nothing_to_hold(engine, text):
+    assert not engine.parse(text).actions
+
+
+@pytest.mark.parametrize("joint", ["and half", "and a half", "and a quarter of"])
+def test_half_of_one_quantity_is_no_beginning_of_the_next(engine, joint):
+    """ "At half a meter per second" is often heard so."""
+    found = engine.parse(f"go forward four meters {joint} a meter per second")
+    assert found.status is not Status.ACCEPTED
+    assert not found.actions
 
 
 @pytest.mark.parametrize(

@@ -54,6 +54,7 @@ class Peer:
             String, "voice_commands/status", lambda m: self.status.append(json.loads(m.data)), 500
         )
         self.text = self.node.create_publisher(String, "voice_commands/text", 10)
+        self.amended = self.node.create_publisher(String, "voice_commands/amended_text", 10)
         self.hold = self.node.create_publisher(Bool, "voice_commands/hold", 10)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
@@ -95,6 +96,10 @@ class Peer:
 
     def say(self, text: str) -> None:
         self.text.publish(String(data=text))
+
+    def amend(self, text: str) -> None:
+        until(lambda: self.amended.get_subscription_count() >= 1)
+        self.amended.publish(String(data=text))
 
     def moving(self) -> bool:
         return bool(self.twists) and any(self.twists[-1])

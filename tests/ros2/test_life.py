@@ -204,9 +204,8 @@ def test_what_is_subscribed_to_is_what_is_sent():
         late.listen(TwistStamped)
         until(lambda: kinds() == {"geometry_msgs/msg/TwistStamped"})
         # Long enough for the middleware of a busy machine, which brings the two together when it comes to it.
-        late.say("turn left")
-        until(lambda: (0.0, 0.5) in late.twists)
-        until(lambda: late.goals("succeeded"))
+        late.say("go forward five meters")
+        until(lambda: (0.5, 0.0) in late.twists)
 
 
 def test_names_can_be_remapped_and_commands_have_the_form_of_the_tutorials(peer):

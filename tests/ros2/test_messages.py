@@ -13,7 +13,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
-from intent_engine.ros2.speech import worth_saying
+from intent_engine.ros2.speech import in_a_row, worth_saying
 
 
 @pytest.fixture(scope="module")
@@ -70,6 +70,23 @@ def test_what_the_runtime_did_not_believe_is_not_said(engine, tmp_path, root):
     assert not worth_saying(engine, doubted)
     assert worth_saying(engine, engine.parse("the weather is nice"))
     assert not worth_saying(engine, Interpretation(" ", Status.REJECTED))
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "one"),
+    [
+        ("turn left", "and then go to the kitchen", True),
+        ("turn left", "go forward two meters", True),
+        ("go forward", "two meters", False),  # no command by itself
+        ("go forward two meters", "at half speed", False),
+    ],
+)
+def test_two_commands_are_one_text_where_that_means_both(engine, first, then, one):
+    before, after = engine.parse(first), engine.parse(then)
+    both = in_a_row(engine, before, after) if after.actions else None
+    assert (both is not None) is one
+    if both is not None:
+        assert both.actions == (*before.actions, *after.actions)
 
 
 def test_what_lacks_the_wake_word_is_not_said(tmp_path):

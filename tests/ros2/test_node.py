@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 
 import pytest
@@ -78,6 +79,45 @@ def test_a_newer_command_takes_the_place_of_the_older(talk):
     until(lambda: talk.twists and talk.twists[-1] == (0.0, 0.5))
     until(lambda: talk.goals("canceled"))  # another topic, which may come later
     assert [goal["reason"] for goal in talk.goals("canceled")] == ["preempted"]
+
+
+def test_what_was_said_right_after_a_motion_puts_it_right(talk):
+    talk.say("turn left ninety degrees")
+    until(talk.moving)
+    talk.amend("turn left ninety degrees no sixty degrees")
+    until(lambda: talk.goals("succeeded"))
+    assert [goal["reason"] for goal in talk.goals("canceled")] == ["preempted"]
+    assert talk.goals("succeeded")[0]["action"]["angle"] == pytest.approx(math.radians(60), abs=1e-3)
+    assert json.loads(talk.commands[-1])["text"] == "turn left ninety degrees no sixty degrees"
+
+
+def test_what_was_said_right_after_a_motion_waits_its_turn(talk):
+    talk.say("turn left ten degrees")
+    until(talk.moving)
+    talk.amend("turn left ten degrees, and then go forward ten centimeters")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    assert not talk.goals("canceled")
+    assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
+
+
+@pytest.mark.parametrize("first", ["go forward ten centimeters", "stop", "what lovely weather"])
+def test_what_does_not_go_on_from_what_is_done_is_not_done(talk, first):
+    talk.say(first)
+    until(lambda: first in talk.heard_texts())
+    talk.amend("turn left ninety degrees")
+    until(lambda: "turn left ninety degrees" in talk.heard_texts())
+    reason = [e["interpretation"]["reason"] for e in talk.status if e["event"] == "interpretation"][-1]
+    assert "does not go on" in reason
+    assert (0.0, 0.5) not in talk.twists
+
+
+def test_a_stop_after_a_motion_stops_it(talk):
+    talk.say("go forward five meters")
+    until(talk.moving)
+    talk.amend("go forward five meters no stop")
+    until(talk.standing)
+    until(lambda: talk.goals("canceled"))
+    assert talk.goals("canceled")[0]["reason"] == "stop"
 
 
 def test_several_commands_in_one_sentence(talk):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 pytestmark = [pytest.mark.ros2, pytest.mark.slow]
@@ -43,6 +45,61 @@ def test_what_is_said_is_driven(peer, recording):
         until(peer.standing)
         until(lambda: peer.goals("canceled"))  # another topic, which may come later
         assert peer.goals("canceled")[0]["reason"] == "stop"
+
+
+@pytest.fixture(scope="module")
+def paused(root, tmp_path_factory):
+    """ "Turn left", a pause, "ninety degrees": the demo's second sentence, with more silence after its second word."""
+    import numpy as np
+    import soundfile
+
+    sound, rate = soundfile.read(root / "examples/demo.flac")
+    first, rest = sound[int(7.6 * rate) : int(9.03 * rate)], sound[int(9.03 * rate) : int(12.0 * rate)]
+    path = tmp_path_factory.mktemp("sound") / "paused.wav"
+    soundfile.write(path, np.concatenate((np.zeros(2 * rate), first, np.zeros(int(0.6 * rate)), rest)), rate)
+    return path
+
+
+def listen(peer, topic, texts):
+    from std_msgs.msg import String
+
+    return peer.node.create_subscription(
+        String, f"voice_commands/{topic}", lambda message: texts.append(message.data), 10
+    )
+
+
+def test_what_is_said_right_after_a_motion_puts_it_right(peer, paused):
+    from ros_stage import NodeProcess, until
+
+    def turned(angle: float) -> bool:
+        return any(math.isclose(goal["action"]["angle"], angle, abs_tol=1e-3) for goal in peer.goals("succeeded"))
+
+    texts: list[str] = []
+    amended: list[str] = []
+    listen(peer, "text", texts)
+    listen(peer, "amended_text", amended)
+    with NodeProcess(peer) as node:
+        peer.meet()
+        texts.clear()
+        with NodeProcess(peer, module="intent_engine.ros2.speech", file=paused) as speech:
+            until(lambda: turned(math.radians(90)), "the robot turns by ninety degrees")
+            assert node.process.poll() is None
+            assert speech.end() == 0
+    assert texts == ["turn left"]
+    assert amended == ["turn left ninety degrees"]
+
+
+def test_where_texts_are_only_taken_one_by_one_each_is_by_itself(peer, paused):
+    """As a parser of somebody's own takes them: a second text would be done beside the first."""
+    from ros_stage import NodeProcess, until
+
+    texts: list[str] = []
+    listen(peer, "text", texts)
+    with NodeProcess(peer, module="intent_engine.ros2.speech", file=paused) as speech:
+        until(lambda: len(texts) == 2, "both texts come")
+        assert speech.end() == 0
+    assert texts[0] == "turn left"
+    assert not texts[1].lower().startswith("turn left")
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,75 @@
+"""A command that is carried out, and what is to be done when it turns out to be the beginning of a longer one.
+
+"Turn left" is being done when "turn left ninety degrees" is known to have been meant. Some actions can be put right
+while they are done; what comes after others waits its turn; and what was done is over.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from intent_engine.actions import Action, Move, Navigate, Pick, Turn
+from intent_engine.execution.admission import Policy
+from intent_engine.execution.goal import Goal, GoalState
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.utterance import plain
+
+__all__ = ["CarriedOut", "Step", "can_be_amended"]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """What is to be done of a command."""
+
+    actions: tuple[Action, ...]
+    policy: Policy | None = None
+    """What becomes of what is being done; None: as for any command."""
+    amends: Goal | None = None
+    """The goal that the first of the actions puts right."""
+    goes_on: bool = False
+    """Whether the command before is a part of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class CarriedOut:
+    """A command, and the goals that carry it out."""
+
+    meaning: Interpretation
+    goals: tuple[Goal, ...]
+
+    @property
+    def under_way(self) -> bool:
+        """Whether nothing came between: no stop, no other command, no failure."""
+        return all(goal.succeeded or not goal.done for goal in self.goals)
+
+    def step_to(self, whole: Interpretation) -> Step | None:
+        """What is to be done if this was the beginning of a longer command; None: it was not, or it is too late."""
+        if whole.status is not Status.ACCEPTED or not _begins_with(whole.text, self.meaning.text):
+            return None
+        if whole.stops:
+            return Step(whole.actions, goes_on=True)
+        done = self.meaning.actions
+        if whole.actions[: len(done)] == done:
+            more = whole.actions[len(done) :]
+            return Step(more, Policy.QUEUE, goes_on=True) if more else None
+        first = self.goals[0]
+        begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick))
+        if not (begun and can_be_amended(self.meaning)):
+            return None
+        return Step(whole.actions, Policy.REPLACE, first, goes_on=True)
+
+    def grown_to(self, whole: Interpretation, goals: tuple[Goal, ...]) -> CarriedOut:
+        """The longer command, when these goals have been given for what was to be done of it."""
+        given = self.goals[: len(whole.actions) - len(goals)]
+        return CarriedOut(whole, (*given, *goals))
+
+
+def can_be_amended(meaning: Interpretation) -> bool:
+    """Whether what was understood can be put right while it is done: one drive, turn or way somewhere, or a hand that
+    reaches for something. What is put down, or ordered, cannot be taken back."""
+    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate, Pick))
+
+
+def _begins_with(whole: str, first: str) -> bool:
+    words, begun = plain(whole), plain(first)
+    return words[: len(begun)] == begun and len(words) > len(begun)
