@@ -1,0 +1,63 @@
+"""Which model is the second."""
+
+from __future__ import annotations
+
+import platform
+import sys
+
+import pytest
+
+from intent_engine.errors import WeightsError
+from intent_engine.speech.moonshine_weights import MOONSHINE
+from intent_engine.speech.second_opinion import NONE, recognizer_for, second_model
+from intent_engine.speech.steered import SteeredWhisper
+
+MOONSHINE_CAN_BE_HAD = (sys.platform, platform.machine()) == ("linux", "x86_64")
+
+
+@pytest.mark.parametrize(
+    ("model", "second", "language", "found"),
+    [
+        ("tiny.en", None, None, MOONSHINE),
+        ("tiny", None, "en", MOONSHINE),
+        ("tiny", None, "de", "base"),
+        ("tiny.en", NONE, None, None),
+        ("base", None, None, None),
+        ("base", "tiny.en", None, "tiny.en"),
+        ("base", MOONSHINE, None, MOONSHINE),
+    ],
+)
+def test_the_second_model(engine, model, second, language, found):
+    if found == MOONSHINE and not MOONSHINE_CAN_BE_HAD:
+        pytest.skip("Moonshine's package is for Linux on x86-64")
+    assert second_model(engine, model, second, language=language) == found
+
+
+def test_where_moonshine_is_not_installed_the_second_is_base(engine, monkeypatch):
+    monkeypatch.setattr("intent_engine.speech.second_opinion.moonshine_package", lambda: None)
+    assert second_model(engine, "tiny.en") == "base"
+
+
+def test_a_second_model_that_was_named_must_be_there(engine):
+    with pytest.raises(WeightsError):
+        second_model(engine, "tiny.en", "/nowhere/at/all")
+
+
+def test_without_a_second_the_first_is_all_there_is(engine):
+    recognizer = recognizer_for(engine, second=NONE)
+    assert isinstance(recognizer, SteeredWhisper)
+    recognizer.close()
+
+
+def test_a_second_model_that_nobody_named_is_left_out_where_it_cannot_be_made_ready(engine, tmp_path, monkeypatch):
+    if not MOONSHINE_CAN_BE_HAD:
+        pytest.skip("Moonshine's package is for Linux on x86-64")
+    (tmp_path / "cache").write_text("a file")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    told: list[str] = []
+    recognizer = recognizer_for(engine, tell=told.append)
+    assert isinstance(recognizer, SteeredWhisper)
+    recognizer.close()
+    assert told[-1].startswith("no second model: ")
+    with pytest.raises(WeightsError):
+        recognizer_for(engine, second=MOONSHINE)

@@ -1,0 +1,158 @@
+"""Two models: what becomes of what both heard."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from two_models import FORWARD, LEFT, LIKELY, SOUND, Knows, Thinks, heard, two
+
+from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.second_opinion import SURE_TOGETHER
+
+SENTENCES = [FORWARD, LEFT, "go back", "stop", "turn left fifteen degrees"]
+TEXTS = st.sampled_from([*SENTENCES, "the weather is nice", "don't turn left"])
+SCORES = st.dictionaries(st.sampled_from(SENTENCES), st.floats(-30, -0.1), max_size=4)
+DOUBTFUL = st.builds(Thinks, st.builds(heard, TEXTS, st.floats(0.05, 0.39), score=st.just(-0.9)), SCORES)
+
+
+def both_think(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> Transcript:
+    both, *_ = two(engine, first, second)
+    return both.transcribe(SOUND)
+
+
+@given(DOUBTFUL, DOUBTFUL)
+def test_what_is_taken_was_thought_of_by_one_and_refused_by_none(engine, one, other):
+    found = both_think(engine, one, other)
+    said = {one.transcript.text, other.transcript.text}
+    assert found.text in said | set(one.scores) | set(other.scores)
+    assert 0 <= found.confidence <= 1
+    if "don't turn left" in said:
+        assert engine.parse(found.text).refuses
+
+
+@given(st.floats(-12, LIKELY), st.floats(-12, LIKELY))
+def test_who_agrees_is_believed_sooner_than_who_differs(engine, score, another):
+    first = Thinks(heard(FORWARD, 0.5), {FORWARD: score})
+    agreed = both_think(engine, first, Thinks(heard(FORWARD, 0.5), {FORWARD: another}))
+    differed = both_think(engine, first, Thinks(heard(LEFT, 0.5), {LEFT: another}))
+    assert agreed.text == FORWARD
+    assert agreed.confidence > differed.confidence
+
+
+def test_the_likelier_for_both_is_taken_though_neither_put_it_first(engine):
+    first = Thinks(heard("goat bad", 0.5), {FORWARD: -1.0, "go back": -2.0, LEFT: -15.0})
+    second = Thinks(heard("go pack", 0.5), {LEFT: -1.0, "go back": -2.0, FORWARD: -15.0})
+    assert both_think(engine, first, second).text == "go back"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "unclear"),
+    [
+        (-1.0, 2.0, ()),
+        (-2.5, -0.4, ()),
+        (-2.5, -0.6, ("fifteen",)),
+        (-3.1, 20.0, ("fifteen",)),
+        (20.0, -3.1, ("fifteen",)),
+        (1.0, None, ()),
+        (-2.0, None, ("fifteen",)),
+    ],
+    ids=["one is sure", "both a little", "too little", "one heard fifty", "the other did", "alone", "alone and unsure"],
+)
+def test_of_a_number_like_another_what_both_heard_adds_up_if_neither_heard_the_other(engine, first, second, unclear):
+    text = "turn left fifteen degrees"
+    found = both_think(
+        engine,
+        Thinks(heard(text, 1.0, unclear=("fifteen",)), {text: LIKELY}, {"fifteen": first}),
+        Thinks(heard(text, 1.0), {text: LIKELY}, {} if second is None else {"fifteen": second}),
+    )
+    assert found.unclear == unclear
+
+
+def test_both_must_be_surer_of_a_stop_that_the_first_did_not_take_for_one(engine):
+    doubtful = Thinks(heard("whoa", 0.3), {"whoa": -12.0})
+    unsure = both_think(engine, doubtful, Thinks(heard("whoa", 0.5), {"whoa": -12.0}))
+    assert (unsure.text, unsure.confidence) == ("whoa", 0.3), "wow"
+    assert both_think(engine, doubtful, Thinks(heard("whoa", 0.97), {"whoa": -0.5})).confidence > 0.7
+
+
+@pytest.mark.parametrize(("confidence", "waits"), [(SURE_ENOUGH_TO_STOP, False), (SURE_ENOUGH_TO_STOP - 0.01, True)])
+def test_a_stop_that_is_one_already_waits_for_no_second_opinion(engine, confidence, waits):
+    both, *_ = two(engine, heard("stop", confidence, score=-0.9), heard("don't stop", None))
+    assert both.transcribe(SOUND).text == ("don't stop" if waits else "stop")
+
+
+def test_a_stop_waits_for_a_second_opinion_where_another_word_is_much_likelier(engine):
+    wow = heard("whoa", SURE_ENOUGH_TO_STOP, score=-0.9, gap=ANOTHER_WORD + 0.1)
+    both, _, other = two(engine, wow, heard("wow", None))
+    both.transcribe(SOUND)
+    assert other.listened
+
+
+def test_where_neither_heard_a_command_the_words_of_the_first_are_told(engine):
+    nice = heard("nice weather", None, score=-0.9)
+    assert both_think(engine, nice, heard("ice leather", None)).text == "nice weather"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "completed"),
+    [("go forward", "go for two", False), ("go forward", FORWARD, True), ("", "go for two meet us", True)],
+)
+def test_of_a_sentence_that_goes_on_from_what_was_heard_one_must_have_heard_all(engine, one, other, completed):
+    first = Thinks(heard(one or "p", 0.5), {"go forward": -3.0})
+    first = replace(first, transcript=replace(first.transcript, free_text=one))
+    second = Thinks(heard(other, 0.5), {FORWARD: LIKELY})
+    found = both_think(engine, first, second)
+    assert (found.text == FORWARD) is completed
+
+
+def test_words_of_which_neither_heard_a_letter_are_not_added(engine):
+    """Both heard all to the end; "then go forward" is what the grammar would have after it."""
+    completed = f"{FORWARD} then go forward"
+    first = Thinks(heard("go for what two meters", 0.5), {FORWARD: -6.0, completed: LIKELY})
+    second = Thinks(heard("no forward too meters", 0.5), {FORWARD: -6.0})
+    assert both_think(engine, first, second).text == FORWARD
+    second = Thinks(heard("no forward too meters then no forward", 0.5), {FORWARD: -6.0, completed: LIKELY})
+    assert both_think(engine, first, second).text == completed
+
+
+@pytest.mark.parametrize("freely", ["pick up the flurb", "pick up the curb"])
+def test_a_word_that_no_list_has_must_have_been_heard_by_both(engine, freely):
+    """Nothing else tells whether it was said."""
+    flurb = "pick up the flurb"
+    first = Thinks(heard(flurb, 0.8), {flurb: LIKELY}, {"flurb": 0.3})
+    second = Thinks(replace(heard(flurb, 0.8), free_text=freely), {flurb: LIKELY}, {"flurb": 0.3})
+    found = both_think(engine, first, second)
+    assert found.text == flurb
+    assert found.unclear == (() if freely == flurb else ("flurb",))
+
+
+def test_what_both_heard_to_the_end_is_not_left_out(engine):
+    text = f"{FORWARD} at six miles"
+    first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})
+    for second_heard, unclear in ((text, ("miles",)), (FORWARD, ())):
+        second = Thinks(replace(heard(FORWARD, 0.5), free_text=second_heard), {FORWARD: LIKELY})
+        assert both_think(engine, first, second).unclear == unclear
+    first = second = Thinks(replace(heard(FORWARD, 0.5), free_text=f"{FORWARD} please"), {FORWARD: LIKELY})
+    assert both_think(engine, first, second).unclear == ()
+
+
+def test_what_neither_thought_of_is_asked_of_both(engine):
+    """ "Put down the mug" is far ahead of all others, until somebody thinks of the book."""
+    mug, book, bowl = "put down the mug", "put down the book", "put down the bowl"
+    alone = Thinks(heard(mug, 0.5), {mug: -4.0, book: -3.0, bowl: LIKELY})
+    first = Knows(alone.transcript, alone.scores, thought_of=frozenset({mug}))
+    second = replace(first)
+    assert both_think(engine, first, second).confidence > SURE_TOGETHER
+    second.others = {mug: (book,)}
+    found = both_think(engine, first, second)
+    assert (found.text, found.alternatives) == (mug, (book,))
+    assert found.confidence < SURE_TOGETHER
+    first.others, second.others = {bowl: (book, mug)}, {mug: (bowl,)}
+    found = both_think(engine, first, second)
+    assert (found.text, set(found.alternatives)) == (bowl, {mug, book}), (
+        "the second time beside the one that is likelier"
+    )

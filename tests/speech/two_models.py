@@ -1,0 +1,113 @@
+"""Two models that hear what they were made for: an opinion that was made up, and a recogniser that has it."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.evidence import View, letters_apart
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.second_opinion import SecondOpinion
+
+SOUND = np.random.default_rng(0).normal(0, 0.1, SAMPLE_RATE).astype(np.float32)
+FORWARD, LEFT = "go forward two meters", "turn left"
+LIKELY, UNLIKELY = -1.0, -20.0
+
+
+def heard(text: str, confidence: float | None, **more) -> Transcript:
+    return Transcript(text, free_text=text, confidence=confidence, decode_seconds=0.25, **more)
+
+
+@dataclass
+class Thinks:
+    """An opinion that was made up: what is thought of each sentence, and how clear words are."""
+
+    transcript: Transcript
+    scores: dict[str, float] = field(default_factory=dict)
+    clear: dict[str, float] = field(default_factory=dict)
+    settled: bool = False
+    others: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """What else may have been said in place of a sentence."""
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(tuple(text.split()) for text in self.scores)
+
+    @property
+    def heard(self) -> list[str]:
+        return self.transcript.free_text.split()
+
+    def views(self, sentences):
+        return [
+            View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, letters_apart(words, self.heard))
+            for words in sentences
+        ]
+
+    def beside(self, words, *, far=False):
+        return tuple(tuple(text.split()) for text in self.others.get(" ".join(words), ()))
+
+    def clearness(self, _words):
+        return self.clear
+
+
+@dataclass
+class Knows(Thinks):
+    """One who can say of all sentences how likely they are, and thought of few."""
+
+    thought_of: frozenset[str] = frozenset()
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(one for one in super().sentences if " ".join(one) in self.thought_of)
+
+
+class Says:
+    """A recogniser that hears what it was made for, and finds that likely. What it is sure of is settled."""
+
+    def __init__(self, engine, answer: Transcript | Thinks, found: Thinks | None = None) -> None:
+        if isinstance(answer, Transcript):
+            answer = Thinks(answer, {answer.text: LIKELY} if engine.parse(answer.text).actions else {})
+        heard = answer.transcript
+        settled = heard.confidence == 1.0 or not heard.text or engine.parse(heard.text).refuses
+        self.opinion = replace(answer, settled=answer.settled or settled)
+        self.found = found or answer
+        self.listened: list[int] = []
+        self.compared = self.searched = 0
+        self.closed = False
+        self.prepared = threading.Event()
+
+    def prepare(self) -> None:
+        self.prepared.set()
+
+    def listen(self, samples: np.ndarray) -> Thinks:
+        assert self.prepared.is_set()
+        self.listened.append(samples.size)
+        return self.opinion
+
+    def compare(self, heard: Thinks) -> Thinks:
+        self.compared += 1
+        return heard
+
+    def search(self, heard: Thinks) -> Thinks:
+        self.searched += 1
+        return heard if heard.settled else self.found
+
+    def clear(self, heard: Thinks) -> Transcript:
+        return heard.transcript
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        return self.search(self.listen(samples)).transcript
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def two(engine, first: Transcript | Thinks, second: Transcript | Thinks) -> tuple[SecondOpinion, Says, Says]:
+    one, other = Says(engine, first), Says(engine, second)
+    return SecondOpinion(engine, one, lambda: other), one, other
+
+
+UNSURE = Thinks(heard(FORWARD, 0.5), {FORWARD: -14.0})
