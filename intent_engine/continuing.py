@@ -82,16 +82,28 @@ class Continuing:
         """Nothing goes on from what was said."""
         self._said = None
 
-    def heard_with(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Samples | None:
-        """The sound together with which an utterance is to be heard anew, since it is no command by itself; None: there
-        is none, or it has been already."""
+    def heard_with(
+        self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action], *, held: bool = False
+    ) -> Samples | None:
+        """The sound together with which an utterance is to be heard anew, since it is no command by itself, or was not
+        heard as one word by word; None: there is none, or it has been already.
+
+        Args:
+            utterance: decoded by itself.
+            state: of the robot.
+            last: what was last understood.
+            held: whether the robot is held, since a stop may have been said.
+        """
         said, heard = self._before(utterance), utterance.result
         if said is None or utterance.short or utterance.before is not None:
             return None
         if said.sound.size > LONGEST * SAMPLE_RATE or heard is None or not heard.free_text.strip():
             return None
         alone = self._judge.meaning(heard, state, last)
-        return None if alone.status is Status.ACCEPTED else said.sound
+        if held:
+            alone = self._judge.held(heard, alone)
+        sure = alone.status is Status.ACCEPTED and (alone.stops or heard.word_by_word)
+        return None if sure else said.sound
 
     def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
         """What an utterance means that was decoded, by itself or together with the command before."""
@@ -102,17 +114,26 @@ class Continuing:
         if alone is None:
             queued = said is not None and not meaning.stops and self._in_turn(said, utterance, meaning, state)
             return Understood(heard, meaning, Step(meaning.actions, Policy.QUEUE if queued else None))
+        by_itself = self._judge.meaning(alone, state, last)
         if said is not None:
-            if (step := said.command.step_to(meaning)) is not None:
+            step = said.command.step_to(meaning)
+            if step is not None and self._belongs(step, meaning, alone, by_itself):
                 return Understood(heard, meaning, step)
             exact = self._judge.together(said.command.meaning.text, alone, state)
             if exact is not None and (step := said.command.step_to(exact)) is not None:
                 return Understood(alone, exact, step)
-        meaning = self._judge.meaning(alone, state, last)
+        meaning = by_itself
         withdrawn = said is not None and meaning.status is not Status.ACCEPTED and self._judge.corrects(alone)
         if withdrawn:
             meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, Step(meaning.actions), withdrawn)
+
+    def _belongs(self, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation) -> bool:
+        """Whether what was heard together with the command before is what was meant: not if what is more of it is a
+        command by itself, nor if the words began with a "no" and take nothing back."""
+        if by_itself.status is Status.ACCEPTED and step.amends is None:
+            return False
+        return whole.corrected or not self._judge.corrects(alone)
 
     def _in_turn(
         self, said: _Said, utterance: SpokenUtterance, meaning: Interpretation, state: Collection[str]

@@ -56,6 +56,11 @@ class Interpretation:
         """Whether it says that something shall not be done: it was negated, or taken back."""
         return self.reason.startswith(("negated", "cancelled"))
 
+    @property
+    def corrected(self) -> bool:
+        """Whether its later words took back some of the earlier ones: "turn left, no, right"."""
+        return "corrected to" in self.reason
+
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary with exactly these eight keys."""
         return {

@@ -46,6 +46,9 @@ CLEARLY = -0.35
 """Mean log probability of the words heard, below which quiet ones beside a pause may be lost: of what is heard in doubt
 of orders of coffee four of ten are below it in quiet, and six of ten at 6 dB."""
 
+CORRECTED_CLEARLY = -0.9
+"""The same of a correction, which at least stops what is being done: a "no, right" of two words is seldom heard as
+clearly as a sentence."""
 
 _HELD = "a stop was heard before the word had ended, and nothing else was heard clearly"
 
@@ -115,7 +118,8 @@ class Judge:
     def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
         """What words that were heard clearly mean after those before, if both are a command word by word: also a
         correction, for which no model searches. Numbers that sound like another are left to those."""
-        if transcript.score < CLEARLY or ALIKE.keys() & set(plain(transcript.free_text)):
+        clearly = CORRECTED_CLEARLY if self.corrects(transcript) else CLEARLY
+        if transcript.score < clearly or ALIKE.keys() & set(plain(transcript.free_text)):
             return None
         meaning = self.both(before, transcript.free_text, transcript, state)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
@@ -131,8 +135,13 @@ class Judge:
 
     def corrects(self, transcript: Transcript) -> bool:
         """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
-        corrections = self._grammar(transcript).operators.correction
-        return transcript.score > HARDLY_A_WORD and _begins_with(transcript, corrections)
+        grammar = self._grammar(transcript)
+        begun = transcript.free_text.split()[:1]
+        meant = [word for heard in plain(" ".join(begun)) for word in grammar.sound_alikes.get(heard, ())]
+        corrections = grammar.operators.correction
+        return transcript.score > HARDLY_A_WORD and (
+            _begins_with(transcript, corrections) or any((word,) in corrections for word in meant)
+        )
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
         """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
@@ -188,8 +197,7 @@ def _begins_with(transcript: Transcript, phrases: Collection[tuple[str, ...]]) -
 
 def _hardly_heard(transcript: Transcript) -> bool:
     """Whether the words of a command were hardly heard."""
-    word_by_word = transcript.confidence in (None, 1.0)
-    return not word_by_word and transcript.score < CLEARLY
+    return not transcript.word_by_word and transcript.score < CLEARLY
 
 
 def enough_to_stop(transcript: Transcript) -> float:

@@ -341,7 +341,7 @@ class Runtime:
 
     def _goes_on(self, utterance: SpokenUtterance) -> bool:
         """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""
-        before = None if self._held else self._continuing.heard_with(utterance, self._state(), self._last)
+        before = self._continuing.heard_with(utterance, self._state(), self._last, held=self._held)
         if before is not None:
             utterance.together_with(before)
         return before is not None

@@ -40,6 +40,11 @@ class Transcript:
     over is recognised again, as final."""
 
     @property
+    def word_by_word(self) -> bool:
+        """Whether the words are those that were heard, and no sentence of the grammar that they are like."""
+        return self.confidence in (None, 1.0)
+
+    @property
     def sureness(self) -> float:
         """The confidence as a number: 0 where there is none."""
         return self.confidence or 0.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.corrections import longest_at
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows, total
@@ -46,10 +47,18 @@ class Rivals:
         search: of the grammar, which knows the words after each of its states.
         tokenizer: of the model, as faster-whisper's.
         language: of the grammar.
+        corrections: phrases that take back what was said before them.
     """
 
-    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None) -> None:
+    def __init__(
+        self,
+        search: UtteranceSearch,
+        tokenizer: Any,
+        language: str | None,
+        corrections: Collection[tuple[str, ...]] = (),
+    ) -> None:
         self._search = search
+        self._corrections = corrections
         self._tokenizer = tokenizer
         self._language = language
         self._detours = Detours(search)
@@ -115,10 +124,11 @@ class Rivals:
             far: whether also with a few other words, as :mod:`~intent_engine.speech.detours` has them.
         """
         graph = self._search.graph
-        state = graph.start()
         found: list[tuple[float, tuple[str, ...], str]] = []
         begins, chances = self._begins(words, rows, widely=widely), _Chances(rows)
-        for place, word in enumerate(words):
+        for place, (word, state) in enumerate(zip(words, self._states(words), strict=False)):
+            if state is None:
+                continue
             begin = begins.get(place)
             others, pieces = self._words_after(state, word, place == 0)
             if begin is not None:
@@ -138,10 +148,29 @@ class Rivals:
                     else:
                         ends = [end for end in self._onward(rest, other, widely=widely) if leads(graph, state, end)]
                     found += [(behind, (*words[:place], *end), word) for end in ends]
-            state = graph.step(state, word)
-            if state is None:
-                break
         return {sentence: word for _, sentence, word in sorted(found)}
+
+    def _states(self, words: Sequence[str]) -> list[Any]:
+        """The states of the grammar before each word of a sentence, as far as it knows them; None before those of a
+        correction. What comes after one goes on from a beginning of what was said before it."""
+        known, _ = self._walked(self._search.graph.start(), words)
+        said = len(known) - 1
+        length = longest_at(words, said, self._corrections)
+        for state in reversed(known) if length else ():
+            after, whole = self._walked(state, words[said + length :])
+            if whole:
+                return [*known[:said], *[None] * length, *after]
+        return known
+
+    def _walked(self, state: Any, words: Sequence[str]) -> tuple[list[Any], bool]:
+        """The states before some words and after each, as far as they go; and whether they go to the last."""
+        states = [state]
+        for word in words:
+            state = self._search.graph.step(state, word)
+            if state is None:
+                return states, False
+            states.append(state)
+        return states, True
 
     @staticmethod
     def _onward(words: tuple[str, ...], other: str, *, widely: bool) -> Iterator[tuple[str, ...]]:

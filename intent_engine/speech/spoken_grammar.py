@@ -18,6 +18,7 @@ from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import Utterance
+from intent_engine.speech.corrections import corrected_like, longest_at
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.opinion import Reading
@@ -106,9 +107,18 @@ class SpokenGrammar:
         return self._known(language).search
 
     def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
-        """Sentences like the words heard, the likest first."""
+        """Sentences like the words heard, the likest first, and then those that take something back."""
+        return [*self._like(tuple(heard), language), *self._corrected(heard, language)]
+
+    def _like(self, heard: tuple[str, ...], language: str | None) -> list[tuple[str, ...]]:
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-        return [words for words, apart in self._nearest(tuple(heard), language) if apart <= most]
+        return [words for words, apart in self._nearest(heard, language) if apart <= most]
+
+    def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+        alikes = self._known(language).matcher.grammar.sound_alikes
+        corrections = self.corrections(language)
+        like = corrected_like(heard, corrections, alikes, lambda words: self._like(words, language))
+        return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(
         self,
@@ -137,6 +147,10 @@ class SpokenGrammar:
         known = meaning.status is Status.ACCEPTED or asks or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
+    def corrections(self, language: str | None = None) -> frozenset[tuple[str, ...]]:
+        """Phrases that take back what was said before them."""
+        return frozenset(self._known(language).matcher.grammar.operators.correction)
+
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether a sentence asks for something else."""
         return self.parse(" ".join(words), language).actions != meaning.actions
@@ -160,7 +174,7 @@ class SpokenGrammar:
         grammar = self._known(language).matcher.grammar
         count = 0
         while count < len(words) - 1:
-            length = _phrase_at(words, count, (*grammar.fillers, *grammar.operators.sequence))
+            length = longest_at(words, count, (*grammar.fillers, *grammar.operators.sequence))
             if not length:
                 break
             count += length
@@ -180,13 +194,13 @@ class SpokenGrammar:
         """Whether words that say nothing stand between others of a sentence."""
         fillers = self._known(language).matcher.grammar.fillers
         inside = range(self.lead(words, language) + 1, len(words))
-        empty = [at for at in inside if _phrase_at(words, at, fillers)]
+        empty = [at for at in inside if longest_at(words, at, fillers)]
         return any(not self.says_nothing(words[at:], language) for at in empty)
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
         there = self._known(language).words
-        if meaning.reason.startswith("corrected"):
+        if meaning.corrected:
             there = there | self._known(language).corrections
         known = there.issuperset(word for word in words if not is_numeral(word))
         if known and not self.unlisted(meaning, language):
@@ -330,11 +344,6 @@ def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: in
 def _circles(meaning: Interpretation) -> int:
     """Turns of more than a circle in a sentence."""
     return sum(isinstance(action, Turn) and abs(action.angle) > FULL_CIRCLE for action in meaning.actions)
-
-
-def _phrase_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
-    """Words of the longest of some phrases that stands at a place; 0: none does."""
-    return max((len(one) for one in phrases if tuple(words[at : at + len(one)]) == one), default=0)
 
 
 def _mean(values: Sequence[float]) -> float:

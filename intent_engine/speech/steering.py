@@ -318,8 +318,9 @@ class Steering(Clearness):
         if guide is None or guide.near is not near:
             tokenizer = self.tokenizer(language)
             guided = GuidedSearch(near, tokenizer, language, self.end_piece(language))
+            rivals = Rivals(near, tokenizer, language, self.grammar.corrections(language))
             singles = {word: self._first_piece([word], language) for word in near.single_words()}
-            guide = self._guides[language] = _Guide(near, guided, Rivals(near, tokenizer, language), singles)
+            guide = self._guides[language] = _Guide(near, guided, rivals, singles)
         return guide
 
     def _first_piece(self, words: Sequence[str], language: str | None) -> int:

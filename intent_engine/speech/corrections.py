@@ -1,0 +1,74 @@
+"""Sentences that take something back, like some words that were heard: "go to the lounge, no, the dark" may have been
+"go to the lounge, no, the dock".
+
+The automaton of a grammar has none of them, since a correction stands for whatever it can take the place of: a name, a
+number, a direction, or the whole command. So what was heard after the "no" is put behind each beginning of the command
+before it, and sentences of the grammar that are like that, and begin so too, say what may have been meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+
+from intent_engine.speech.evidence import letters_apart
+
+__all__ = ["corrected_like", "longest_at"]
+
+FIRST = 2
+"""Commands at most that the words before the "no" are taken for,"""
+EACH = 4
+"""and sentences for each beginning of one, with what came after it."""
+MOST = 8
+"""Sentences at most in all."""
+
+
+def corrected_like(
+    heard: Sequence[str],
+    corrections: Collection[tuple[str, ...]],
+    alikes: Mapping[str, Sequence[str]],
+    near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]],
+) -> list[tuple[str, ...]]:
+    """Commands with a correction that are like the words heard, the likest first; not all of them are understood.
+
+    Args:
+        heard: the words.
+        corrections: phrases that take back what was said: ``("no",)``, ``("i", "mean")``.
+        alikes: words that a recogniser writes for others: ``{"know": ["no"]}``.
+        near: sentences of the grammar that are like some words, the likest first.
+    """
+    found: dict[tuple[str, ...], None] = {}
+    for before, correction, after in _parted(heard, corrections, alikes):
+        for command in near(before)[:FIRST]:
+            for instead in _in_place(command, after, near):
+                found[(*command, *correction, *instead)] = None
+    return sorted(found, key=lambda words: letters_apart(words, heard))[:MOST]
+
+
+def longest_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
+    """Words of the longest of some phrases that stands at a place; 0: none does."""
+    return max((len(one) for one in phrases if tuple(words[at : at + len(one)]) == one), default=0)
+
+
+def _parted(
+    heard: Sequence[str], corrections: Collection[tuple[str, ...]], alikes: Mapping[str, Sequence[str]]
+) -> Iterator[tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]]:
+    """The words before a correction, that, and the words after it, at the first place where one was heard."""
+    meant = [next((word for word in alikes.get(one, ()) if (word,) in corrections), one) for one in heard]
+    for at in range(1, len(heard) - 1):
+        length = longest_at(meant, at, corrections)
+        if length and at + length < len(heard):
+            yield tuple(heard[:at]), tuple(meant[at : at + length]), tuple(heard[at + length :])
+            return
+
+
+def _in_place(
+    command: tuple[str, ...], after: tuple[str, ...], near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]]
+) -> Iterator[tuple[str, ...]]:
+    """What may have been said after the correction: as it was heard, and what would go on from a beginning of the
+    command."""
+    yield after
+    for kept in range(len(command)):
+        begin = command[:kept]
+        for sentence in near((*begin, *after))[:EACH]:
+            if sentence[:kept] == begin and len(sentence) > kept:
+                yield sentence[kept:]
