@@ -36,9 +36,13 @@ class Script:
     """A recogniser that is told what is heard in sounds of what length: the second utterance by itself is shorter than
     both together."""
 
-    def __init__(self, first: str, second: str, together: str, score: float = 0.0) -> None:
+    def __init__(
+        self, first: str, second: str, together: str, score: float = 0.0, confidence: float | None = None
+    ) -> None:
         self._texts = {"first": first, "second": second, "together": together}
         self._score = score
+        self._confidence = confidence
+        """Of the second."""
         self.asked: list[str] = []
 
     def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
@@ -46,7 +50,8 @@ class Script:
         which = "first" if not self.asked or seconds < 1.0 else "together" if seconds > 2.0 else "second"
         self.asked.append(which)
         text = self._texts[which]
-        return Transcript(text, self._score, text, gap=0.0)
+        confidence = self._confidence if which == "second" else None
+        return Transcript(text, self._score, text, gap=0.0, confidence=confidence)
 
     def close(self) -> None: ...
 
@@ -121,8 +126,57 @@ def test_a_correction_that_comes_later_is_done():
 def test_a_correction_that_was_heard_clearly_needs_no_model_that_searches_for_it():
     said = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom"))
     assert (said.pose.x, said.pose.y) == pytest.approx((2.0, 8.0))
-    hardly = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom", score=-0.5))
+    hardly = Said(Script("go to the kitchen", "i mean the bedroom", "get to the kitchen in the bedroom", score=-1.0))
     assert hardly.goals == [GoalState.CANCELED]
+
+
+def test_where_it_begins_with_a_no_it_takes_something_back_or_is_not_done():
+    """ "No" is heard as "know", and "no, the dock" as "and go to the dock"."""
+    for second in ("no the duck", "know the duck"):
+        said = Said(Script("go to the lounge", second, "go to the lounge and go to the dock"))
+        assert said.goals == [GoalState.CANCELED]
+    said = Said(Script("go to the lounge", "know the duck", "go to the lounge no the dock"))
+    assert said.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+    assert said.pose.x == pytest.approx(10.0)
+
+
+def test_what_was_not_heard_as_a_command_by_itself_may_belong_to_the_one_before():
+    """ "One meter" is like "go one meter", and would drive forward after "go back"."""
+    script = Script("go back", "go one meter", "go back one meter", confidence=0.9)
+    said = Said(script)
+    assert said.pose.x == pytest.approx(-1.0)
+    far = "go forward ten meters"
+    two = Said(Script(far, "turn left", f"{far} turn left", confidence=0.9))
+    assert two.goals == [GoalState.CANCELED, GoalState.SUCCEEDED], "what is a command by itself takes its place"
+    alone = Said(Script(far, "turn left", "what a nice day", confidence=0.9))
+    assert alone.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+
+
+class Jumpy:
+    """A reflex that takes the first sound of the second utterance for a stop."""
+
+    def __init__(self) -> None:
+        self.begun = 0
+
+    def begin(self, _frames: object) -> None:
+        self.begun += 1
+
+    def heard(self, _samples: np.ndarray) -> bool:
+        return self.begun == 2
+
+    def close(self) -> None: ...
+
+
+def test_a_robot_that_was_held_for_nothing_goes_on_with_all_that_was_said():
+    said = Said(Script("turn left", "six degrees", "turn left six degrees"), reflex=Jumpy())
+    assert [event.kind for event in said.events if event.kind is HeardKind.HOLD]
+    assert said.pose.yaw == pytest.approx(math.radians(6), abs=0.3)
+    assert said.done[-1].goes_on
+    stopped = Said(Script("go forward ten meters", "stop", "go forward ten meters slowly"), reflex=Jumpy())
+    assert stopped.goals == [GoalState.CANCELED]
+    assert stopped.pose.x < 1.5
+    hardly = Said(Script("go forward ten meters", "top", "go forward ten meters slowly", score=-2.0), reflex=Jumpy())
+    assert hardly.pose.x < 1.5, "a stop that was felt, of which hardly anything was heard, is one"
 
 
 def test_a_number_that_sounds_like_another_must_be_heard_with_the_command():
