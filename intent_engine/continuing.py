@@ -112,21 +112,19 @@ class Continuing:
         said = self._before(utterance)
         meaning = self._judge.meaning(heard, state, last)
         if alone is None:
-            queued = said is not None and not meaning.stops and self._in_turn(said, utterance, meaning, state)
-            return Understood(heard, meaning, Step(meaning.actions, Policy.QUEUE if queued else None))
+            return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
         by_itself = self._judge.meaning(alone, state, last)
         if said is not None:
-            step = said.command.step_to(meaning)
-            if step is not None and self._belongs(step, meaning, alone, by_itself):
-                return Understood(heard, meaning, step)
             exact = self._judge.together(said.command.meaning.text, alone, state)
-            if exact is not None and (step := said.command.step_to(exact)) is not None:
-                return Understood(alone, exact, step)
+            for transcript, whole in ((heard, meaning), (alone, exact)):
+                step = said.command.step_to(whole) if whole is not None else None
+                if whole is not None and step is not None and self._belongs(step, whole, alone, by_itself):
+                    return Understood(transcript, whole, step)
         meaning = by_itself
         withdrawn = said is not None and meaning.status is not Status.ACCEPTED and self._judge.corrects(alone)
         if withdrawn:
             meaning = replace(meaning, reason=_WITHDRAWN)
-        return Understood(alone, meaning, Step(meaning.actions), withdrawn)
+        return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
 
     def _belongs(self, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation) -> bool:
         """Whether what was heard together with the command before is what was meant: not if what is more of it is a
@@ -135,21 +133,24 @@ class Continuing:
             return False
         return whole.corrected or not self._judge.corrects(alone)
 
-    def _in_turn(
-        self, said: _Said, utterance: SpokenUtterance, meaning: Interpretation, state: Collection[str]
-    ) -> bool:
-        """Whether a command by itself is to be done after the one before: it begins with "and then", or both were said
-        in one breath and are two commands in a row ("turn left, go forward")."""
-        heard = utterance.result
-        if heard is None or meaning.status is not Status.ACCEPTED:
-            return False
-        if self._judge.comes_after(heard):
-            return True
-        if utterance.began - said.ended > ONE_BREATH:
-            return False
-        first = said.command.meaning
-        whole = self._judge.both(first.text, heard.text, heard, state)
-        return whole.actions == (*first.actions, *meaning.actions)
+    def _by_itself(
+        self,
+        said: _Said | None,
+        utterance: SpokenUtterance,
+        heard: Transcript,
+        meaning: Interpretation,
+        state: Collection[str],
+    ) -> Step:
+        """What is to be done of a command by itself. After the one before, if it begins with "and then", or both were
+        said in one breath and are two commands in a row ("turn left, go forward")."""
+        in_turn = False
+        if said is not None and meaning.status is Status.ACCEPTED and not meaning.stops:
+            first = said.command.meaning
+            in_turn = self._judge.comes_after(heard) or (
+                utterance.began - said.ended <= ONE_BREATH
+                and self._judge.both(first.text, heard.text, heard, state).actions == (*first.actions, *meaning.actions)
+            )
+        return Step(meaning.actions, Policy.QUEUE if in_turn else None)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""

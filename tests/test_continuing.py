@@ -148,6 +148,8 @@ def test_what_was_not_heard_as_a_command_by_itself_may_belong_to_the_one_before(
     far = "go forward ten meters"
     two = Said(Script(far, "turn left", f"{far} turn left", confidence=0.9))
     assert two.goals == [GoalState.CANCELED, GoalState.SUCCEEDED], "what is a command by itself takes its place"
+    then = Said(Script("turn left", "and then go one meter", "turn left and then go one meter", confidence=0.9))
+    assert then.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED], "or waits its turn"
     alone = Said(Script(far, "turn left", "what a nice day", confidence=0.9))
     assert alone.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
 
