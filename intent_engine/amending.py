@@ -42,9 +42,14 @@ class CarriedOut:
         """Whether nothing came between: no stop, no other command, no failure."""
         return all(goal.succeeded or not goal.done for goal in self.goals)
 
+    def begins(self, whole: Interpretation) -> bool:
+        """Whether it is the beginning of a longer command."""
+        words, begun = plain(whole.text), plain(self.meaning.text)
+        return whole.status is Status.ACCEPTED and words[: len(begun)] == begun and len(words) > len(begun)
+
     def step_to(self, whole: Interpretation) -> Step | None:
         """What is to be done if this was the beginning of a longer command; None: it was not, or it is too late."""
-        if whole.status is not Status.ACCEPTED or not _begins_with(whole.text, self.meaning.text):
+        if not self.begins(whole):
             return None
         if whole.stops:
             return Step(whole.actions, goes_on=True)
@@ -68,8 +73,3 @@ def can_be_amended(meaning: Interpretation) -> bool:
     """Whether what was understood can be put right while it is done: one drive, turn or way somewhere, or a hand that
     reaches for something. What is put down, or ordered, cannot be taken back."""
     return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate, Pick))
-
-
-def _begins_with(whole: str, first: str) -> bool:
-    words, begun = plain(whole), plain(first)
-    return words[: len(begun)] == begun and len(words) > len(begun)

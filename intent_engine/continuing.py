@@ -18,7 +18,7 @@ from intent_engine.amending import CarriedOut, Step
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
+from intent_engine.judgement import HARDLY_A_SENTENCE, Judge
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -54,6 +54,20 @@ class _Said:
     sound: Samples
     ended: float
     command: CarriedOut
+    withdrawn: bool = False
+    """Whether it was taken back, and not said yet what is meant instead."""
+
+    @property
+    def open(self) -> bool:
+        """Whether something may go on from it."""
+        return self.withdrawn or self.command.under_way
+
+    def step_to(self, whole: Interpretation) -> Step | None:
+        """What is to be done if that is what was meant; None: it cannot be."""
+        if not self.withdrawn:
+            return self.command.step_to(whole)
+        meant = whole.corrected and self.command.begins(whole)
+        return Step(whole.actions, goes_on=True) if meant else None
 
 
 class Continuing:
@@ -117,13 +131,19 @@ class Continuing:
         if said is not None:
             exact = self._judge.together(said.command.meaning.text, alone, state)
             for transcript, whole in ((heard, meaning), (alone, exact)):
-                step = said.command.step_to(whole) if whole is not None else None
+                step = said.step_to(whole) if whole is not None else None
                 if whole is not None and step is not None and self._belongs(step, whole, alone, by_itself):
                     return Understood(transcript, whole, step)
         meaning = by_itself
-        withdrawn = said is not None and meaning.status is not Status.ACCEPTED and self._judge.corrects(alone)
-        if withdrawn:
-            meaning = replace(meaning, reason=_WITHDRAWN)
+        withdrawn = False
+        if said is not None and meaning.status is not Status.ACCEPTED:
+            withdrawn = self._judge.corrects(alone) or self._judge.ends_in_correction(heard)
+            if withdrawn or len(alone.free_text.split()) <= HARDLY_A_SENTENCE:
+                # "No", and a moment later "the dock".
+                taken_back = withdrawn or said.withdrawn
+                self._said = _Said(utterance.said(), utterance.last_voice, said.command, taken_back)
+            if withdrawn:
+                meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
 
     def _belongs(self, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation) -> bool:
@@ -156,4 +176,4 @@ class Continuing:
         """The command that an utterance may belong to."""
         said = self._said
         soon = self.on and said is not None and utterance.began - said.ended <= self._within
-        return said if said is not None and soon and said.command.under_way else None
+        return said if said is not None and soon and said.open else None

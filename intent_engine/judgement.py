@@ -143,6 +143,12 @@ class Judge:
             _begins_with(transcript, corrections) or any((word,) in corrections for word in meant)
         )
 
+    def ends_in_correction(self, transcript: Transcript) -> bool:
+        """Whether it ends with "no", or the like, and was heard well enough."""
+        words = tuple(plain(transcript.free_text))
+        corrections = self._grammar(transcript).operators.correction
+        return transcript.score > HARDLY_A_WORD and any(words[-len(one) :] == one for one in corrections)
+
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
         """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
 

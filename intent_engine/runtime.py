@@ -398,7 +398,7 @@ class Runtime:
             return
         if understood.withdrawn:
             self._held = False
-            self._forget()
+            self._last = ()
             self.executor.stop()
         elif self._held:
             self._release(time, "no stop was said")
