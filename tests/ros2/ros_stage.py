@@ -17,7 +17,7 @@ from pathlib import Path
 import rclpy
 from geometry_msgs.msg import Twist, TwistStamped
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from std_msgs.msg import Bool, String
+from std_msgs.msg import Bool, Empty, String
 
 from intent_engine.execution.robots.ros2_support import own_node
 
@@ -55,6 +55,7 @@ class Peer:
         )
         self.text = self.node.create_publisher(String, "voice_commands/text", 10)
         self.amended = self.node.create_publisher(String, "voice_commands/amended_text", 10)
+        self.stop = self.node.create_publisher(Empty, "voice_commands/stop", 10)
         self.hold = self.node.create_publisher(Bool, "voice_commands/hold", 10)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
@@ -100,6 +101,10 @@ class Peer:
     def amend(self, text: str) -> None:
         until(lambda: self.amended.get_subscription_count() >= 1)
         self.amended.publish(String(data=text))
+
+    def halt(self) -> None:
+        until(lambda: self.stop.get_subscription_count() >= 1)
+        self.stop.publish(Empty())
 
     def moving(self) -> bool:
         return bool(self.twists) and any(self.twists[-1])

@@ -100,6 +100,16 @@ def test_what_was_said_right_after_a_motion_waits_its_turn(talk):
     assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
 
 
+def test_what_is_meant_instead_is_done_after_the_no_has_stopped_it(talk):
+    talk.say("turn left ninety degrees")
+    until(talk.moving)
+    talk.halt()
+    until(talk.standing)
+    talk.amend("turn left ninety degrees no right ten degrees")
+    until(lambda: talk.goals("succeeded"))
+    assert talk.goals("succeeded")[0]["action"]["angle"] == pytest.approx(math.radians(-10), abs=1e-3)
+
+
 @pytest.mark.parametrize("first", ["go forward ten centimeters", "stop", "what lovely weather"])
 def test_what_does_not_go_on_from_what_is_done_is_not_done(talk, first):
     talk.say(first)
