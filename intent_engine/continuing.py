@@ -18,7 +18,7 @@ from intent_engine.amending import CarriedOut, Step
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import HARDLY_A_SENTENCE, Judge
+from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -99,8 +99,8 @@ class Continuing:
     def heard_with(
         self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action], *, held: bool = False
     ) -> Samples | None:
-        """The sound together with which an utterance is to be heard anew, since it is no command by itself, or was not
-        heard as one word by word; None: there is none, or it has been already.
+        """The sound together with which an utterance is to be heard anew, since it is no command by itself, or was
+        hardly heard as one; None: there is none, or it has been already.
 
         Args:
             utterance: decoded by itself.
@@ -116,7 +116,8 @@ class Continuing:
         alone = self._judge.meaning(heard, state, last)
         if held:
             alone = self._judge.held(heard, alone)
-        sure = alone.status is Status.ACCEPTED and (alone.stops or heard.word_by_word)
+        clearly = heard.word_by_word or heard.sureness >= SURE_ENOUGH_OF_SEVERAL
+        sure = alone.status is Status.ACCEPTED and (alone.stops or clearly)
         return None if sure else said.sound
 
     def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:

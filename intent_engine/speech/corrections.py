@@ -16,6 +16,8 @@ __all__ = ["corrected_like", "longest_at"]
 
 FIRST = 2
 """Commands at most that the words before the "no" are taken for,"""
+UNLIKE = 0.34
+"""share of their letters that may differ: other talk has a "rather" in it too;"""
 EACH = 4
 """and sentences for each beginning of one, with what came after it."""
 MOST = 8
@@ -38,7 +40,9 @@ def corrected_like(
     """
     found: dict[tuple[str, ...], None] = {}
     for before, correction, after in _parted(heard, corrections, alikes):
-        for command in near(before)[:FIRST]:
+        letters = sum(map(len, before))
+        commands = [one for one in near(before)[:FIRST] if letters_apart(one, before) <= UNLIKE * letters]
+        for command in commands:
             for instead in _in_place(command, after, near):
                 found[(*command, *correction, *instead)] = None
     return sorted(found, key=lambda words: letters_apart(words, heard))[:MOST]
