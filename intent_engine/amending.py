@@ -6,6 +6,7 @@ while they are done; what comes after others waits its turn; and what was done i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from intent_engine.actions import Action, Move, Navigate, Pick, Turn
@@ -14,7 +15,7 @@ from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.utterance import plain
 
-__all__ = ["CarriedOut", "Step", "can_be_amended"]
+__all__ = ["CarriedOut", "Step", "can_be_amended", "in_a_row"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +29,11 @@ class Step:
     """The goal that the first of the actions puts right."""
     goes_on: bool = False
     """Whether the command before is a part of it."""
+
+    @property
+    def in_turn(self) -> bool:
+        """Whether it is a command by itself that is done after the one before, and not in its place."""
+        return self.policy is Policy.QUEUE and not self.goes_on
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +57,10 @@ class CarriedOut:
         """What is to be done if this was the beginning of a longer command; None: it was not, or it is too late."""
         if not self.begins(whole):
             return None
-        if whole.stops:
+        if whole.stops or (whole.corrected and not self.under_way):  # "no" had stopped it
             return Step(whole.actions, goes_on=True)
+        if not self.under_way:
+            return None
         done = self.meaning.actions
         if whole.actions[: len(done)] == done:
             more = whole.actions[len(done) :]
@@ -67,6 +75,19 @@ class CarriedOut:
         """The longer command, when these goals have been given for what was to be done of it."""
         given = self.goals[: len(whole.actions) - len(goals)]
         return CarriedOut(whole, (*given, *goals))
+
+
+def in_a_row(
+    parse: Callable[[str], Interpretation], first: Interpretation, then: Interpretation
+) -> Interpretation | None:
+    """Two commands in one text, if that means just both.
+
+    Args:
+        parse: understands a text.
+        first, then: the commands.
+    """
+    both = parse(f"{first.text}, {then.text}")
+    return both if then.actions and both.actions == (*first.actions, *then.actions) else None
 
 
 def can_be_amended(meaning: Interpretation) -> bool:

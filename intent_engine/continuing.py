@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from intent_engine.actions import Action
-from intent_engine.amending import CarriedOut, Step
+from intent_engine.amending import CarriedOut, Step, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
@@ -57,18 +57,6 @@ class _Said:
     withdrawn: bool = False
     """Whether it was taken back, and not said yet what is meant instead."""
 
-    @property
-    def open(self) -> bool:
-        """Whether something may go on from it."""
-        return self.withdrawn or self.command.under_way
-
-    def step_to(self, whole: Interpretation) -> Step | None:
-        """What is to be done if that is what was meant; None: it cannot be."""
-        if not self.withdrawn:
-            return self.command.step_to(whole)
-        meant = whole.corrected and self.command.begins(whole)
-        return Step(whole.actions, goes_on=True) if meant else None
-
 
 class Continuing:
     """Keeps the last command, for what may go on from it. For one thread.
@@ -79,8 +67,6 @@ class Continuing:
     """
 
     def __init__(self, judge: Judge, within: float) -> None:
-        self.on = True
-        """Whether anything goes on from anything."""
         self._judge = judge
         self._within = within
         self._said: _Said | None = None
@@ -132,8 +118,8 @@ class Continuing:
         if said is not None:
             exact = self._judge.together(said.command.meaning.text, alone, state)
             for transcript, whole in ((heard, meaning), (alone, exact)):
-                step = said.step_to(whole) if whole is not None else None
-                if whole is not None and step is not None and self._belongs(step, whole, alone, by_itself):
+                step = said.command.step_to(whole) if whole is not None else None
+                if whole is not None and step is not None and self._belongs(said, step, whole, alone, by_itself):
                     return Understood(transcript, whole, step)
         meaning = by_itself
         withdrawn = False
@@ -147,12 +133,14 @@ class Continuing:
                 meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
 
-    def _belongs(self, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation) -> bool:
+    def _belongs(
+        self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation
+    ) -> bool:
         """Whether what was heard together with the command before is what was meant: not if what is more of it is a
-        command by itself, nor if the words began with a "no" and take nothing back."""
+        command by itself, nor if the words began with a "no", or came after one, and take nothing back."""
         if by_itself.status is Status.ACCEPTED and step.amends is None:
             return False
-        return whole.corrected or not self._judge.corrects(alone)
+        return whole.corrected or not (said.withdrawn or self._judge.corrects(alone))
 
     def _by_itself(
         self,
@@ -166,15 +154,14 @@ class Continuing:
         said in one breath and are two commands in a row ("turn left, go forward")."""
         in_turn = False
         if said is not None and meaning.status is Status.ACCEPTED and not meaning.stops:
-            first = said.command.meaning
-            in_turn = self._judge.comes_after(heard) or (
-                utterance.began - said.ended <= ONE_BREATH
-                and self._judge.both(first.text, heard.text, heard, state).actions == (*first.actions, *meaning.actions)
-            )
+            both = in_a_row(lambda text: self._judge.text(text, heard, state), said.command.meaning, meaning)
+            soon = utterance.began - said.ended <= ONE_BREATH
+            in_turn = self._judge.comes_after(heard) or (soon and both is not None)
         return Step(meaning.actions, Policy.QUEUE if in_turn else None)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""
         said = self._said
-        soon = self.on and said is not None and utterance.began - said.ended <= self._within
-        return said if said is not None and soon and said.open else None
+        if said is None or not self._judge.continuing or utterance.began - said.ended > self._within:
+            return None
+        return said if said.withdrawn or said.command.under_way else None

@@ -15,7 +15,8 @@ from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent
 from intent_engine.language.numbers.english import ALIKE
-from intent_engine.language.utterance import plain
+from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.speech.corrections import as_meant
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
@@ -116,38 +117,39 @@ class Judge:
         return meaning
 
     def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
-        """What words that were heard clearly mean after those before, if both are a command word by word: also a
-        correction, for which no model searches. Numbers that sound like another are left to those."""
+        """What words that were heard clearly mean after those before, if both are a command word by word. Numbers that
+        sound like another are left to the models."""
         clearly = CORRECTED_CLEARLY if self.corrects(transcript) else CLEARLY
         if transcript.score < clearly or ALIKE.keys() & set(plain(transcript.free_text)):
             return None
-        meaning = self.both(before, transcript.free_text, transcript, state)
+        meaning = self.text(f"{before}, {transcript.free_text}", transcript, state)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
 
-    def both(self, before: str, more: str, transcript: Transcript, state: Collection[str]) -> Interpretation:
-        """What a text means with more words, which are of a transcript."""
-        language = self._language(transcript)
-        return self.engine.parse(f"{before}, {more}", state=state, language=language, spoken=True)
+    def text(self, text: str, transcript: Transcript, state: Collection[str]) -> Interpretation:
+        """What a text means in the language of a transcript."""
+        return self.engine.parse(text, state=state, language=self._language(transcript), spoken=True)
 
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
-        return _begins_with(transcript, self._grammar(transcript).operators.sequence)
+        sequence = PhraseSet(self._grammar(transcript).operators.sequence)
+        return sequence.at(plain(transcript.free_text), 0) > 0
 
     def corrects(self, transcript: Transcript) -> bool:
         """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
-        grammar = self._grammar(transcript)
-        begun = transcript.free_text.split()[:1]
-        meant = [word for heard in plain(" ".join(begun)) for word in grammar.sound_alikes.get(heard, ())]
-        corrections = grammar.operators.correction
-        return transcript.score > HARDLY_A_WORD and (
-            _begins_with(transcript, corrections) or any((word,) in corrections for word in meant)
-        )
+        corrections, words = self._corrections(transcript)
+        return corrections.at(words, 0) > 0
 
     def ends_in_correction(self, transcript: Transcript) -> bool:
         """Whether it ends with "no", or the like, and was heard well enough."""
-        words = tuple(plain(transcript.free_text))
-        corrections = self._grammar(transcript).operators.correction
-        return transcript.score > HARDLY_A_WORD and any(words[-len(one) :] == one for one in corrections)
+        corrections, words = self._corrections(transcript)
+        return corrections.ends(words) > 0
+
+    def _corrections(self, transcript: Transcript) -> tuple[PhraseSet, list[str]]:
+        """What takes back what was said, and the words that were heard; none, if they were hardly words."""
+        grammar = self._grammar(transcript)
+        corrections = PhraseSet(grammar.operators.correction)
+        heard = plain(transcript.free_text) if transcript.score > HARDLY_A_WORD else []
+        return corrections, as_meant(heard, corrections, grammar.sound_alikes)
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:
         """What a transcript means while a robot is held, since a stop was heard in its sound before that had ended.
@@ -194,11 +196,6 @@ class Judge:
         said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
         intents = self._grammar(transcript).intents
         return [intent for name, intent in intents.items() if name in said]
-
-
-def _begins_with(transcript: Transcript, phrases: Collection[tuple[str, ...]]) -> bool:
-    words = tuple(plain(transcript.free_text))
-    return any(words[: len(phrase)] == phrase for phrase in phrases)
 
 
 def _hardly_heard(transcript: Transcript) -> bool:

@@ -18,7 +18,6 @@ from typing import Any, Literal
 from intent_engine.actions import Action
 from intent_engine.continuing import Continuing, Understood
 from intent_engine.engine import IntentEngine
-from intent_engine.execution.admission import Policy
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
@@ -124,7 +123,7 @@ class Runtime:
     def join_sentences(self, on: bool = True) -> None:
         """Whether what is said right after a motion may belong to it, as it may unless ``Settings.wait_continued`` is
         0. For a program that takes the interpretations of this runtime and cannot put right what it has begun."""
-        self._judgement.continuing = self._continuing.on = on and self._endpoint.settings.wait_continued > 0
+        self._judgement.continuing = on and self._endpoint.settings.wait_continued > 0
 
     def close(self) -> None:
         """End :meth:`run` and stop the robot. Idempotent, from any thread."""
@@ -384,7 +383,7 @@ class Runtime:
         told: dict[str, Any] = {
             "speech_ended": utterance.last_voice,
             "goes_on": understood.step.goes_on,
-            "in_turn": not understood.step.goes_on and understood.step.policy is Policy.QUEUE,
+            "in_turn": understood.step.in_turn,
         }
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)

@@ -140,33 +140,25 @@ def test_what_is_no_command_together_changes_nothing(script):
     assert said.pose.yaw == pytest.approx(0.75)
 
 
-@pytest.mark.parametrize("as_json", [False, True])
-def test_it_is_told_that_a_command_goes_on(capsys, as_json):
-    said = Said(Script("turn left", "ninety degrees", "turn left ninety degrees"))
-    reporter = Reporter(said.robot, as_json=as_json)
-    for event in said.events:
-        reporter.heard(event)
-    told = capsys.readouterr().out
-    if as_json:
-        events = [json.loads(line) for line in told.splitlines()]
-        assert [event.get("goes_on") for event in events if event["event"] == "interpretation"] == [None, True]
-    else:
-        assert "understood  turn side=left\n" in told
-        assert "goes on     turn side=left angle=1.571" in told
-
-
-@pytest.mark.parametrize("as_json", [False, True])
-def test_it_is_told_that_a_command_waits_its_turn(capsys, as_json):
-    said = Said(Script("turn left", "and then go forward one meter", "-"))
-    reporter = Reporter(said.robot, as_json=as_json)
-    for event in said.events:
-        reporter.heard(event)
-    told = capsys.readouterr().out
-    if as_json:
-        events = [json.loads(line) for line in told.splitlines()]
-        assert [event.get("in_turn") for event in events if event["event"] == "interpretation"] == [None, True]
-    else:
-        assert "next        move direction=forward distance=1" in told
+@pytest.mark.parametrize(
+    ("script", "key", "told"),
+    [
+        (Script("turn left", "ninety degrees", "turn left ninety degrees"), "goes_on", "goes on     turn side=left"),
+        (Script("turn left", "and then go forward one meter", "-"), "in_turn", "next        move direction=forward"),
+    ],
+)
+def test_it_is_told_that_a_command_goes_on_or_waits_its_turn(capsys, script, key, told):
+    said = Said(script)
+    for as_json in (True, False):
+        reporter = Reporter(said.robot, as_json=as_json)
+        for event in said.events:
+            reporter.heard(event)
+    lines = capsys.readouterr().out.splitlines()
+    events = [json.loads(line) for line in lines if line.startswith("{")]
+    assert [event.get(key) for event in events if event["event"] == "interpretation"] == [None, True]
+    text = "\n".join(lines)
+    assert "understood  turn side=left\n" in text
+    assert told in text
 
 
 def test_later_words_belong_to_nothing():

@@ -126,9 +126,7 @@ class VoiceCommands:
         if found.stops or found.status is not Status.ACCEPTED:
             return found
         done = self._done
-        if done is not None and not done.under_way and found.corrected and done.begins(found):
-            return self._take(found, spoken_at)  # "no" has stopped it, and then it was said what is meant instead
-        step = done.step_to(found) if done is not None and done.under_way else None
+        step = done.step_to(found) if done is not None else None
         if done is None or step is None:
             return Interpretation(found.text, Status.REJECTED, reason=_TOO_LATE)
         goals = self.executor.submit(

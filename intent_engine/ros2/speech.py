@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from intent_engine.amending import in_a_row
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Event, EventKind
@@ -33,7 +34,10 @@ if TYPE_CHECKING:
     from intent_engine.speech.recognizer import Recognizer
     from intent_engine.speech.reflex import Reflex
 
-__all__ = ["Speech", "in_a_row", "main", "worth_saying"]
+__all__ = ["Speech", "main", "worth_saying"]
+
+TASK = 3.0
+"""s that what is not a drive or a turn is taken to last: longer than words are waited for that may put it right."""
 
 
 def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
@@ -45,16 +49,6 @@ def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
     if not found.text.strip():
         return False
     return found.status is Status.ACCEPTED or engine.parse(found.text).status is not Status.ACCEPTED
-
-
-def in_a_row(engine: IntentEngine, first: Interpretation, then: Interpretation) -> Interpretation | None:
-    """Two commands in one text, if that means just both."""
-    both = engine.parse(f"{first.text}, {then.text}")
-    return both if both.actions == (*first.actions, *then.actions) else None
-
-
-TASK = 3.0
-"""s that what is not a drive or a turn is taken to last: longer than words are waited for that may put it right."""
 
 
 class _Elsewhere:
@@ -216,7 +210,7 @@ class Speech:
             self._publish("amended_text", data=found.text)
         elif not worth_saying(self._engine, found):
             self._log.info(f"not passed on: {found.text!r}: {found.reason}")
-        elif event.in_turn and said is not None and (both := in_a_row(self._engine, said, found)) is not None:
+        elif event.in_turn and said is not None and (both := in_a_row(self._engine.parse, said, found)) is not None:
             self._said = both
             self._publish("amended_text", data=both.text)
         else:

@@ -8,11 +8,12 @@ before it, and sentences of the grammar that are like that, and begin so too, sa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.evidence import letters_apart
 
-__all__ = ["corrected_like", "longest_at"]
+__all__ = ["as_meant", "corrected_like"]
 
 FIRST = 2
 """Commands at most that the words before the "no" are taken for,"""
@@ -24,45 +25,38 @@ MOST = 8
 """Sentences at most in all."""
 
 
-def corrected_like(
-    heard: Sequence[str],
-    corrections: Collection[tuple[str, ...]],
-    alikes: Mapping[str, Sequence[str]],
-    near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]],
-) -> list[tuple[str, ...]]:
-    """Commands with a correction that are like the words heard, the likest first; not all of them are understood.
+def as_meant(heard: Sequence[str], corrections: PhraseSet, alikes: Mapping[str, Sequence[str]]) -> list[str]:
+    """Words, with those that a recogniser writes for a correction as that.
 
     Args:
         heard: the words.
         corrections: phrases that take back what was said: ``("no",)``, ``("i", "mean")``.
         alikes: words that a recogniser writes for others: ``{"know": ["no"]}``.
+    """
+    return [next((word for word in alikes.get(one, ()) if corrections.at([word], 0)), one) for one in heard]
+
+
+def corrected_like(
+    heard: Sequence[str], corrections: PhraseSet, near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]]
+) -> list[tuple[str, ...]]:
+    """Commands with a correction that are like the words heard, the likest first; not all of them are understood.
+
+    Args:
+        heard: the words, corrections :func:`as_meant`.
+        corrections: phrases that take back what was said.
         near: sentences of the grammar that are like some words, the likest first.
     """
-    found: dict[tuple[str, ...], None] = {}
-    for before, correction, after in _parted(heard, corrections, alikes):
-        letters = sum(map(len, before))
-        commands = [one for one in near(before)[:FIRST] if letters_apart(one, before) <= UNLIKE * letters]
-        for command in commands:
-            for instead in _in_place(command, after, near):
-                found[(*command, *correction, *instead)] = None
+    first = corrections.find(heard, 1)
+    if first is None or sum(first) >= len(heard):
+        return []
+    at, length = first
+    before, correction, after = tuple(heard[:at]), tuple(heard[at : at + length]), tuple(heard[at + length :])
+    letters = sum(map(len, before))
+    commands = [one for one in near(before)[:FIRST] if letters_apart(one, before) <= UNLIKE * letters]
+    found = dict.fromkeys(
+        (*command, *correction, *instead) for command in commands for instead in _in_place(command, after, near)
+    )
     return sorted(found, key=lambda words: letters_apart(words, heard))[:MOST]
-
-
-def longest_at(words: Sequence[str], at: int, phrases: Iterable[tuple[str, ...]]) -> int:
-    """Words of the longest of some phrases that stands at a place; 0: none does."""
-    return max((len(one) for one in phrases if tuple(words[at : at + len(one)]) == one), default=0)
-
-
-def _parted(
-    heard: Sequence[str], corrections: Collection[tuple[str, ...]], alikes: Mapping[str, Sequence[str]]
-) -> Iterator[tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]]:
-    """The words before a correction, that, and the words after it, at the first place where one was heard."""
-    meant = [next((word for word in alikes.get(one, ()) if (word,) in corrections), one) for one in heard]
-    for at in range(1, len(heard) - 1):
-        length = longest_at(meant, at, corrections)
-        if length and at + length < len(heard):
-            yield tuple(heard[:at]), tuple(meant[at : at + length]), tuple(heard[at + length :])
-            return
 
 
 def _in_place(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.speech.corrections import longest_at
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows, total
@@ -55,10 +55,10 @@ class Rivals:
         search: UtteranceSearch,
         tokenizer: Any,
         language: str | None,
-        corrections: Collection[tuple[str, ...]] = (),
+        corrections: PhraseSet | None = None,
     ) -> None:
         self._search = search
-        self._corrections = corrections
+        self._corrections = corrections or PhraseSet(())
         self._tokenizer = tokenizer
         self._language = language
         self._detours = Detours(search)
@@ -155,7 +155,7 @@ class Rivals:
         correction. What comes after one goes on from a beginning of what was said before it."""
         known, _ = self._walked(self._search.graph.start(), words)
         said = len(known) - 1
-        length = longest_at(words, said, self._corrections)
+        length = self._corrections.at(words, said)
         for state in reversed(known) if length else ():
             after, whole = self._walked(state, words[said + length :])
             if whole:

@@ -17,8 +17,8 @@ from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.utterance import Utterance
-from intent_engine.speech.corrections import corrected_like, longest_at
+from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.opinion import Reading
@@ -72,8 +72,14 @@ class _Known:
 
     matcher: Matcher
     words: frozenset[str]
-    corrections: frozenset[str]
-    """Words of "I mean", "no", "make that", which a sentence that is corrected has besides."""
+    corrections: PhraseSet
+    """"I mean", "no", "make that","""
+    correcting: frozenset[str]
+    """and their words, which a sentence that is corrected has besides."""
+    empty: PhraseSet
+    """What says nothing: "please","""
+    leading: PhraseSet
+    """also at the beginning: "and then"."""
     in_slots: frozenset[str]
     search: UtteranceSearch
     usual: UsualNumbers
@@ -115,9 +121,9 @@ class SpokenGrammar:
         return [words for words, apart in self._nearest(heard, language) if apart <= most]
 
     def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
-        alikes = self._known(language).matcher.grammar.sound_alikes
         corrections = self.corrections(language)
-        like = corrected_like(heard, corrections, alikes, lambda words: self._like(words, language))
+        meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
+        like = corrected_like(meant, corrections, lambda words: self._like(words, language))
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 
     def possible(
@@ -147,9 +153,9 @@ class SpokenGrammar:
         known = meaning.status is Status.ACCEPTED or asks or meaning.refuses
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
-    def corrections(self, language: str | None = None) -> frozenset[tuple[str, ...]]:
+    def corrections(self, language: str | None = None) -> PhraseSet:
         """Phrases that take back what was said before them."""
-        return frozenset(self._known(language).matcher.grammar.operators.correction)
+        return self._known(language).corrections
 
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether a sentence asks for something else."""
@@ -171,10 +177,10 @@ class SpokenGrammar:
 
     def lead(self, words: Sequence[str], language: str | None = None) -> int:
         """How many words at the beginning of a sentence say nothing: "and then please"."""
-        grammar = self._known(language).matcher.grammar
+        leading = self._known(language).leading
         count = 0
         while count < len(words) - 1:
-            length = longest_at(words, count, (*grammar.fillers, *grammar.operators.sequence))
+            length = leading.at(words, count)
             if not length:
                 break
             count += length
@@ -192,16 +198,16 @@ class SpokenGrammar:
 
     def _empty_inside(self, words: Sequence[str], language: str | None) -> bool:
         """Whether words that say nothing stand between others of a sentence."""
-        fillers = self._known(language).matcher.grammar.fillers
+        nothing = self._known(language).empty
         inside = range(self.lead(words, language) + 1, len(words))
-        empty = [at for at in inside if longest_at(words, at, fillers)]
+        empty = [at for at in inside if nothing.at(words, at)]
         return any(not self.says_nothing(words[at:], language) for at in empty)
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
         there = self._known(language).words
         if meaning.corrected:
-            there = there | self._known(language).corrections
+            there = there | self._known(language).correcting
         known = there.issuperset(word for word in words if not is_numeral(word))
         if known and not self.unlisted(meaning, language):
             return False
@@ -265,10 +271,20 @@ class SpokenGrammar:
             search = UtteranceSearch(matcher.likely, words)
             asked = [intent.min_confidence for intent in matcher.grammar.intents.values()]
             least = min([SURE_ENOUGH, *(one for one in asked if one is not None)])
-            corrections = frozenset(word for words in matcher.grammar.operators.correction for word in words)
+            grammar = matcher.grammar
+            corrections = grammar.operators.correction
             usual = UsualNumbers(matcher.grammar)
             known = self._kept[language] = _Known(
-                matcher, words, corrections, known_in_slots(matcher), search, usual, least
+                matcher,
+                words,
+                PhraseSet(corrections),
+                frozenset(word for words in corrections for word in words),
+                PhraseSet(grammar.fillers),
+                PhraseSet((*grammar.fillers, *grammar.operators.sequence)),
+                known_in_slots(matcher),
+                search,
+                usual,
+                least,
             )
         return known
 

@@ -7,13 +7,14 @@ import json
 import pytest
 
 from intent_engine.actions import Move
+from intent_engine.amending import in_a_row
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
-from intent_engine.ros2.speech import in_a_row, worth_saying
+from intent_engine.ros2.speech import worth_saying
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +84,7 @@ def test_what_the_runtime_did_not_believe_is_not_said(engine, tmp_path, root):
 )
 def test_two_commands_are_one_text_where_that_means_both(engine, first, then, one):
     before, after = engine.parse(first), engine.parse(then)
-    both = in_a_row(engine, before, after) if after.actions else None
+    both = in_a_row(engine.parse, before, after)
     assert (both is not None) is one
     if both is not None:
         assert both.actions == (*before.actions, *after.actions)

@@ -8,11 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.interpretation import Status
-from intent_engine.speech.corrections import MOST, corrected_like, longest_at
+from intent_engine.language.utterance import PhraseSet
+from intent_engine.speech.corrections import MOST, corrected_like
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 
-NO = {("no",), ("i", "mean")}
+NO = PhraseSet([("no",), ("i", "mean")])
 
 
 @pytest.fixture(scope="module")
@@ -58,12 +59,12 @@ def test_what_is_found_is_understood_as_a_correction(engine, grammar, heard):
 
 @given(WORDS, st.lists(st.lists(st.sampled_from(["go", "left"]), min_size=1).map(tuple), max_size=3))
 def test_each_is_a_command_a_correction_and_what_goes_on_from_a_beginning_of_that_or_was_heard(heard, sentences):
-    found = corrected_like(heard, NO, {}, lambda words: sentences)
+    found = corrected_like(heard, NO, lambda words: sentences)
     assert len(found) <= MOST
     for words in found:
-        at = next(at for at in range(1, len(words)) if longest_at(words, at, NO))
+        at = next(at for at in range(1, len(words)) if NO.at(words, at))
         assert words[:at] in sentences
-        after = words[at + longest_at(words, at, NO) :]
+        after = words[at + NO.at(words, at) :]
         begins = [words[:count] for count in range(at)]
         assert after == tuple(heard[-len(after) :]) or any((*begin, *after) in sentences for begin in begins)
 
