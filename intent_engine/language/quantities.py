@@ -134,10 +134,16 @@ def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float
     for length in (3, 2, 1):
         spoken = tuple(words[at : at + length])
         if len(spoken) == length and spoken in known:
-            if spoken == ("in",) and at + 1 < len(words) and is_numeral(words[at + 1]):
-                continue  # "10 in 3 years" has no inches in it
+            if spoken == ("in",) and not _inches(words, at):
+                continue
             return known[spoken], at + length, table.names[spoken]
     return None
+
+
+def _inches(words: Sequence[str], at: int) -> bool:
+    """Whether an "in" is the unit: not so in "10 in 3 years", nor in "two meters and a half in a minute"."""
+    before_number = at + 1 < len(words) and is_numeral(words[at + 1])
+    return not before_number and not (at > 0 and words[at - 1] in english.HALVES)
 
 
 def _rate(words: Sequence[str], at: int, kind: str, table: Units, language: str) -> tuple[float, int] | None:

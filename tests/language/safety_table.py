@@ -151,6 +151,11 @@ CORRECTED = {
     "sorry, right": NOTHING,
     "no left": NOTHING,
     "grab the bottle from the table no the chair": NOTHING,
+    # A word of the sentence before free words says which of them are corrected.
+    "grab the bottle from the table no from the chair": "pick bottle",
+    "put the box on the table no on the shelf": "place box shelf",
+    "put the box on the table no under the shelf": "place box shelf",
+    "put the box on the table no the cup": NOTHING,
     # Taken back, with nothing in its place.
     "go forward no": NOTHING,
     "go forward, no.": NOTHING,

@@ -100,11 +100,13 @@ class Corrections:
 
         ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
         words as possible are kept; two ways that keep as many and differ are not clear. Else it is a whole command.
+        Where free words would take it, a place or a number takes it first, then what begins with a word of the
+        sentence: "on the shelf" is no box, but where it is put.
         """
         whole = self._commands.accepts(meant, state)
         if not said:
             return meant if whole else None
-        kept: dict[tuple[bool, int], dict[tuple[Any, ...], list[str]]] = {}
+        kept: dict[tuple[bool, bool, int], dict[tuple[Any, ...], list[str]]] = {}
         first = next((reading for reading in self._matcher.read(said) if not reading.problem), None)
         for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
@@ -118,12 +120,14 @@ class Corrections:
                 if any(self._grafted(slot, at, meant, whole) for slot in touched):
                     continue
                 new = reading.values()
-                if set(new) != set(old) or sum(old[label] != value for label, value in new.items()) > 1:
+                changed = {label for label, value in new.items() if old.get(label) != value}
+                if set(new) != set(old) or len(changed) > 1 or not changed <= {slot.label for slot in touched}:
                     continue
                 meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
                 # A place takes the place of a place, though free words would take it as well.
                 known = not any(slot.slot.type in _FREE for slot in touched)
-                kept.setdefault((known, count), {}).setdefault(meaning, words)
+                introduced = not any(slot.start <= at for slot in touched)
+                kept.setdefault((known, introduced, count), {}).setdefault(meaning, words)
         if kept:
             best = kept[max(kept)]
             return next(iter(best.values())) if len(best) == 1 else None
