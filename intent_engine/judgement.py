@@ -39,6 +39,10 @@ HARDLY_A_WORD = -1.5
 """Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
 for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-reflex.md)."""
 
+SURE_BESIDE_A_STOP = 0.95
+"""Confidence in another short command, from which it is done though a stop was heard in its sound: at 10 dB and less
+"stop" is "go", "let's go" and "just go", of which the models were sure by 0.78 to 0.90; of a true "go" by 0.98."""
+
 HARDLY_A_SENTENCE = 2
 """Words heard, above which more was said than a stop: hardly any stop phrase is longer. At 10 dB a sentence is often
 heard as hardly a word, and some of them hold the robot: "Please now take one" was "move backward one meter"."""
@@ -161,9 +165,13 @@ class Judge:
             transcript: what was heard.
             meaning: what it means by itself.
         """
-        sure = meaning.status is Status.ACCEPTED and transcript.sureness >= SURE_ENOUGH_OF_SEVERAL
-        longer = len(transcript.free_text.split()) > HARDLY_A_SENTENCE
-        if meaning.stops or sure or longer or transcript.score > HARDLY_A_WORD:
+        if meaning.stops or len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
+            return meaning
+        if meaning.status is Status.ACCEPTED:
+            clearly = transcript.sureness >= SURE_BESIDE_A_STOP
+        else:
+            clearly = transcript.score > HARDLY_A_WORD
+        if clearly:
             return meaning
         phrase = next(iter(self._grammar(transcript).operators.stop))
         stop = self.engine.parse(" ".join(phrase), language=self._language(transcript))
