@@ -26,7 +26,8 @@ SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
 Measured on commands and other speech: docs/speech.md."""
 SURE_ENOUGH_OF_SEVERAL = 0.9
-"""The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
+"""The same for several commands at once: "hunting and reese" is no "hundred and freeze". And for a word or two that may
+have been a stop: at 10 dB two of 42 "go" are less sure than that, and all of the four "stop" of 464 that were "go"."""
 WORTH_ASKING = 0.4
 """Confidence from which it is told what it may have been."""
 SURE_ENOUGH_TO_STOP = 0.4
@@ -197,7 +198,16 @@ class Judge:
         enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
         if meaning.stops:
             return min(enough, enough_to_stop(transcript))
-        return max(enough, SURE_ENOUGH_OF_SEVERAL) if several else enough
+        dear = several or self._beside_a_stop(transcript)
+        return max(enough, SURE_ENOUGH_OF_SEVERAL) if dear else enough
+
+    def _beside_a_stop(self, transcript: Transcript) -> bool:
+        """Whether a word or two may as well have been a stop: of "go", "move" and "stop", the last is the one that must
+        never be missed."""
+        if len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
+            return False
+        language = self._language(transcript)
+        return any(self.engine.parse(other, language=language).stops for other in transcript.alternatives)
 
     def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
         """What was said, one intent for each kind of command."""

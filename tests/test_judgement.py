@@ -224,3 +224,18 @@ def test_a_stop_that_was_felt_stays_one_unless_another_was_heard(judge, text, fr
     assert held.stops is stops
     if not stops or alone.stops:
         assert held is alone
+
+
+@pytest.mark.parametrize(
+    ("text", "alternatives", "confidence", "done"),
+    [
+        ("go", ("come", "stop"), SURE_ENOUGH_OF_SEVERAL - 0.01, False),
+        ("go", ("come", "stop"), SURE_ENOUGH_OF_SEVERAL, True),
+        ("go", ("come", "right"), SURE_ENOUGH, True),
+        ("go back two meters", ("stop",), SURE_ENOUGH, True),
+    ],
+)
+def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternatives, confidence, done):
+    """Of 464 "stop" in noise four were heard "go", and the robot drove off."""
+    transcript = Transcript(text, -2.0, text, alternatives=alternatives, confidence=confidence)
+    assert bool(judge.meaning(transcript, (), ()).actions) is done
