@@ -16,13 +16,17 @@ from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import Utterance
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.scoring import Rows, Scoring
-from intent_engine.speech.spoken_grammar import NARRATING, SpokenGrammar
+from intent_engine.speech.spoken_grammar import NARRATING, SUBJECTS, SpokenGrammar
 from intent_engine.speech.writing import spellings, written
 
 __all__ = ["RIVAL_MARGIN", "Clearness"]
 
 CLEAR = 0.6
 """Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
+CLEAR_SUBJECT = 0.3
+"""The same for a word that begins a statement: before it, anything else could have come."""
+LEADING = frozenset({"and", "then", "so", "but", "well", "now", "oh", "yes", "yeah", "okay", "ok"})
+"""English words that may stand before the beginning of a statement."""
 NOT_SAID = 5.5
 """nats by which a command must be likelier than the same with a "don't" or "never". In kitchen noise at 10 and 6 dB
 "never" is heard as "then we'll" and "don't" as "go and": of 8 commands of synthetic voices that should not be done and
@@ -156,11 +160,20 @@ class Clearness(Scoring):
 
     def story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
-        words = [NARRATING.intersection(Utterance.of(word, language or "en").words) for word in free.split()]
+        spoken = [Utterance.of(word, language or "en").words for word in free.split()]
+        words = [NARRATING.intersection(one) for one in spoken]
+        first = next((place for place, one in enumerate(spoken) if not LEADING.issuperset(one)), None)
+        if first is not None:
+            words[first] |= SUBJECTS.keys() & set(spoken[first])
         if not any(words):
             return []
         heard = self.word_scores(encoded, free, language)
-        return [word for said, (_, score) in zip(words, heard, strict=True) if score > math.log(CLEAR) for word in said]
+        return [
+            word
+            for said, (_, score) in zip(words, heard, strict=True)
+            for word in said
+            if score > math.log(CLEAR_SUBJECT if word in SUBJECTS else CLEAR)
+        ]
 
 
 def _shared(one: Sequence[int], other: Sequence[int]) -> int:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["FORBIDDING", "NARRATING", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = ["FORBIDDING", "NARRATING", "SUBJECTS", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -52,6 +52,15 @@ NARRATING = frozenset(
     | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
 )
 """English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
+SUBJECTS: Mapping[str, str] = {
+    **dict.fromkeys(("i", "im", "id", "ive", "ill"), "i"),
+    **dict.fromkeys(("you", "youre", "youd", "youve", "youll"), "you"),
+    **dict.fromkeys(("we", "weve"), "we"),
+    "it": "it",
+}
+"""English words that begin a statement ("we go to the kitchen"), each with the person that it stands for: "I'd like"
+may be heard as "I like". Such a beginning is in a command ("can you ..."), or the command was not said. "It's" is none
+of them: "spin" is heard so in noise."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 MISHEARD = 0.4
@@ -140,12 +149,12 @@ class SpokenGrammar:
 
         Args:
             words: of the sentence.
-            story: words of :data:`NARRATING` that were heard.
+            story: words of :data:`NARRATING` that were heard, and one of :data:`SUBJECTS` with which it began.
             language: of the speech.
             heard: all words that were heard: no other was heard in place of one of these.
         """
         misheard = [word for word in words if word not in heard]
-        if any(word not in words and not _stands_for(word, misheard) for word in story):
+        if any(_left_out(word, words) and not _stands_for(word, misheard) for word in story):
             return False
         meaning = self.parse(" ".join(words), language)
         # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.
@@ -364,6 +373,12 @@ def _circles(meaning: Interpretation) -> int:
 
 def _mean(values: Sequence[float]) -> float:
     return sum(values) / len(values)
+
+
+def _left_out(word: str, words: Sequence[str]) -> bool:
+    """Whether a sentence has neither a word nor, if that begins a statement, another for the same person."""
+    person = SUBJECTS.get(word)
+    return word not in words and (person is None or all(SUBJECTS.get(other) != person for other in words))
 
 
 def _stands_for(heard: str, words: Sequence[str]) -> bool:

@@ -65,6 +65,26 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     )
 
 
+@pytest.mark.parametrize(
+    ("free", "likely", "told"),
+    [
+        ("We go to the kitchen.", 0.4, ["we"]),
+        ("And then I'll go to the kitchen.", 0.4, ["ill"]),
+        ("We go to the kitchen.", 0.2, []),
+        ("He goes to the kitchen.", 0.4, []),
+        ("He goes to the kitchen.", 0.7, ["he"]),
+        ("Can you go to the kitchen?", 0.9, []),
+        ("Go to the kitchen.", 0.9, []),
+    ],
+)
+def test_words_that_tell_a_story_were_heard_clearly(whisper, spoken, monkeypatch, free, likely, told):
+    """Words that begin a statement count from less: where a sentence begins, much else could have come."""
+    monkeypatch.setattr(
+        whisper, "word_scores", lambda _encoded, text, _language: [(word, np.log(likely)) for word in text.split()]
+    )
+    assert whisper.story(whisper.encode(spoken), free, "en") == told
+
+
 @pytest.fixture
 def parts(whisper, monkeypatch):
     """What the model makes of each place of a text, while it hears it or asked anew: another piece is so many nats less
