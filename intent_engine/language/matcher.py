@@ -337,7 +337,8 @@ class Matcher:
         problem = ""
         status = "exact"
         if value is None:
-            problem = f"{' '.join(said)!r} is not a {slot.type.replace('_', ' ')}"
+            article = "an" if slot.type[0] in "aeiou" else "a"
+            problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
             status = "unknown"
         elif isinstance(value, float):
             limit = None

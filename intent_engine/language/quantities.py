@@ -205,6 +205,8 @@ def _parts(words: Sequence[str], at: int, kind: str, language: str, table: Units
         found = _unit(words, after, kind, table)
         if found is not None:
             factor, end, key = found
+            if words[after:end] == ["turn"] and abs(value) > 1:
+                continue  # "to turn left" is "to", and no "two turns left"
             yield value * factor, end, key
     if at < len(words) and kind == "duration":
         found = _unit(words, at, kind, table)

@@ -151,6 +151,9 @@ CORRECTED = {
     "sorry, right": NOTHING,
     "no left": NOTHING,
     "grab the bottle from the table no the chair": NOTHING,
+    "to turn left": NOTHING,
+    "two turn left": NOTHING,
+    "two turns left": "left 720",
     # A word of the sentence before free words says which of them are corrected.
     "grab the bottle from the table no from the chair": "pick bottle",
     "put the box on the table no on the shelf": "place box shelf",

@@ -185,6 +185,7 @@ def test_what_is_said_and_what_a_grammar_hears(engine: IntentEngine, kind: str, 
         ("distance", "two meters per second"),
         ("distance", "a few meters"),
         ("distance", "four of the inches"),
+        ("angle", "two turn"),  # "I want to turn"
         ("distance", "four meters and a half in"),  # "... in a meter per second"
         ("distance", "75 -300 mm"),
         ("distance", "1/0 meters"),
