@@ -168,7 +168,7 @@ class Judge:
         """
         if meaning.stops or len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
             return meaning
-        if meaning.status is Status.ACCEPTED:
+        if meaning.status is Status.ACCEPTED and transcript.confidence is not None:
             clearly = transcript.sureness >= SURE_BESIDE_A_STOP
         else:
             clearly = transcript.score > HARDLY_A_WORD

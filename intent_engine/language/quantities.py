@@ -205,7 +205,7 @@ def _parts(words: Sequence[str], at: int, kind: str, language: str, table: Units
         found = _unit(words, after, kind, table)
         if found is not None:
             factor, end, key = found
-            if words[end - 1] == "turn" and abs(value) > 1:
+            if words[end - 1] == "turn" and abs(value) > 1 and not is_numeral(words[after - 1]):
                 continue  # "to turn left" is "to", and no "two turns left"
             yield value * factor, end, key
     if at < len(words) and kind == "duration":
