@@ -119,6 +119,8 @@ class Interpreter:
         if clause is not None and clause.ambiguous:
             return _told(text, clause)
         if self._number_restarted(core):
+            if self._stops.first(core):
+                return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
 

@@ -79,6 +79,10 @@ class Stops:
             position += max(length, 1)
         return True
 
+    def first(self, said: Utterance) -> bool:
+        """Whether it begins with a stop: enough, where the rest was not said clearly."""
+        return self._stop.at(said.words, self._phrases.after_opening(said.words)) > 0
+
     def in_a_sentence(self, core: Utterance) -> bool:
         """ "go forward for two seconds, wait a minute": a command, and then a sentence of the stop intent.
 
