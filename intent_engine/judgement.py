@@ -26,8 +26,9 @@ SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
 Measured on commands and other speech: docs/speech.md."""
 SURE_ENOUGH_OF_SEVERAL = 0.9
-"""The same for several commands at once: "hunting and reese" is no "hundred and freeze". And for a word or two that may
-have been a stop: at 10 dB two of 42 "go" are less sure than that, and all of the four "stop" of 464 that were "go"."""
+"""The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
+SURE_BESIDE_A_STOP = 0.9
+"""The same for a word or two that may have been a stop: of 42 "go" at 10 dB two were less sure."""
 WORTH_ASKING = 0.4
 """Confidence from which it is told what it may have been."""
 SURE_ENOUGH_TO_STOP = 0.4
@@ -40,7 +41,7 @@ HARDLY_A_WORD = -1.5
 """Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
 for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-reflex.md)."""
 
-SURE_BESIDE_A_STOP = 0.95
+SURE_THOUGH_HELD = 0.95
 """Confidence in another short command, from which it is done though a stop was heard in its sound: at 10 dB and less
 "stop" is "go", "let's go" and "just go", of which the models were sure by 0.78 to 0.90; of a true "go" by 0.98."""
 
@@ -169,7 +170,7 @@ class Judge:
         if meaning.stops or len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
             return meaning
         if meaning.status is Status.ACCEPTED and transcript.confidence is not None:
-            clearly = transcript.sureness >= SURE_BESIDE_A_STOP
+            clearly = transcript.sureness >= SURE_THOUGH_HELD
         else:
             clearly = transcript.score > HARDLY_A_WORD
         if clearly:
@@ -198,8 +199,9 @@ class Judge:
         enough = max((SURE_ENOUGH if one is None else one for one in asked), default=SURE_ENOUGH)
         if meaning.stops:
             return min(enough, enough_to_stop(transcript))
-        dear = several or self._beside_a_stop(transcript)
-        return max(enough, SURE_ENOUGH_OF_SEVERAL) if dear else enough
+        if several:
+            return max(enough, SURE_ENOUGH_OF_SEVERAL)
+        return max(enough, SURE_BESIDE_A_STOP) if self._beside_a_stop(transcript) else enough
 
     def _beside_a_stop(self, transcript: Transcript) -> bool:
         """Whether a word or two may as well have been a stop: of "go", "move" and "stop", the last is the one that must

@@ -15,6 +15,7 @@ from intent_engine.judgement import (
     SURE_ENOUGH,
     SURE_ENOUGH_OF_SEVERAL,
     SURE_ENOUGH_TO_STOP,
+    SURE_THOUGH_HELD,
     Judge,
 )
 from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
@@ -202,11 +203,11 @@ def test_an_intent_says_how_sure_it_must_be_but_a_stop_is_never_harder(tmp_path,
     ("text", "free_text", "score", "confidence", "stops"),
     [
         ("go", "Oh", HARDLY_A_WORD - 0.1, 0.74, True),
-        ("go", "Oh", HARDLY_A_WORD - 0.1, SURE_BESIDE_A_STOP, False),
+        ("go", "Oh", HARDLY_A_WORD - 0.1, SURE_THOUGH_HELD, False),
         ("go", "Go!", HARDLY_A_WORD - 0.1, 0.9, True),
         ("go", "Go!", HARDLY_A_WORD + 0.1, 0.9, True),
         ("lets go", "Let's go!", HARDLY_A_WORD + 0.1, 0.78, True),
-        ("lets go", "Let's go!", HARDLY_A_WORD + 0.1, SURE_BESIDE_A_STOP, False),
+        ("lets go", "Let's go!", HARDLY_A_WORD + 0.1, SURE_THOUGH_HELD, False),
         ("go two meters", "Go 2 meters", HARDLY_A_WORD + 0.1, 0.74, False),
         ("back", "Oh", HARDLY_A_WORD - 0.1, 0.09, True),
         ("seven", "7", -0.3, 0.0, False),
@@ -229,8 +230,8 @@ def test_a_stop_that_was_felt_stays_one_unless_another_was_heard(judge, text, fr
 @pytest.mark.parametrize(
     ("text", "alternatives", "confidence", "done"),
     [
-        ("go", ("come", "stop"), SURE_ENOUGH_OF_SEVERAL - 0.01, False),
-        ("go", ("come", "stop"), SURE_ENOUGH_OF_SEVERAL, True),
+        ("go", ("come", "stop"), SURE_BESIDE_A_STOP - 0.01, False),
+        ("go", ("come", "stop"), SURE_BESIDE_A_STOP, True),
         ("go", ("come", "right"), SURE_ENOUGH, True),
         ("go back two meters", ("stop",), SURE_ENOUGH, True),
     ],

@@ -134,16 +134,21 @@ def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float
     for length in (3, 2, 1):
         spoken = tuple(words[at : at + length])
         if len(spoken) == length and spoken in known:
-            if spoken == ("in",) and not _inches(words, at):
+            if _another_word(spoken, words[at - 1] if at else "", "".join(words[at + 1 : at + 2])):
                 continue
             return known[spoken], at + length, table.names[spoken]
     return None
 
 
-def _inches(words: Sequence[str], at: int) -> bool:
-    """Whether an "in" is the unit: not so in "10 in 3 years", nor in "two meters and a half in a minute"."""
-    before_number = at + 1 < len(words) and is_numeral(words[at + 1])
-    return not before_number and not (at > 0 and words[at - 1] in english.HALVES)
+def _another_word(spoken: tuple[str, ...], before: str, after: str) -> bool:
+    """Whether what is spelled as a unit is none between its neighbours: no "in" of "10 in 3 years" or "two meters and a
+    half in a minute" is an inch, and "to turn", heard as "two turn", is no "two turns"."""
+    if spoken == ("in",):
+        return is_numeral(after) or before in english.HALVES
+    if spoken == ("turn",):
+        number = english.number([before])
+        return number is not None and number > 1 and not is_numeral(before)
+    return False
 
 
 def _rate(words: Sequence[str], at: int, kind: str, table: Units, language: str) -> tuple[float, int] | None:
@@ -205,8 +210,6 @@ def _parts(words: Sequence[str], at: int, kind: str, language: str, table: Units
         found = _unit(words, after, kind, table)
         if found is not None:
             factor, end, key = found
-            if words[end - 1] == "turn" and abs(value) > 1 and not is_numeral(words[after - 1]):
-                continue  # "to turn left" is "to", and no "two turns left"
             yield value * factor, end, key
     if at < len(words) and kind == "duration":
         found = _unit(words, at, kind, table)

@@ -14,9 +14,10 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import Utterance
+from intent_engine.speech.narration import NARRATING, SUBJECTS
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.scoring import Rows, Scoring
-from intent_engine.speech.spoken_grammar import NARRATING, SUBJECTS, SpokenGrammar
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import spellings, written
 
 __all__ = ["RIVAL_MARGIN", "Clearness"]
@@ -24,9 +25,7 @@ __all__ = ["RIVAL_MARGIN", "Clearness"]
 CLEAR = 0.6
 """Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""
 CLEAR_SUBJECT = 0.3
-"""The same for a word that begins a statement: before it, anything else could have come."""
-LEADING = frozenset({"and", "then", "so", "but", "well", "now", "oh", "yes", "yeah", "okay", "ok"})
-"""English words that may stand before the beginning of a statement."""
+"""The same for a word with which a statement begins: in its place, anything else could have come."""
 NOT_SAID = 5.5
 """nats by which a command must be likelier than the same with a "don't" or "never". In kitchen noise at 10 and 6 dB
 "never" is heard as "then we'll" and "don't" as "go and": of 8 commands of synthetic voices that should not be done and
@@ -156,24 +155,23 @@ class Clearness(Scoring):
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
         what was not heard clearly may have been a command."""
         negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self.grammar.words(free, language))
-        return meaning.refuses and not (negated and not self.story(encoded, free, language))
+        return meaning.refuses and not (negated and NARRATING.isdisjoint(self.story(encoded, free, language)))
 
     def story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
         spoken = [Utterance.of(word, language or "en").words for word in free.split()]
-        words = [NARRATING.intersection(one) for one in spoken]
-        first = next((place for place, one in enumerate(spoken) if not LEADING.issuperset(one)), None)
-        if first is not None:
-            words[first] |= SUBJECTS.keys() & set(spoken[first])
-        if not any(words):
+        words = [word for one in spoken for word in one]
+        begin = self.grammar.lead(words, language) if language in (None, "en") else len(words)
+        least: list[tuple[int, str, float]] = []
+        count = 0
+        for place, one in enumerate(spoken):
+            least += [(place, word, CLEAR) for word in one if word in NARRATING]
+            least += [(place, word, CLEAR_SUBJECT) for word in one[:1] if count == begin and word in SUBJECTS]
+            count += len(one)
+        if not least:
             return []
         heard = self.word_scores(encoded, free, language)
-        return [
-            word
-            for said, (_, score) in zip(words, heard, strict=True)
-            for word in said
-            if score > math.log(CLEAR_SUBJECT if word in SUBJECTS else CLEAR)
-        ]
+        return [word for place, word, clear in least if heard[place][1] > math.log(clear)]
 
 
 def _shared(one: Sequence[int], other: Sequence[int]) -> int:

@@ -9,8 +9,6 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from rapidfuzz.distance import Levenshtein
-
 from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
@@ -21,6 +19,7 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
 from intent_engine.speech.guided import WORD, word_count
+from intent_engine.speech.narration import NARRATING, leaves_out
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.usual import UsualNumbers
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots
@@ -29,7 +28,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["FORBIDDING", "NARRATING", "SUBJECTS", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = ["FORBIDDING", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -46,25 +45,8 @@ UNKNOWN_WORD = 8.0
 UNUSUAL = 2.0
 """nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, and a turn of
 more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
-NARRATING = frozenset(
-    {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
-    | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
-    | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
-)
-"""English words with which a sentence is no command. A command that leaves them out of what was heard was not said."""
-SUBJECTS: Mapping[str, str] = {
-    **dict.fromkeys(("i", "im", "id", "ive", "ill"), "i"),
-    **dict.fromkeys(("you", "youre", "youd", "youve", "youll"), "you"),
-    **dict.fromkeys(("we", "weve"), "we"),
-    "it": "it",
-}
-"""English words that begin a statement ("we go to the kitchen"), each with the person that it stands for: "I'd like"
-may be heard as "I like". Such a beginning is in a command ("can you ..."), or the command was not said. "It's" is none
-of them: "spin" is heard so in noise."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
-MISHEARD = 0.4
-"""Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 UNHEARD_LETTERS = 6
 """Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
 LEFT_OUT_LETTERS = 4
@@ -149,12 +131,10 @@ class SpokenGrammar:
 
         Args:
             words: of the sentence.
-            story: words of :data:`NARRATING` that were heard, and one of :data:`SUBJECTS` with which it began.
+            story, heard: as for :func:`~intent_engine.speech.narration.leaves_out`.
             language: of the speech.
-            heard: all words that were heard: no other was heard in place of one of these.
         """
-        misheard = [word for word in words if word not in heard]
-        if any(_left_out(word, words) and not _stands_for(word, misheard) for word in story):
+        if leaves_out(words, story, heard):
             return False
         meaning = self.parse(" ".join(words), language)
         # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.
@@ -373,14 +353,3 @@ def _circles(meaning: Interpretation) -> int:
 
 def _mean(values: Sequence[float]) -> float:
     return sum(values) / len(values)
-
-
-def _left_out(word: str, words: Sequence[str]) -> bool:
-    """Whether a sentence has neither a word nor, if that begins a statement, another for the same person."""
-    person = SUBJECTS.get(word)
-    return word not in words and (person is None or all(SUBJECTS.get(other) != person for other in words))
-
-
-def _stands_for(heard: str, words: Sequence[str]) -> bool:
-    """Whether a word that was heard is one of these, or may have been: "had" for "head"."""
-    return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)

@@ -151,9 +151,6 @@ CORRECTED = {
     "sorry, right": NOTHING,
     "no left": NOTHING,
     "grab the bottle from the table no the chair": NOTHING,
-    "to turn left": NOTHING,
-    "two turn left": NOTHING,
-    "two turns left": "left 720",
     # A word of the sentence before free words says which of them are corrected.
     "grab the bottle from the table no from the chair": "pick bottle",
     "put the box on the table no on the shelf": "place box shelf",
@@ -305,6 +302,14 @@ RUN_ON = {
     "stop go forward turn left": "stop",
     "turn left turn left stop": "stop",
     "move forward slowly turn left stop": "stop",
+}
+TURNS = {
+    # "Two" may have been "to": "I want to turn left", of which the beginning was lost.
+    "to turn left": NOTHING,
+    "two turn left": NOTHING,
+    "two turns left": "left 720",
+    "one turn left": "left 360",
+    "make a 2 turn left": "left 720",
 }
 UNFINISHED = {
     "pick up the": NOTHING,
@@ -539,6 +544,7 @@ TABLE = {
     **RUN_ON,
     **UNFINISHED,
     **LIKE_STOP,
+    **TURNS,
     **MISHEARD,
     **REPORTED,
     **CONDITIONAL,

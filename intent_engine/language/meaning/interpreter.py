@@ -119,7 +119,7 @@ class Interpreter:
         if clause is not None and clause.ambiguous:
             return _told(text, clause)
         if self._number_restarted(core):
-            if self._stops.first(core):
+            if self._stops_beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
@@ -134,6 +134,8 @@ class Interpreter:
         if self._stops.in_a_sentence(core):
             return self._stopped(text)
         if taken_back := self._corrections.taken_back(words):
+            if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
+                return self._stopped(text)
             return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
         negated = self._negations.stands_in(words)
         if negated:
@@ -155,9 +157,7 @@ class Interpreter:
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""
-        if self._stops.in_a_sentence(self.phrases.without_fillers(said)) or (
-            self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
-        ):
+        if self._stops_beside(said, self.phrases.without_fillers(said), state):
             return self._stopped(text)
         digits = said.unclear.replace(",", ".")
         thousands, decimals = digits.replace(".", ""), digits.rstrip("0").rstrip(".")
@@ -165,6 +165,12 @@ class Interpreter:
             decimals = decimals.replace(".", ",")
         reason = f"{said.unclear!r} could be {thousands} or {decimals}; write one of these, or say it in words"
         return self._rejected(text, reason)
+
+    def _stops_beside(self, said: Utterance, core: Utterance, state: Collection[str]) -> bool:
+        """Whether a stop stands beside what is not done: a number in two pieces, or what was taken back."""
+        return self._stops.in_a_sentence(core) or (
+            self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
+        )
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:

@@ -79,10 +79,6 @@ class Stops:
             position += max(length, 1)
         return True
 
-    def first(self, said: Utterance) -> bool:
-        """Whether it begins with a stop: enough, where the rest was not said clearly."""
-        return self._stop.at(said.words, self._phrases.after_opening(said.words)) > 0
-
     def in_a_sentence(self, core: Utterance) -> bool:
         """ "go forward for two seconds, wait a minute": a command, and then a sentence of the stop intent.
 
@@ -137,5 +133,6 @@ class Stops:
         for joint in (phrases.correction, phrases.sequence):
             part = part.part(0, len(part) - joint.ends(part.words))
         core = phrases.without_fillers(part)
-        known = not core.words or any(self._commands.accepts(each.words, state) for each in (part, core))
+        clauses = (self._compounds.part(each, state) for each in (part, core))
+        known = not core.words or any(clause is not None and clause.accepted for clause in clauses)
         return known or self._compounds.split(core, state) is not None or self._run_ons.may_be(core)
