@@ -9,6 +9,8 @@ voices give the same files.
     intent-engine evaluate out/speech_set
     python scripts/make_speech_set.py --forbidden        # out/forbidden_set: "don't go to the kitchen"
     intent-engine evaluate out/forbidden_set --noise kitchen.flac --snr 6,10
+    python scripts/make_speech_set.py --told             # out/told_set: "Mary went to the kitchen"
+    intent-engine evaluate out/told_set
     python scripts/make_speech_set.py --paused           # out/paused_set: "turn left", a pause, "ninety degrees"
     intent-engine evaluate out/paused_set
     intent-engine evaluate out/paused_set --wait continued=0
@@ -33,7 +35,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 from rich.progress import track
-from speech_sentences import FORBIDDEN, SAMPLED, others, paused, plain, sampled
+from speech_sentences import FORBIDDEN, SAMPLED, TOLD, others, paused, plain, sampled
 from synthetic_voices import Voice, find_voices
 
 from intent_engine.engine import IntentEngine
@@ -54,13 +56,14 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=None, help="out/speech_set, and so on")
     parser.add_argument("--forbidden", action="store_true", help="a set of commands that shall not be done, alone")
+    parser.add_argument("--told", action="store_true", help="a set of what is told and asked, alone")
     parser.add_argument("--paused", action="store_true", help="a set of commands with a pause in them, alone")
     parser.add_argument("--commands", type=int, default=360)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--grammar", type=Path, default=ROOT / "grammars" / "en.yaml")
     parser.add_argument("--locations", type=Path, default=ROOT / "locations" / "home.yaml")
     options = parser.parse_args()
-    kind = "forbidden" if options.forbidden else "paused" if options.paused else "speech"
+    kind = next((kind for kind in ("forbidden", "told", "paused") if getattr(options, kind)), "speech")
     options.out = options.out or ROOT / "out" / f"{kind}_set"
     voices = find_voices()
     if len(voices) < 8:
@@ -71,6 +74,8 @@ def main() -> int:
     odd = round(options.commands * SAMPLED)
     if options.forbidden:
         sentences = [one for one in others(engine, FORBIDDEN) for _ in range(len(voices) // 2)]
+    elif options.told:
+        sentences = [one for one in others(engine, TOLD) for _ in range(2)]
     elif options.paused:
         sentences = [one for one in paused(engine) for _ in voices]
     else:

@@ -136,6 +136,89 @@ do not bring me the box
 don't turn around
 """
 """What shall not be done, each said by every other voice. In noise the first words are soon heard as others."""
+TOLD = """
+mary went to the kitchen
+mary goes to the kitchen
+peter puts the box on the table
+the robot goes to the kitchen
+the robot turned left at the door
+the dog follows me
+the man picked up the cup
+my brother drives to the office every day
+my mother put the keys on the shelf
+everyone goes to the kitchen at noon
+somebody dropped the bottle
+nobody goes to the garage
+people turn left here
+the children go to the bedroom now
+the bus goes forward
+the car moves back a little
+the cat jumped on the table
+john takes the ball from the shelf
+our robot follows me to the kitchen
+this robot can turn around
+that one goes back to the dock
+to go to the kitchen takes a minute
+to turn left is easy
+going to the kitchen is fun
+turning left was wrong
+picking up the box is hard
+I will go to the kitchen
+I am going to the kitchen
+I'll take the cup from the table
+I'm turning left now
+we will put the box on the shelf
+we're going to the dock
+you should go to the office
+you are going forward two meters
+he turns right at the corner
+she goes back one meter
+they drive to the lounge
+it turns around
+it stopped at the door
+he told me to go to the kitchen
+she said that we turn left
+I want to go to the kitchen
+I have to go to the bedroom
+I can pick up the box
+I like to go to the kitchen
+let me put the cup on the table
+let me turn right
+do you go to the kitchen
+did it turn left
+does it go forward two meters
+should I go to the kitchen
+why did you stop
+when do we go to the kitchen
+how do I turn left
+who put the box on the table
+what happens when you turn right
+where did you put the cup
+if you turn left you see the door
+after you go to the kitchen the light goes off
+before we turn around we look
+yesterday it went to the kitchen
+sometimes I go forward
+on monday we go to the office
+there is a box on the table
+the box is on the table
+the cup fell from the shelf
+the kitchen is to the left
+two meters forward is the door
+the way to the kitchen is left
+the door to the office was open
+all of us went to the lounge
+both of them turn left
+some people go back to the dock
+my friend and I go to the kitchen
+the red cup is on the counter
+her robot brings me the coffee
+his car turns right
+the boys follow me
+the train stops here
+the bus stop is over there
+"""
+"""What is told or asked, in words of commands: a recogniser that is led along a grammar would make commands of it."""
 PAUSED = """
 turn left, ninety degrees
 turn right, sixty degrees

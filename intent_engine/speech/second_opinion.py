@@ -29,6 +29,7 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.evidence import letters_apart
+from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
@@ -40,7 +41,7 @@ from intent_engine.speech.moonshine_weights import (
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.pace import too_few
 from intent_engine.speech.recognizer import Recognizer, Transcript
-from intent_engine.speech.spoken_grammar import SpokenGrammar, end_left_out
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
 from intent_engine.speech.weighing import doubted
@@ -239,15 +240,17 @@ class SecondOpinion:
 
     def _heard_otherwise(self, best: Reading, *opinions: Opinion) -> list[str]:
         """Words in free slots that no list has and that not all heard: nothing else tells that they were said. And the
-        last words that were heard, if they are left out."""
-        language = opinions[0].transcript.language
+        first and the last words that were heard, if they are left out."""
+        grammar, language = self._grammar, opinions[0].transcript.language
         heard = [one.heard for one in opinions]
-        unlisted = self._grammar.unlisted(self._grammar.parse(" ".join(best.words), language), language)
-        left_out = end_left_out(best.words, heard)
-        says_something = left_out and not self._grammar.says_nothing(left_out, language)
+        meaning = grammar.parse(" ".join(best.words), language)
+        left_out = [end for end in (end_left_out(best.words, heard),) if not grammar.says_nothing(end, language)]
+        if not meaning.stops:
+            led = [(one, grammar.lead(one, language)) for one in heard]
+            left_out.append(begin_left_out(best.words, grammar.lead(best.words, language), led))
         return [
-            *(word for word in unlisted if not all(word in one for one in heard)),
-            *([" ".join(left_out)] if says_something else []),
+            *(word for word in grammar.unlisted(meaning, language) if not all(word in one for one in heard)),
+            *(" ".join(words) for words in left_out if words),
         ]
 
     def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:

@@ -17,7 +17,7 @@ from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.corrections import as_meant, corrected_like
-from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View, letters_apart
+from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.narration import NARRATING, leaves_out
 from intent_engine.speech.opinion import Reading
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
 
-__all__ = ["FORBIDDING", "SpokenGrammar", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = ["FORBIDDING", "SpokenGrammar"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -47,14 +47,6 @@ UNUSUAL = 2.0
 more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
-UNHEARD_LETTERS = 6
-"""Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
-LEFT_OUT_LETTERS = 4
-"""and of the last words that were heard, from which they are not left out."""
-BEYOND = 0.75
-"""The share of the letters of such words by which the rest is nearer to the other. By words that nobody heard none of
-333 commands is lost that were right in doubt, and one wrong one is not done; by words left out one of 516, and two of
-29 wrong ones."""
 
 
 @dataclass(slots=True)
@@ -296,54 +288,6 @@ class SpokenGrammar:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
         heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
         return 2 * self._telling(words, language) < heard_anywhere
-
-
-def goes_on(words: Sequence[str], heard: Iterable[Sequence[str]]) -> bool:
-    """Whether a sentence goes on from all the words that one model heard, with such as none heard: they were not
-    said.
-
-    Args:
-        words: of the sentence.
-        heard: the words that each model heard.
-    """
-    said = list(words)
-    heard = [list(one) for one in heard]
-    return said not in heard and any(said[: len(one)] == one for one in heard)
-
-
-def ends_unheard(words: Sequence[str], heard: Sequence[Sequence[str]]) -> bool:
-    """Whether a sentence ends with words that are like nothing that several models heard.
-
-    Args:
-        words: of the sentence.
-        heard: the words that each model heard.
-    """
-    return bool(_end_beyond(words, heard, UNHEARD_LETTERS))
-
-
-def end_left_out(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
-    """The last words that were heard, where a sentence ends before them for each of several models: "at six miles per
-    hour" was said, whoever drives on without it. Empty: it leaves out nothing.
-
-    Args:
-        words: of the sentence.
-        heard: the words that each model heard.
-    """
-    left_out = [_end_beyond(one, [words], LEFT_OUT_LETTERS) for one in heard]
-    return left_out[0] if left_out and all(left_out) else ()
-
-
-def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: int) -> Sequence[str]:
-    """The last words, without which the words are nearer to each of some others by nearly as many letters as these
-    have; not all."""
-    whole = [letters_apart(words, one) for one in others]
-    for count in range(1, len(words)):
-        end = words[-count:]
-        letters = sum(map(len, end))
-        nearer = [before - letters_apart(words[:-count], one) for before, one in zip(whole, others, strict=True)]
-        if letters >= least and min(nearer, default=0.0) >= BEYOND * letters:
-            return end
-    return ()
 
 
 def _circles(meaning: Interpretation) -> int:

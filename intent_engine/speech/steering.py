@@ -22,12 +22,13 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import Clearness
 from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.left_out import goes_on
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.pace import too_few, too_many
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.scoring import Rows
-from intent_engine.speech.spoken_grammar import SpokenGrammar, goes_on
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.weighing import doubted
 from intent_engine.speech.writing import written
 

@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any, Protocol
 
+from intent_engine.speech.left_out import ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
-from intent_engine.speech.spoken_grammar import SpokenGrammar, ends_unheard, goes_on
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 
 __all__ = ["Each", "doubted"]
 

@@ -140,6 +140,20 @@ def test_what_both_heard_to_the_end_is_not_left_out(engine):
     assert both_think(engine, first, second).unclear == ()
 
 
+@pytest.mark.parametrize(("freely", "unclear"), [(f"do you {FORWARD}", ("do you",)), (f"please {FORWARD}", ())])
+def test_what_both_heard_at_the_beginning_is_not_left_out(engine, freely, unclear):
+    """ "Do you go forward two meters?" is a question."""
+    both = Thinks(replace(heard(FORWARD, 0.5), free_text=freely), {FORWARD: LIKELY})
+    assert both_think(engine, both, both).unclear == unclear
+    one = Thinks(replace(heard(FORWARD, 0.5), free_text=FORWARD), {FORWARD: LIKELY})
+    assert both_think(engine, one, both).unclear == ()
+
+
+def test_a_stop_is_one_whatever_was_heard_before_it(engine):
+    both = Thinks(replace(heard("stop moving", 0.5), free_text="do you stop moving"), {"stop moving": LIKELY})
+    assert both_think(engine, both, both).unclear == ()
+
+
 def test_what_neither_thought_of_is_asked_of_both(engine):
     """ "Put down the mug" is far ahead of all others, until somebody thinks of the book."""
     mug, book, bowl = "put down the mug", "put down the book", "put down the bowl"

@@ -10,7 +10,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.evidence import View
-from intent_engine.speech.spoken_grammar import SpokenGrammar, end_left_out, ends_unheard, goes_on
+from intent_engine.speech.spoken_grammar import SpokenGrammar
 
 
 @pytest.fixture(scope="module")
@@ -161,60 +161,8 @@ def test_what_is_known_is_of_the_grammar_that_is_loaded(tmp_path):
     assert grammar.search() is not before
 
 
-WORDS = st.lists(st.sampled_from("abc"), max_size=4)
-
-
-@given(WORDS, st.lists(WORDS, max_size=3))
-def test_what_somebody_heard_whole_goes_on_from_nothing(words, heard):
-    assert not goes_on(words, [*heard, words])
-
-
-@given(WORDS, st.lists(st.sampled_from("abc"), min_size=1, max_size=3), st.lists(WORDS, max_size=3))
-def test_what_goes_on_from_all_that_one_heard_was_not_said(begun, more, others):
-    said = begun + more
-    assert goes_on(said, [begun, *others]) is (said not in others)
-
-
 def test_free_words_are_words():
     assert FreeWord("cup") == "cup"
-
-
-TWICE = ["go", "forward", "four", "meters", "next", "half", "a", "meter", "per", "second", "go", "forward"]
-
-
-@pytest.mark.parametrize(
-    ("heard", "unheard"),
-    [
-        (["go forward four meter next half a meter per second", "no forward four meters next half a meter"], True),
-        (
-            ["go forward four meter next half a meter per second", "no forward four meters go for what"],
-            False,
-        ),
-        (["go forward four meters next half a meter per second to forward"], False),
-        (["what a lovely day it is to be in the garden with all of you and nothing to do"], False),
-        ([], False),
-    ],
-    ids=["by nobody", "by one", "nearly", "other words", "nobody asked"],
-)
-def test_last_words_that_are_like_nothing_that_was_heard(heard, unheard):
-    assert ends_unheard(TWICE, [one.split() for one in heard]) is unheard
-
-
-@pytest.mark.parametrize(
-    ("heard", "left_out"),
-    [
-        (["go back three feet at six miles", "go black three feet and happens"], "miles"),
-        (["go back three feet", "go black three feet at six"], ""),
-        (["go back tree feet", "no back three feets"], ""),
-        ([], ""),
-    ],
-    ids=["by both", "by one", "by none", "nobody asked"],
-)
-def test_last_words_that_were_heard_and_left_out(heard, left_out):
-    """Half of what was said is not what was said."""
-    found = end_left_out(["go", "back", "three", "feet"], [one.split() for one in heard])
-    assert left_out in " ".join(found)
-    assert bool(found) is bool(left_out)
 
 
 def test_please_says_nothing(engine):
@@ -222,14 +170,6 @@ def test_please_says_nothing(engine):
     assert grammar.says_nothing(["please"])
     assert not grammar.says_nothing(["please", "slowly"])
     assert not grammar.says_nothing(["six", "miles"])
-
-
-@given(st.lists(st.sampled_from(["go", "left", "to", "the", "kitchen", "slowly"]), min_size=1, max_size=6), st.data())
-def test_of_words_that_were_heard_none_is_unheard(words, data):
-    """However many others were heard, too."""
-    more = data.draw(st.lists(st.sampled_from(["robot", "please", "now"]), max_size=3))
-    assert not ends_unheard(words, [more + words])
-    assert not end_left_out(more + words, [words])
 
 
 @pytest.mark.parametrize(
