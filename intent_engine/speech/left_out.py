@@ -76,9 +76,9 @@ def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: in
 
 
 def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequence[str], int]]) -> Sequence[str]:
-    """The first words that were heard, where a sentence begins otherwise for each of the models that heard how the
-    command goes on: of "do you go to the kitchen" it is no "go to the kitchen", of "I want to go" no "I want you to
-    go". Empty: it begins as they heard it, or none of them heard its first word.
+    """The first words that were heard, where a sentence begins otherwise, and all models that heard how the command
+    goes on heard the same: of "do you go to the kitchen" it is no "go to the kitchen", of "I want to go" no "I want
+    you to go". Empty: it begins as they heard it, or they heard its beginning each in another way, or not at all.
 
     Args:
         words: of the sentence.
@@ -88,20 +88,16 @@ def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequen
     first = next((word for word in words[lead:] if word not in ARTICLES), None)
     if first is None:
         return ()
-    kept = _letters(words[:lead])
-    begun = [(one[: one.index(first)], nothing) for one, nothing in map(_listed, heard) if first in one]
-    otherwise = [
-        begin for begin, nothing in begun if min(_apart(begin, kept), _apart(begin[nothing:], "")) >= BEGIN_LETTERS
-    ]
-    return otherwise[0] if otherwise and len(otherwise) == len(begun) else ()
+    begun = {(tuple(one[: list(one).index(first)]), nothing) for one, nothing in heard if first in one}
+    if len({_letters(begin) for begin, _ in begun}) != 1:
+        return ()
+    begin, nothing = min(begun)
+    apart = min(_apart(begin, words[:lead]), _apart(begin[nothing:], ()))
+    return begin if apart >= BEGIN_LETTERS else ()
 
 
-def _listed(heard: tuple[Sequence[str], int]) -> tuple[list[str], int]:
-    return list(heard[0]), heard[1]
-
-
-def _apart(words: Sequence[str], letters: str) -> int:
-    return Levenshtein.distance(_letters(words), letters)
+def _apart(one: Iterable[str], other: Iterable[str]) -> int:
+    return Levenshtein.distance(_letters(one), _letters(other))
 
 
 def _letters(words: Iterable[str]) -> str:
