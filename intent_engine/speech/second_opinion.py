@@ -240,17 +240,18 @@ class SecondOpinion:
 
     def _heard_otherwise(self, best: Reading, *opinions: Opinion) -> list[str]:
         """Words in free slots that no list has and that not all heard: nothing else tells that they were said. And the
-        first and the last words that were heard, if they are left out."""
+        first and the last words that were heard, if they are left out. None of a stop, which waits for nothing."""
         grammar, language = self._grammar, opinions[0].transcript.language
-        heard = [one.heard for one in opinions]
         meaning = grammar.parse(" ".join(best.words), language)
-        left_out = [end for end in (end_left_out(best.words, heard),) if not grammar.says_nothing(end, language)]
-        if not meaning.stops:
-            led = [(one, grammar.lead(one, language)) for one in heard]
-            left_out.append(begin_left_out(best.words, grammar.lead(best.words, language), led))
+        if meaning.stops:
+            return []
+        heard = [one.heard for one in opinions]
+        led = [(one, grammar.lead(one, language)) for one in heard]
+        begin = begin_left_out(best.words, grammar.lead(best.words, language), led)
+        end = end_left_out(best.words, heard)
         return [
             *(word for word in grammar.unlisted(meaning, language) if not all(word in one for one in heard)),
-            *(" ".join(words) for words in left_out if words),
+            *(" ".join(words) for words in (begin, end) if not grammar.says_nothing(words, language)),
         ]
 
     def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
