@@ -233,7 +233,12 @@ def _unheard(transcript: Transcript) -> str:
     """Why words that are a command may not have been said; empty: they may be taken."""
     numbers = [f"{word!r} may have been {ALIKE[word]!r}" for word in transcript.unclear if word in ALIKE]
     words = " and ".join(repr(word) for word in transcript.unclear if word not in ALIKE)
-    told = [*numbers, *([f"{words} was not heard clearly"] if words else [])]
+    more = " and ".join(repr(words) for words in transcript.left_out)
+    told = [
+        *numbers,
+        *([f"{words} was not heard clearly"] if words else []),
+        *([f"{more} was said too, and is no part of {transcript.text!r}"] if more else []),
+    ]
     return f"{', '.join(told)}; say it again" if told else ""
 
 

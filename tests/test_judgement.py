@@ -137,6 +137,13 @@ def test_what_was_not_clear_is_told_with_what_it_may_have_been(judge, unclear, r
     assert judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=unclear), (), ()).reason == reason
 
 
+def test_what_was_left_out_is_told_with_the_command_it_is_no_part_of(judge):
+    text = "go to the kitchen"
+    meaning = judge.meaning(Transcript(text, free_text=text, confidence=0.95, left_out=("do you",)), (), ())
+    assert meaning.status is Status.REJECTED
+    assert meaning.reason == "'do you' was said too, and is no part of 'go to the kitchen'; say it again"
+
+
 @pytest.mark.parametrize("word", ALIKE)
 def test_numbers_that_sound_alike_are_each_others(word):
     assert ALIKE[ALIKE[word]] == word

@@ -20,7 +20,7 @@ from intent_engine.speech.scoring import Rows, Scoring
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import spellings, written
 
-__all__ = ["RIVAL_MARGIN", "Clearness"]
+__all__ = ["CLEAR", "RIVAL_MARGIN", "Clearness"]
 
 CLEAR = 0.6
 """Geometric mean of the probabilities of a word's pieces, from which it was heard clearly."""

@@ -70,8 +70,15 @@ class Opinion:
         return self.model.clearness(self.encoded, words, self.transcript.language, heard=self.heard == list(words))
 
 
-def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, ...] = ()) -> Transcript:
-    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear."""
+def as_read(
+    heard: Transcript,
+    readings: Sequence[Reading],
+    *,
+    unclear: tuple[str, ...] = (),
+    left_out: tuple[str, ...] = (),
+) -> Transcript:
+    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear, and which
+    leaves some out that were heard."""
     best, *others = readings
     return replace(
         heard,
@@ -79,5 +86,6 @@ def as_read(heard: Transcript, readings: Sequence[Reading], unclear: tuple[str, 
         gap=best.evidence.gap,
         alternatives=tuple(" ".join(one.words) for one in others[:3]),
         unclear=unclear,
+        left_out=left_out,
         confidence=best.evidence.confidence,
     )

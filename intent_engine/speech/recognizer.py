@@ -29,6 +29,8 @@ class Transcript:
     unclear: tuple[str, ...] = ()
     """Words on which the meaning hangs and that were not heard clearly: names that no list has, and numbers that sound
     like others."""
+    left_out: tuple[str, ...] = ()
+    """Words that were heard clearly before or after the sentence and are no part of it ("do you", "at six miles")."""
     language: str | None = None
     confidence: float | None = None
     """0 to 1: how likely it is that the words were said, where they are those of the grammar and not those that were

@@ -29,7 +29,6 @@ from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.evidence import letters_apart
-from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
@@ -183,7 +182,7 @@ class SecondOpinion:
         self._asked = samples
         second = (asked or self._ask(samples)).result()
         both, apart = self._weighed(first, second)
-        sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not both.unclear
+        sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not (both.unclear or both.left_out)
         known = (first.settled and second.settled) or self._meaning(both).refuses
         return _Look(samples, first, second, both, not (sure or known))
 
@@ -229,30 +228,24 @@ class SecondOpinion:
             return heard, math.inf
         best = readings[0]
         unclear: tuple[str, ...] = ()
+        left_out: tuple[str, ...] = ()
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
             clear = self._each(lambda one: one.clearness(best.words), (first, second))
-            unclear = (*_unclear(*clear), *self._heard_otherwise(best, first, second))
-        both = as_read(heard, readings, unclear)
+            unclear = (*_unclear(*clear), *self._unheard(best, first, second))
+            left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
+        both = as_read(heard, readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
         return both, min(letters_apart(best.words, one.heard) for one in (first, second))
 
-    def _heard_otherwise(self, best: Reading, *opinions: Opinion) -> list[str]:
-        """Words in free slots that no list has and that not all heard: nothing else tells that they were said. And the
-        first and the last words that were heard, if they are left out. None of a stop, which waits for nothing."""
-        grammar, language = self._grammar, opinions[0].transcript.language
-        meaning = grammar.parse(" ".join(best.words), language)
-        if meaning.stops:
-            return []
+    def _unheard(self, best: Reading, *opinions: Opinion) -> list[str]:
+        """Words in free slots that no list has and that not all heard: nothing else tells that they were said. None of
+        a stop, which waits for nothing."""
+        meaning = self._grammar.parse(" ".join(best.words), opinions[0].transcript.language)
         heard = [one.heard for one in opinions]
-        led = [(one, grammar.lead(one, language)) for one in heard]
-        begin = begin_left_out(best.words, grammar.lead(best.words, language), led)
-        end = end_left_out(best.words, heard)
-        return [
-            *(word for word in grammar.unlisted(meaning, language) if not all(word in one for one in heard)),
-            *(" ".join(words) for words in (begin, end) if not grammar.says_nothing(words, language)),
-        ]
+        unlisted = [] if meaning.stops else self._grammar.unlisted(meaning, opinions[0].transcript.language)
+        return [word for word in unlisted if not all(word in one for one in heard)]
 
     def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
         """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both

@@ -19,6 +19,7 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
+from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.narration import NARRATING, leaves_out
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.usual import UsualNumbers
@@ -170,6 +171,24 @@ class SpokenGrammar:
     def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words change nothing, wherever they stand: "please"."""
         return self.lead([*words, ""], language) == len(words)
+
+    def left_out(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> tuple[str, ...]:
+        """The first and the last words that were heard, where a sentence begins or ends otherwise, with such as say
+        something. A stop leaves out nothing: it waits for nothing.
+
+        Args:
+            words: of the sentence.
+            heard: the words that each model heard.
+            language: of the speech.
+        """
+        if self.parse(" ".join(words), language).stops:
+            return ()
+        led = [(one, self.lead(one, language)) for one in heard]
+        begin = begin_left_out(words, self.lead(words, language), led)
+        end = end_left_out(words, heard)
+        return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
 
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence is what people say: without words in free slots that no list has, without a word

@@ -10,6 +10,7 @@ against the sound, in one pass each; and where none of them is sure, the model i
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -20,7 +21,7 @@ import numpy.typing as npt
 from intent_engine.interpretation import Status
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
-from intent_engine.speech.clearness import Clearness
+from intent_engine.speech.clearness import CLEAR, Clearness
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.left_out import goes_on
 from intent_engine.speech.opinion import Opinion, Reading, as_read
@@ -181,7 +182,21 @@ class Steering(Clearness):
         known = heard.settled and transcript.confidence == 1.0  # heard word by word, and looked at already
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
-        return replace(transcript, unclear=_below(heard.clearness(heard.sentences[0])))
+        best = heard.sentences[0]
+        return replace(transcript, unclear=_below(heard.clearness(best)), left_out=self._left_out(heard, best))
+
+    def _left_out(self, heard: Opinion, words: Sequence[str]) -> tuple[str, ...]:
+        """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
+        alone hears anything there."""
+        free, language = heard.transcript.free_text, heard.transcript.language
+        left_out = self.grammar.left_out(words, [heard.heard], language)
+        if not left_out:
+            return ()
+        scores = self.word_scores(heard.encoded, free, language)
+        clearly = {
+            one for word, score in scores if score > math.log(CLEAR) for one in self.grammar.words(word, language)
+        }
+        return tuple(part for part in left_out if clearly.issuperset(part.split()))
 
     # -- the sentences of the grammar --------------------------------------------------------------
 

@@ -133,25 +133,25 @@ def test_a_word_that_no_list_has_must_have_been_heard_by_both(engine, freely):
 def test_what_both_heard_to_the_end_is_not_left_out(engine):
     text = f"{FORWARD} at six miles"
     first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})
-    for second_heard, unclear in ((text, ("miles",)), (FORWARD, ())):
+    for second_heard, left_out in ((text, ("miles",)), (FORWARD, ())):
         second = Thinks(replace(heard(FORWARD, 0.5), free_text=second_heard), {FORWARD: LIKELY})
-        assert both_think(engine, first, second).unclear == unclear
+        assert both_think(engine, first, second).left_out == left_out
     first = second = Thinks(replace(heard(FORWARD, 0.5), free_text=f"{FORWARD} please"), {FORWARD: LIKELY})
-    assert both_think(engine, first, second).unclear == ()
+    assert both_think(engine, first, second).left_out == ()
 
 
-@pytest.mark.parametrize(("freely", "unclear"), [(f"do you {FORWARD}", ("do you",)), (f"please {FORWARD}", ())])
-def test_what_both_heard_at_the_beginning_is_not_left_out(engine, freely, unclear):
+@pytest.mark.parametrize(("freely", "left_out"), [(f"do you {FORWARD}", ("do you",)), (f"please {FORWARD}", ())])
+def test_what_both_heard_at_the_beginning_is_not_left_out(engine, freely, left_out):
     """ "Do you go forward two meters?" is a question."""
     both = Thinks(replace(heard(FORWARD, 0.5), free_text=freely), {FORWARD: LIKELY})
-    assert both_think(engine, both, both).unclear == unclear
+    assert both_think(engine, both, both).left_out == left_out
     one = Thinks(replace(heard(FORWARD, 0.5), free_text=FORWARD), {FORWARD: LIKELY})
-    assert both_think(engine, one, both).unclear == ()
+    assert both_think(engine, one, both).left_out == ()
 
 
 def test_a_stop_is_one_whatever_was_heard_before_it(engine):
     both = Thinks(replace(heard("stop moving", 0.5), free_text="do you stop moving"), {"stop moving": LIKELY})
-    assert both_think(engine, both, both).unclear == ()
+    assert both_think(engine, both, both).left_out == ()
 
 
 def test_what_neither_thought_of_is_asked_of_both(engine):

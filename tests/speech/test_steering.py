@@ -96,6 +96,15 @@ def test_of_a_word_or_two_the_single_words_that_the_sound_may_be_are_looked_at(h
     assert (("left",) in heard.sentences) is found, heard.sentences
 
 
+@pytest.mark.parametrize(("clearly", "left_out"), [(-0.1, ("do you",)), (-2.0, ())])
+def test_what_one_model_heard_clearly_before_a_command_is_not_left_out(hears, spoken, monkeypatch, clearly, left_out):
+    """In noise one alone hears anything before it."""
+    whisper = hears("Do you go forward two meters")
+    monkeypatch.setattr(whisper, "word_scores", lambda _sound, text, _language: [(w, clearly) for w in text.split()])
+    found = whisper.transcribe(spoken)
+    assert (found.text, found.left_out) == ("go forward two meters", left_out)
+
+
 class Says:
     """A recogniser that heard this."""
 
