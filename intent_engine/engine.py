@@ -233,9 +233,13 @@ class IntentEngine:
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
         matcher = self.matcher(language)
-        words = Utterance.of(text, matcher.grammar.language).words if len(text) < 2000 else ["\0"]
+        said = Utterance.of(text, matcher.grammar.language) if len(text) < 2000 else Utterance(["\0"], [False])
+        words = said.words
         try:
             count, reached = matcher.prefix(words)
+            if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
+                words = otherwise.words
+                count, reached = matcher.prefix(words)
         except ConfigError:  # see parse
             count, reached = 0, None
         if reached is None:

@@ -16,11 +16,12 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.reading import Reading
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.vocabulary import vocabulary
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["Exploration", "Meeting", "explore", "vocabulary"]
+__all__ = ["Exploration", "Meeting", "explore"]
 
 MAX_STATES = 25_000
 """Word states that are visited; the shipped English grammar has 9,000."""
@@ -132,25 +133,6 @@ def _literal(node: Node) -> bool:
             return _literal(item)
         case Choice(items) | Sequence(items) | AnyOrder(items):
             return all(_literal(item) for item in items)
-
-
-def vocabulary(grammar: Grammar) -> frozenset[str]:
-    """Every word that stands in the sentences, phrases and lists of a grammar."""
-
-    def words(node: Node) -> Iterator[str]:
-        match node:
-            case Word(text):
-                yield text
-            case Optional(item):
-                yield from words(item)
-            case Choice(items) | Sequence(items) | AnyOrder(items):
-                for item in items:
-                    yield from words(item)
-
-    trees = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
-    trees += grammar.phrases.values()
-    trees += [node for slot in grammar.slots.values() for _, node in slot.values]
-    return frozenset(word for tree in trees for word in words(tree))
 
 
 def _few(locations: LocationMap | None, known: frozenset[str]) -> LocationMap | None:

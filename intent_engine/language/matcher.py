@@ -20,6 +20,7 @@ from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.spacing import Spacing
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import Choice, Node, Reference, Word, references
@@ -82,6 +83,11 @@ class Matcher:
             end.final = True
             root.edges.append(Edge(end, call=Call(f"sentence:{index}", ("sentence", index))))
         return root
+
+    @cached_property
+    def spacing(self) -> Spacing:
+        """What the grammar writes together and apart."""
+        return Spacing(self.grammar)
 
     @cached_property
     def spoken(self) -> Automaton:

@@ -88,8 +88,9 @@ class SpokenGrammar:
         return self._engine.parse(text, language=self._own(language))
 
     def words(self, text: str, language: str | None = None) -> list[str]:
-        """The words of a text, numbers as words."""
-        words = Utterance.of(text, language or "en").words
+        """The words of a text, together or apart as the grammar writes them, numbers as words."""
+        said = Utterance.of(text, language or "en")
+        words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
         return in_words(words) if language in (None, "en") else words
 
     def search(self, language: str | None = None) -> UtteranceSearch:

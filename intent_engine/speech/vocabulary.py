@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from intent_engine.language.exploration import vocabulary as grammar_words
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary as grammar_words
 
 __all__ = ["known_in_slots", "known_words", "said_in_slots"]
 

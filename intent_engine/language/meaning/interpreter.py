@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
@@ -88,7 +89,10 @@ class Interpreter:
             return self._rejected(text, "nothing was said")
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
-        phrases = self.phrases
+        return self._meant(text, said, state, spoken)
+
+    def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool) -> Understood:
+        words, phrases = said.words, self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
             return self._stopped(text)
         if said.unclear:
@@ -153,7 +157,19 @@ class Interpreter:
             return self._stopped(text)
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
             return self._joined(text, commands)
-        return self._not_understood(text, core, clause or single)
+        written = self._written_otherwise(text, core, state)
+        return written if written is not None else self._not_understood(text, core, clause or single)
+
+    def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """The same words, written together or apart as the grammar has them, if they are a command so."""
+        other = self.matcher.spacing.otherwise(core)
+        if other is None:
+            return None
+        found, parts = self._meant(text, other, state, spoken=False)
+        if found.status is not Status.ACCEPTED:
+            return None
+        changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
+        return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""

@@ -1,0 +1,145 @@
+"""Words that are written together or apart: "takeoff" of a grammar that has "take off", "way point" of one that has
+"waypoint". Recognisers and people write them as they like; they sound the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+from itertools import permutations
+from typing import TypeAlias
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
+
+__all__ = ["Spacing"]
+
+LEAST_LETTERS = 2
+"""Of a part: "alight" is no "a light"."""
+
+
+_Words: TypeAlias = frozenset[str]
+_Ends: TypeAlias = tuple[_Words, _Words, bool]
+"""The words that a template may begin and end with, and whether it may be left out."""
+_NONE: _Words = frozenset()
+
+
+class Spacing:
+    """How a grammar writes words that can be written together or apart. Thread-safe: at worst it is looked up twice."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        self._grammar = grammar
+
+    def otherwise(self, said: Utterance) -> Utterance | None:
+        """The same utterance as the grammar writes it; None: it does not know it otherwise.
+
+        A word that the grammar does not have is parted where two of its words follow each other, and two words become
+        one that it has. None that changes what is meant ("not") is part of it.
+        """
+        words, breaks = list(said.words), list(said.breaks)
+        for place in range(len(words) - 1, -1, -1):
+            if (parts := self._parted(words[place])) is not None:
+                words[place : place + 1] = parts
+                breaks.insert(place + 1, False)
+        for place in range(len(words) - 2, -1, -1):
+            if not breaks[place + 1] and self._one(words[place], words[place + 1]):
+                words[place : place + 2] = [words[place] + words[place + 1]]
+                del breaks[place + 1]
+        return Utterance(words, breaks) if words != said.words else None
+
+    def _parted(self, word: str) -> tuple[str, str] | None:
+        """The two words that a word is in the grammar."""
+        if word in self._words or word in self._closed or len(word) > self._longest:
+            return None
+        for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
+            first, second = word[:place], word[place:]
+            known = self._words.issuperset((first, second)) and self._closed.isdisjoint((first, second))
+            if known and any(first in ends and second in begins for ends, begins in self._following):
+                return first, second
+        return None
+
+    def _one(self, first: str, second: str) -> bool:
+        """Whether two words are one of the grammar."""
+        whole = first + second
+        return whole in self._words and self._closed.isdisjoint((first, second, whole))
+
+    @cached_property
+    def _words(self) -> _Words:
+        stops = (word for words in self._grammar.operators.stop for word in words)
+        return frozenset(word for word in (*vocabulary(self._grammar), *stops) if word.isalpha())
+
+    @cached_property
+    def _longest(self) -> int:
+        """Letters of two words of the grammar, at most."""
+        return 2 * max(map(len, self._words), default=0)
+
+    @cached_property
+    def _closed(self) -> _Words:
+        return self._grammar.operators.closed
+
+    @cached_property
+    def _following(self) -> list[tuple[_Words, _Words]]:
+        """Words that may end a part of a sentence, with those with which the next part may begin."""
+        grammar = self._grammar
+        templates = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+        templates += [node for slot in grammar.slots.values() for _, node in slot.values]
+        templates += [Sequence(tuple(map(Word, words))) for words in grammar.operators.stop]
+        return _Neighbours(grammar.phrases).of(templates)
+
+
+class _Neighbours:
+    """Words that follow each other in templates. What slots hold stays by itself."""
+
+    def __init__(self, phrases: Mapping[str, Node]) -> None:
+        self._phrases = phrases
+        self._walked: dict[str, _Ends] = {}
+        """What is known of phrases, which may hold each other many times over."""
+        self._found: dict[tuple[_Words, _Words], None] = {}
+
+    def of(self, templates: Iterable[Node]) -> list[tuple[_Words, _Words]]:
+        for node in templates:
+            self._walk(node)
+        return list(self._found)
+
+    def _phrase(self, name: str) -> _Ends:
+        if name not in self._walked:
+            self._walked[name] = self._walk(self._phrases[name])
+        return self._walked[name]
+
+    def _walk(self, node: Node) -> _Ends:
+        match node:
+            case Word(text):
+                return frozenset((text,)), frozenset((text,)), False
+            case Reference(name, _, _) if name in self._phrases:
+                return self._phrase(name)
+            case Optional(item):
+                begins, ends, _ = self._walk(item)
+                return begins, ends, True
+            case Choice(items):
+                return self._any([self._walk(item) for item in items], any)
+            case Sequence(items):
+                begins, ends, empty = _NONE, _NONE, True
+                for item in items:
+                    first, last, skipped = self._walk(item)
+                    self._follow(ends, first)
+                    begins = begins | first if empty else begins
+                    ends = ends | last if skipped else last
+                    empty = empty and skipped
+                return begins, ends, empty
+            case AnyOrder(items):
+                walked = [self._walk(item) for item in items]
+                for one, other in permutations(walked, 2):
+                    self._follow(one[1], other[0])
+                return self._any(walked, all)
+        return _NONE, _NONE, False
+
+    @staticmethod
+    def _any(walked: list[_Ends], empty: Callable[[Iterable[bool]], bool]) -> _Ends:
+        begins, ends, skipped = zip(*walked, strict=True)
+        return _NONE.union(*begins), _NONE.union(*ends), empty(skipped)
+
+    def _follow(self, ends: _Words, begins: _Words) -> None:
+        if ends and begins:
+            self._found[ends, begins] = None
