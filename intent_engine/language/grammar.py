@@ -193,6 +193,8 @@ class Grammar:
     """Heard word -> words that may have been meant."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
+    capitals: Mapping[str, str] = field(default_factory=dict)
+    """Words that the files write with a capital, by the same small: speech is compared with both."""
     files: tuple[str, ...] = ()
     warnings: tuple[Problem, ...] = ()
     """What is doubtful though it can be used."""

@@ -67,6 +67,10 @@ class LocationMap(Mapping[str, Location]):
                 words = words[1:]
             yield words, name
 
+    def written(self) -> Iterator[str]:
+        """Every name and alias as the file has it."""
+        return (spoken for spoken, _ in self._spoken())
+
     @cached_property
     def index(self) -> NameIndex:
         """For names that are only nearly said."""

@@ -7,7 +7,7 @@ nothing in the grammar: only by how much likelier the model finds the one than t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
@@ -50,6 +50,9 @@ class Clearness(Scoring):
 
     grammar: SpokenGrammar
     """Which sentences it may have heard."""
+
+    def written_large(self, language: str | None = None) -> Mapping[str, str]:
+        return self.grammar.written_large(language)
 
     def clearness(
         self, encoded: Encoded, words: Sequence[str], language: str | None = None, *, heard: bool = False
@@ -110,7 +113,7 @@ class Clearness(Scoring):
         """nats by which what was heard freely is likelier than another sentence, at the piece where they part."""
         rows = self.decoded(encoded)
         heard = max(rows, key=len, default=())
-        spelled = (self._pieces_of(one, language) for one in spellings(other, language))
+        spelled = (self._pieces_of(one, language) for one in spellings(other, language, self.names(language)))
         return min(_apart(heard, pieces, rows) for pieces in spelled)
 
     def _pieces_of(self, words: Sequence[str], language: str | None) -> tuple[int, ...]:

@@ -27,7 +27,7 @@ import numpy.typing as npt
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.speech.writing import written
+from intent_engine.speech.writing import Names, written
 
 __all__ = ["WORD", "GuidedSearch", "NextPieces", "word_count"]
 
@@ -188,13 +188,22 @@ class GuidedSearch:
         tokenizer: of the model, as faster-whisper's.
         language: of the grammar.
         end: the piece that stands for the end of a sentence; None: the full stop.
+        names: words that the model may write with a capital.
     """
 
-    def __init__(self, search: UtteranceSearch, tokenizer: Any, language: str | None, end: int | None = None) -> None:
+    def __init__(
+        self,
+        search: UtteranceSearch,
+        tokenizer: Any,
+        language: str | None,
+        end: int | None = None,
+        names: Names | None = None,
+    ) -> None:
         self._search = search
         self._graph = search.graph
         self._tokenizer = tokenizer
         self._language = language
+        self._names = names
         self._encoded: dict[str, list[int]] = {}
         self._tries: dict[tuple[Any, bool], _Pieces] = {}
         (self._point,) = tokenizer.encode(".")
@@ -356,10 +365,12 @@ class GuidedSearch:
         if self._language not in (None, "en"):
             pieces.numbers = True
         for word in words:
-            at = pieces
-            for number in self._in_pieces(word, first):
-                at = at.after.setdefault(number, _Pieces())
-            at.words.append(word)
+            for spelled in dict.fromkeys((word, self._names.large(word) if self._names is not None else word)):
+                at = pieces
+                for number in self._in_pieces(spelled, first):
+                    at = at.after.setdefault(number, _Pieces())
+                if word not in at.words:  # at the beginning both are written so
+                    at.words.append(word)
         if not many:
             if len(self._tries) >= MAX_TRIES:
                 self._tries.clear()

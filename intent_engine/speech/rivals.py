@@ -22,7 +22,7 @@ from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
 from intent_engine.speech.scoring import Rows, total
-from intent_engine.speech.writing import spellings, written
+from intent_engine.speech.writing import Names, spellings, written
 
 __all__ = ["Rivals"]
 
@@ -48,6 +48,7 @@ class Rivals:
         tokenizer: of the model, as faster-whisper's.
         language: of the grammar.
         corrections: phrases that take back what was said before them.
+        names: words that the model may write with a capital.
     """
 
     def __init__(
@@ -56,11 +57,13 @@ class Rivals:
         tokenizer: Any,
         language: str | None,
         corrections: PhraseSet | None = None,
+        names: Names | None = None,
     ) -> None:
         self._search = search
         self._corrections = corrections or PhraseSet(())
         self._tokenizer = tokenizer
         self._language = language
+        self._names = names
         self._detours = Detours(search)
         self._firsts: dict[tuple[str, bool], list[int]] = {}
         self._numbers: dict[tuple[str, ...], list[tuple[int, ...]]] = {}
@@ -107,7 +110,7 @@ class Rivals:
         """The pieces of the words that a sentence begins with, however they are written, or with numbers in words."""
         if not words:
             return [()]
-        spelled = [tuple(words)] if in_words else spellings(words, self._language)
+        spelled = [tuple(words)] if in_words else spellings(words, self._language, self._names)
         return [self.pieces(one, capital) for one in spelled for capital in (True, False)]
 
     def beside(
@@ -188,7 +191,7 @@ class Rivals:
         found = self._firsts.get((word, first))
         if found is None:
             capitals = (True, False) if first else (False,)
-            spelled = spellings([word], self._language)
+            spelled = spellings([word], self._language, self._names)
             pieces = [self.pieces(one, capital)[0] for one in spelled for capital in capitals]
             found = [piece for piece in pieces if piece not in self._digits[:1]] or pieces
             self._firsts[word, first] = found

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -16,7 +17,7 @@ from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
 from intent_engine.speech.whisper_decoder import WhisperDecoder, own_decoder
-from intent_engine.speech.writing import spellings, written
+from intent_engine.speech.writing import Names, spellings, written
 
 __all__ = ["Rows", "Scoring", "ScoringWhisper", "total"]
 
@@ -45,6 +46,9 @@ def total(row: npt.NDArray[np.float32]) -> float:
     return float(top + np.log(np.exp(row - top).sum()))
 
 
+_NONE: Mapping[str, str] = MappingProxyType({})
+
+
 class Scoring(ABC):
     """A model that is asked what it thinks of words."""
 
@@ -53,6 +57,9 @@ class Scoring(ABC):
 
     _decoded: tuple[Encoded | None, Rows] = (None, {})
     """The sound that was last heard freely, and what the model made of it on the way."""
+
+    _names: tuple[Any, Mapping[str, str], Names] | None = None
+    """Of the tokenizer and the grammar that were used last."""
 
     @abstractmethod
     def encode(self, samples: Samples, seconds: float = 0.0) -> Encoded:
@@ -118,10 +125,22 @@ class Scoring(ABC):
         self, encoded: Encoded, sentences: Sequence[Sequence[str]], language: str | None = None
     ) -> list[float]:
         """Log probability of sentences in plain words, each in the likelier of its spellings: with numbers in words or
-        in digits."""
-        texts = [[written(one, language) for one in spellings(words, language)] for words in sentences]
+        in digits, and with names small or with a capital."""
+        names = self.names(language)
+        texts = [[written(one, language) for one in spellings(words, language, names)] for words in sentences]
         scores = iter(self.score(encoded, [text for spelled in texts for text in spelled], language))
         return [max(next(scores) for _ in spelled) for spelled in texts]
+
+    def names(self, language: str | None = None) -> Names:
+        """The words that it may write with a capital."""
+        kept = self.tokenizer(language), self.written_large(language)
+        if self._names is None or self._names[0] is not kept[0] or self._names[1] is not kept[1]:
+            self._names = (*kept, Names(*kept))
+        return self._names[2]
+
+    def written_large(self, language: str | None = None) -> Mapping[str, str]:
+        """Words that are known with a capital, by the same small."""
+        return _NONE
 
     def word_scores(self, encoded: Encoded, text: str, language: str | None = None) -> list[tuple[str, float]]:
         """Each word of a text with the mean log probability of its pieces."""

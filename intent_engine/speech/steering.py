@@ -333,8 +333,8 @@ class Steering(Clearness):
         guide = self._guides.get(language)
         if guide is None or guide.near is not near:
             tokenizer = self.tokenizer(language)
-            guided = GuidedSearch(near, tokenizer, language, self.end_piece(language))
-            rivals = Rivals(near, tokenizer, language, self.grammar.corrections(language))
+            guided = GuidedSearch(near, tokenizer, language, self.end_piece(language), self.names(language))
+            rivals = Rivals(near, tokenizer, language, self.grammar.corrections(language), self.names(language))
             singles = {word: self._first_piece([word], language) for word in near.single_words()}
             guide = self._guides[language] = _Guide(near, guided, rivals, singles)
         return guide

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from intent_engine.language.capitals import capitals
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.english import NUMBER_WORDS
@@ -12,7 +13,7 @@ from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optiona
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary as grammar_words
 
-__all__ = ["known_in_slots", "known_words", "said_in_slots"]
+__all__ = ["known_in_slots", "known_words", "said_in_slots", "written_large"]
 
 
 def known_words(matcher: Matcher) -> frozenset[str]:
@@ -39,6 +40,12 @@ def known_in_slots(matcher: Matcher) -> frozenset[str]:
     for name in matcher.locations or ():
         found.update(Utterance.of(name, grammar.language).words)
     return frozenset(found)
+
+
+def written_large(matcher: Matcher) -> dict[str, str]:
+    """Words that the grammar or the map writes with a capital, by the same small."""
+    places = matcher.locations
+    return capitals(places.written() if places is not None else ()) | dict(matcher.grammar.capitals)
 
 
 def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:

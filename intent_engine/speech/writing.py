@@ -3,11 +3,13 @@ looks, so it is asked about in the model's own writing."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
+from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.spelled import in_digits
 
-__all__ = ["spellings", "written"]
+__all__ = ["Names", "spellings", "written"]
 
 _WRITTEN = {
     "i": "I",
@@ -39,7 +41,46 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
     return text[:1].upper() + text[1:] if sentence else text
 
 
-def spellings(words: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: with numbers in words, and in digits."""
+def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
+    """Words as they may be spelled: with numbers in words, and in digits; with names small, and with a capital.
+
+    Args:
+        words: normalised.
+        language: of the words.
+        names: which words may be written with a capital; None: none.
+    """
     numbers = (tuple(words), in_digits(words)) if language in (None, "en") else (tuple(words),)
-    return list(dict.fromkeys(numbers))
+    named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
+    return list(dict.fromkeys((*numbers, *named)))
+
+
+class Names:
+    """Words with a capital: as the grammar writes them, and such as a model has only so, by its pieces ("Marco" is one
+    to Whisper, "marco" two). So are letters by themselves: "sample B".
+
+    Of 28 commands with a name of the second kind by synthetic voices ("tell Julia ...", "play the Beatles") all are 1
+    to 10 nats likelier so, for tiny.en and for Moonshine; "hotel" is 2 to 5 less likely.
+
+    Args:
+        tokenizer: of the model.
+        known: words with a capital, by the same small.
+    """
+
+    def __init__(self, tokenizer: Any, known: Mapping[str, str] | None = None) -> None:
+        self._tokenizer = tokenizer
+        self._large = dict(known or {})
+
+    def large(self, word: str) -> str:
+        """A word as it may be written; the same, if only so."""
+        found = self._large.get(word)
+        if found is None:
+            found = self._large[word] = word.capitalize() if self._is_name(word) else word
+        return found
+
+    def _is_name(self, word: str) -> bool:
+        if not word.isalpha() or word in _WRITTEN:
+            return False
+        if len(word) == 1:
+            return word not in ARTICLES
+        small, large = (len(self._tokenizer.encode(" " + one)) for one in (word, word.capitalize()))
+        return large < small

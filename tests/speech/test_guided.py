@@ -12,9 +12,11 @@ from hypothesis import strategies as st
 
 from intent_engine import IntentEngine
 from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.utterance import plain
 from intent_engine.speech import guided
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.writing import Names
 
 VOCABULARY = 51864
 SENTENCES = [
@@ -132,6 +134,22 @@ def test_of_very_many_names_those_like_what_was_heard_are_asked_about(tmp_path, 
     model = Wishes(tokenizer.encode(" Go to the veranda"), *tokenizer.encode("."))
     heard = ["go", "to", "the", "veronda"]
     assert search.likeliest(model, heard, "Go to the Veronda.", -6.0)[0][0] == ("go", "to", "the", "veranda")
+
+
+@pytest.mark.parametrize("text", ["Tell Anna", "Tell anna", "Anna, come", "Tell the VIP"])
+def test_a_name_is_found_as_the_model_writes_it(tmp_path, whisper, text):
+    (tmp_path / "people.yaml").write_text(
+        "language: en\nslots: {who: [Anna, the VIP]}\nintents: "
+        "{tell: {action: {type: custom, name: tell}, sentences: ['tell {who}', '{who} come']}}\n"
+    )
+    engine = IntentEngine.from_files(tmp_path / "people.yaml")
+    tokenizer = whisper.tokenizer("en")
+    names = Names(tokenizer, engine.grammar.capitals)
+    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), tokenizer, "en", names=names)
+    model = Wishes(tokenizer.encode(" " + text), *tokenizer.encode("."))
+    found = search.likeliest(model, ["what", "ever"], "Whatever.", -8.0)
+    assert found[0][0] == tuple(plain(text))
+    assert found[0][1] == pytest.approx(model.wish * len(model.tokens), abs=1e-4)
 
 
 def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):

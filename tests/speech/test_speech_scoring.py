@@ -29,6 +29,12 @@ def test_the_likelier_spelling_of_a_number_counts(whisper, encoded):
     assert whisper.score_words(encoded, [["go", "forward", "two", "meters"]], "en") == [max(both)]
 
 
+def test_the_likelier_writing_of_a_name_counts(whisper, encoded):
+    small, large = whisper.score(encoded, ["Go to anna", "Go to Anna"], "en")
+    assert whisper.score_words(encoded, [["go", "to", "anna"]], "en") == [max(small, large)]
+    assert small != large
+
+
 def test_the_score_of_a_word_is_that_of_its_own_pieces(whisper, encoded):
     text = "go forward two screwdrivers"
     words = whisper.word_scores(encoded, text, "en")

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.language.utterance import Utterance
-from intent_engine.speech.writing import _WRITTEN, written
+from intent_engine.language.utterance import Utterance, plain
+from intent_engine.speech.writing import _WRITTEN, Names, spellings, written
 
 
 @pytest.mark.parametrize(
@@ -32,3 +32,31 @@ def test_within_a_sentence():
 @given(st.lists(st.sampled_from([*_WRITTEN, "go", "left", "kitchen", "two"]), min_size=1))
 def test_it_is_read_as_the_same_words(words):
     assert Utterance.of(written(words, "en"), "en").words == words
+
+
+def test_a_name_is_what_the_model_has_only_so_or_the_grammar_writes_so(whisper):
+    names = Names(whisper.tokenizer("en"), {"hotel": "Hotel", "mri": "MRI"})
+    words = "marco julia beatles hotel mri kitchen queen b i a id two90"
+    large = "Marco Julia Beatles Hotel MRI kitchen queen B i a id two90"
+    assert " ".join(map(names.large, words.split(" "))) == large
+
+
+@pytest.mark.parametrize(
+    ("words", "spelled"),
+    [
+        ("go to the kitchen", ["go to the kitchen"]),
+        ("tell anna", ["tell anna", "tell Anna"]),
+        ("anna two", ["anna two", "anna 2", "Anna two", "Anna 2"]),
+    ],
+)
+def test_names_and_numbers_are_spelled_in_all_ways(whisper, words, spelled):
+    names = Names(whisper.tokenizer("en"))
+    assert [" ".join(one) for one in spellings(words.split(), "en", names)] == spelled
+
+
+@given(st.lists(st.sampled_from(["go", "anna", "julia", "two", "b", "kitchen", "i"]), min_size=1))
+def test_every_spelling_is_read_as_the_same_words(whisper, words):
+    """The first is the words themselves."""
+    spelled = spellings(words, "en", Names(whisper.tokenizer("en")))
+    assert spelled[0] == tuple(words)
+    assert {tuple(plain(written(one, "en"))) for one in spelled} == {tuple(plain(" ".join(words)))}

@@ -1,0 +1,51 @@
+"""The words that an author writes with a capital."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.language.capitals import capitals, texts_in
+
+OFFICE = """
+language: en
+phrases:
+  find: "(Where is|find the MRI near)"
+slots:
+  person: [Doctor Miller, "Élodie (Brown|Green)", mister smith]
+  Day: {type: choice, values: {Mon: [Monday, "next week"]}}
+intents:
+  Find: {action: {type: custom, name: find}, sentences: ["{find} {person} [on {Day}]", "Ask McKay"]}
+"""
+
+
+def test_values_have_them_anywhere_and_sentences_inside(tmp_path):
+    path = tmp_path / "office.yaml"
+    path.write_text(OFFICE, "utf-8")
+    words = IntentEngine.from_files(path).grammar.capitals
+    assert set(words.values()) == {
+        "Where",
+        "MRI",
+        "Doctor",
+        "Miller",
+        "Élodie",
+        "Brown",
+        "Green",
+        "Mon",
+        "Monday",
+        "McKay",
+    }
+    assert (words["mri"], words["mckay"], words["élodie"]) == ("MRI", "McKay", "Élodie")
+
+
+@pytest.mark.parametrize("data", [None, 3, [None, {"Anna": 2}], {1: ["Anna"]}])
+def test_whatever_was_read_of_a_file(data):
+    assert set(texts_in(data)) <= {"Anna"}
+
+
+@given(st.lists(st.text(max_size=20)), st.booleans())
+def test_each_is_the_same_word_small(texts, sentences):
+    for small, large in capitals(texts, sentences=sentences).items():
+        assert large.lower() == small != large
