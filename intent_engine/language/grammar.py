@@ -193,8 +193,9 @@ class Grammar:
     """Heard word -> words that may have been meant."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
-    capitals: Mapping[str, str] = field(default_factory=dict)
-    """Words that the files write with a capital, by the same small: speech is compared with both."""
+    as_written: Mapping[str, str] = field(default_factory=dict)
+    """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
+    both."""
     files: tuple[str, ...] = ()
     warnings: tuple[Problem, ...] = ()
     """What is doubtful though it can be used."""

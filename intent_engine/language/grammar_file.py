@@ -11,7 +11,7 @@ from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.capitals import capitals, texts_in
+from intent_engine.language.as_written import as_written, texts_in
 from intent_engine.language.grammar import Grammar, Intent, Operators, Slot
 from intent_engine.language.grammar_checks import check_meaning
 from intent_engine.language.grammar_intents import merged, read_intent
@@ -251,21 +251,21 @@ class _Builder:
             ),
             sound_alikes=self.alikes,
             wake=tuple(plain_phrase(text) for text in self.wake),
-            capitals=self._capitals(),
+            as_written=self._as_written(),
             files=tuple(parts.source.file for parts in self.parts),
         )
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
         return replace(grammar, warnings=tuple(warnings)), problems
 
-    def _capitals(self) -> dict[str, str]:
-        """Words that are written with a capital in values and inside of sentences."""
+    def _as_written(self) -> dict[str, str]:
+        """Words that are written with a capital or an apostrophe in values, sentences and examples."""
         found: dict[str, str] = {}
         for parts in self.parts:
             sections = [parts.source.data.get(name) for name in ("slots", "phrases", "intents")]
             slots, phrases, intents = ([*one.values()] if isinstance(one, dict) else [] for one in sections)
             specs = [spec for spec in intents if isinstance(spec, dict)]
             said = [*phrases, *(spec.get(key) for spec in specs for key in ("sentences", "examples"))]
-            found |= capitals(texts_in(slots)) | capitals(texts_in(said), sentences=True)
+            found |= as_written(texts_in(slots)) | as_written(texts_in(said), sentences=True)
         return found
 
 

@@ -37,6 +37,11 @@ _NEGATED = {
 CONTRACTIONS: dict[str, tuple[str, ...]] = {**_NEGATED, "cannot": ("can", "not")}
 """Contractions that hide a negation. Others only lose their apostrophe ("let's" is "lets", "i'd" is "id")."""
 
+TITLES: Mapping[str, tuple[str, ...]] = {
+    "dr": ("doctor",), "mr": ("mister",), "mrs": ("missus",), "prof": ("professor",),
+}  # fmt: skip
+"""English titles, which recognisers write short: "Dr. Miller"."""
+
 _FRACTIONS = {
     character: f" {top}/{bottom}"
     for character, top, bottom in (
@@ -81,7 +86,7 @@ def plain_words(text: str) -> list[str] | None:
     if _PLAIN.fullmatch(text) is None:
         return None
     words = text.split(" ")
-    return None if not CONTRACTIONS.keys().isdisjoint(words) else words
+    return words if CONTRACTIONS.keys().isdisjoint(words) and TITLES.keys().isdisjoint(words) else None
 
 
 def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
@@ -99,12 +104,14 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
         lowered = "".join(c.lower() if len(c.lower()) == 1 else c for c in source)
     tokens: list[Token] = []
     breaks = False
+    title = -1
     for match in _TOKEN.finditer(lowered):
         kind = match.lastgroup
         start, end = match.span()
         if kind == "pause":
-            breaks = True
+            breaks = breaks or start != title or lowered[start] != "."  # of "Dr." it is no pause
             continue
+        title = end if language == "en" and match.group() in TITLES else -1
         for word in _words(match, kind, lowered, tokens, language):
             if places is not None:
                 tokens.append(Token(word, places[start], places[end - 1] + 1, breaks))
@@ -139,7 +146,7 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
         word = found
         if not found.isalpha():
             word = re.sub(r"['’ʼ`]", "", found)
-        return CONTRACTIONS.get(word, (word,))
+        return (TITLES.get(word) if language == "en" else None) or CONTRACTIONS.get(word, (word,))
     if kind == "sign":
         return _sign(found, text, match.start(), before)
     if kind == "mixed":

@@ -51,8 +51,8 @@ class Clearness(Scoring):
     grammar: SpokenGrammar
     """Which sentences it may have heard."""
 
-    def written_large(self, language: str | None = None) -> Mapping[str, str]:
-        return self.grammar.written_large(language)
+    def as_written(self, language: str | None = None) -> Mapping[str, str]:
+        return self.grammar.as_written(language)
 
     def clearness(
         self, encoded: Encoded, words: Sequence[str], language: str | None = None, *, heard: bool = False

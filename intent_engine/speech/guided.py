@@ -107,6 +107,8 @@ class _Path:
     """Within a word: the pieces that it may go on with."""
     digits: str | None = None
     """Within a number in digits: those so far; none yet where a model writes the blank before a number apart."""
+    large: bool = False
+    """Whether the next word begins with a capital."""
 
     @property
     def begun(self) -> int:
@@ -204,7 +206,7 @@ class GuidedSearch:
         self._tokenizer = tokenizer
         self._language = language
         self._names = names
-        self._encoded: dict[str, list[int]] = {}
+        self._encoded: dict[tuple[str, bool], tuple[tuple[int, ...], ...]] = {}
         self._tries: dict[tuple[Any, bool], _Pieces] = {}
         (self._point,) = tokenizer.encode(".")
         self._stop = self._point if end is None else end
@@ -240,7 +242,7 @@ class GuidedSearch:
         length = max(map(len, seeds)) + 2
         rows = {beginning: self._likely(row) for beginning, row in ask(list(dict.fromkeys(seeds)), length)}
         frontier = _Frontier(free_score, len(pieces))
-        frontier.push(_Path(0.0, state=self._graph.start()))
+        frontier.push(_Path(0.0, state=self._graph.start(), large=not free.strip()[:1].islower()))
         steps = 0
         for call in range(CALLS):
             waiting: list[_Path] = []
@@ -315,7 +317,7 @@ class GuidedSearch:
         if words and self._graph.accepting(state):
             score = path.score + row[self._stop]
             found[words] = max(score, found.get(words, -math.inf))
-        pieces = self._words_after(state, not path.tokens, heard)
+        pieces = self._words_after(state, path.large, heard)
         yield from self._into(path, row, pieces, words, state)
         if pieces.numbers:
             for number in self._first_digits.keys() & row.keys():
@@ -365,24 +367,26 @@ class GuidedSearch:
         if self._language not in (None, "en"):
             pieces.numbers = True
         for word in words:
-            for spelled in dict.fromkeys((word, self._names.large(word) if self._names is not None else word)):
+            for spelled in self._in_pieces(word, first):
                 at = pieces
-                for number in self._in_pieces(spelled, first):
+                for number in spelled:
                     at = at.after.setdefault(number, _Pieces())
-                if word not in at.words:  # at the beginning both are written so
-                    at.words.append(word)
+                at.words.append(word)
         if not many:
             if len(self._tries) >= MAX_TRIES:
                 self._tries.clear()
             self._tries[state, first] = pieces
         return pieces
 
-    def _in_pieces(self, word: str, first: bool) -> list[int]:
-        text = " " + written([word], self._language, sentence=first)
-        pieces = self._encoded.get(text)
-        if pieces is None:
-            pieces = self._encoded[text] = self._tokenizer.encode(text)
-        return pieces
+    def _in_pieces(self, word: str, first: bool) -> Iterable[tuple[int, ...]]:
+        """A word as it is written, with a capital at the beginning; and with one if it is a name."""
+        found = self._encoded.get((word, first))
+        if found is None:
+            named = word if self._names is None else self._names.large(word)
+            texts = [written([one], self._language, sentence=first) for one in (word, named)]
+            pieces = (tuple(self._tokenizer.encode(" " + text)) for text in texts)
+            found = self._encoded[word, first] = tuple(dict.fromkeys(pieces))
+        return found
 
 
 def _keep(best: list[float], value: float, most: int) -> None:

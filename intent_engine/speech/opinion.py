@@ -56,9 +56,12 @@ class Opinion:
         return list(self.viewed(dict(zip(sentences, scores, strict=True))).values())
 
     def viewed(self, scores: Mapping[tuple[str, ...], float]) -> dict[tuple[str, ...], View]:
-        """What the model thinks of sentences of which it has said how likely they are."""
+        """What the model thinks of sentences of which it has said how likely they are. One that it heard word by word
+        is as likely as what it wrote, however it wrote that ("Touchdown!")."""
         heard = self.heard
         (free_score,) = self.model.score(self.encoded, [self.transcript.free_text], self.transcript.language)
+        if (said := tuple(heard)) in scores:
+            scores = {**scores, said: max(scores[said], free_score)}
         return {words: View(score, free_score, letters_apart(words, heard)) for words, score in scores.items()}
 
     def beside(self, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:

@@ -125,21 +125,28 @@ class Scoring(ABC):
         self, encoded: Encoded, sentences: Sequence[Sequence[str]], language: str | None = None
     ) -> list[float]:
         """Log probability of sentences in plain words, each in the likelier of its spellings: with numbers in words or
-        in digits, and with names small or with a capital."""
-        names = self.names(language)
-        texts = [[written(one, language) for one in spellings(words, language, names)] for words in sentences]
+        in digits, and with names small or with a capital; the first word as the model began what it heard freely."""
+        names, large = self.names(language), self._begins_large(encoded, language)
+        texts = [
+            [written(one, language, sentence=large) for one in spellings(words, language, names)] for words in sentences
+        ]
         scores = iter(self.score(encoded, [text for spelled in texts for text in spelled], language))
         return [max(next(scores) for _ in spelled) for spelled in texts]
 
+    def _begins_large(self, encoded: Encoded, language: str | None) -> bool:
+        """Whether what was heard freely begins with a capital, as a sentence does."""
+        heard = max(self.decoded(encoded), key=len, default=())
+        return not self.tokenizer(language).decode(list(heard[:1])).strip()[:1].islower()
+
     def names(self, language: str | None = None) -> Names:
         """The words that it may write with a capital."""
-        kept = self.tokenizer(language), self.written_large(language)
+        kept = self.tokenizer(language), self.as_written(language)
         if self._names is None or self._names[0] is not kept[0] or self._names[1] is not kept[1]:
             self._names = (*kept, Names(*kept))
         return self._names[2]
 
-    def written_large(self, language: str | None = None) -> Mapping[str, str]:
-        """Words that are known with a capital, by the same small."""
+    def as_written(self, language: str | None = None) -> Mapping[str, str]:
+        """Words that are known with a capital or an apostrophe, by the same small and plain."""
         return _NONE
 
     def word_scores(self, encoded: Encoded, text: str, language: str | None = None) -> list[tuple[str, float]]:
@@ -199,17 +206,28 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         return list(pieces), sum(scores) / max(len(pieces), 1)
 
     def end_piece(self, language: str | None = None) -> int:
-        """The full stop."""
-        (stop,) = self.tokenizer(language).encode(".")
-        return int(stop)
+        end: int = self.tokenizer(language).eot
+        return end
+
+    def _signs(self, language: str | None) -> list[int]:
+        """Pieces that end a sentence: a full stop, or a question or exclamation mark."""
+        tokenizer = self.tokenizer(language)
+        return [piece for sign in ".?!" for piece in tokenizer.encode(sign)]
 
     def next_pieces(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None = None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
         if self._decoder is not None:
             # For a few pieces: more can be asked for soon.
-            return self._tree(encoded, language).onward(beginnings, length, self.end_piece(language), ONWARD)
-        return self._generated(encoded, beginnings, length, language)
+            (stop, *_) = self._signs(language)
+            found = self._tree(encoded, language).onward(beginnings, length, stop, ONWARD)
+        else:
+            found = self._generated(encoded, beginnings, length, language)
+        end, signs = self.end_piece(language), self._signs(language)
+        for beginning, row in found:
+            ended = row.copy()
+            ended[end] = np.logaddexp.reduce(row[signs])
+            yield beginning, ended
 
     def _generated(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None
@@ -235,20 +253,24 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
                 yield tokens[:place], row - total(row)
 
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
-        """With the full stop that ends a text. Whisper's own end is no part: ``align`` gives it no probability."""
-        tokenizer = self.tokenizer(language)
-        stop = tokenizer.encode(".")
-        pieces = []
-        for text in texts:
-            plain = tokenizer.encode(" " + text.strip())
-            pieces.append(plain if text.strip()[-1:] in ".!?" else [*plain, *stop])
+        """With the sign that ends a text, whichever: "Could you go back?" is far likelier with a question mark, and a
+        command now and then with an exclamation mark. Whisper's own end is no part: ``align`` gives it no probability.
+        """
+        tokenizer, signs = self.tokenizer(language), self._signs(language)
+        pieces = [tokenizer.encode(" " + text.strip().rstrip(".!?")) for text in texts]
         if self._decoder is not None:
             tree = self._tree(encoded, language)
-            tree.learn(pieces)
-            return [tree.likelihood(own) for own in pieces]
+            tree.learn([*own, signs[0]] for own in pieces)
+            return [np.append(tree.likelihood(own), np.logaddexp.reduce(tree.after(own, signs))) for own in pieces]
+        pieces = [[*own, self._sign_heard(encoded, signs)] for own in pieces]
         copies = self._copies(encoded, len(pieces))
         results = self.engine.align(copies, list(tokenizer.sot_sequence), pieces, copies.shape[1] * 2)
         return [np.log(np.maximum(result.text_token_probs, LEAST)) for result in results]
+
+    def _sign_heard(self, encoded: Encoded, signs: Sequence[int]) -> int:
+        """The sign with which the model ended what it heard freely; else a full stop."""
+        heard = max(self.decoded(encoded), key=len, default=())
+        return heard[-1] if heard and heard[-1] in signs else signs[0]
 
     def _copies(self, encoded: Encoded, count: int) -> Any:
         """The encoded sound, once for each text, without the silence that the encoder wanted: the likeliest text stays

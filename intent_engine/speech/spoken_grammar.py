@@ -23,7 +23,7 @@ from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.narration import NARRATING, leaves_out
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.usual import UsualNumbers
-from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots, written_large
+from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots, words_as_written
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -65,7 +65,7 @@ class _Known:
     leading: PhraseSet
     """also at the beginning: "and then"."""
     in_slots: frozenset[str]
-    written_large: Mapping[str, str]
+    as_written: Mapping[str, str]
     search: UtteranceSearch
     usual: UsualNumbers
     least: float
@@ -94,9 +94,9 @@ class SpokenGrammar:
         words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
         return in_words(words) if language in (None, "en") else words
 
-    def written_large(self, language: str | None = None) -> Mapping[str, str]:
-        """Words that the grammar or the map writes with a capital, by the same small."""
-        return self._known(language).written_large
+    def as_written(self, language: str | None = None) -> Mapping[str, str]:
+        """Words that the grammar or the map writes with a capital or an apostrophe, by the same small and plain."""
+        return self._known(language).as_written
 
     def search(self, language: str | None = None) -> UtteranceSearch:
         """The search for sentences that are like some words; another one when the grammar was reloaded."""
@@ -288,7 +288,7 @@ class SpokenGrammar:
                 PhraseSet(grammar.fillers),
                 PhraseSet((*grammar.fillers, *grammar.operators.sequence)),
                 known_in_slots(matcher),
-                written_large(matcher),
+                words_as_written(matcher),
                 search,
                 usual,
                 least,

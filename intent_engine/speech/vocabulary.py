@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from intent_engine.language.capitals import capitals
+from intent_engine.language.as_written import as_written
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.english import NUMBER_WORDS
@@ -13,7 +13,7 @@ from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optiona
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary as grammar_words
 
-__all__ = ["known_in_slots", "known_words", "said_in_slots", "written_large"]
+__all__ = ["known_in_slots", "known_words", "said_in_slots", "words_as_written"]
 
 
 def known_words(matcher: Matcher) -> frozenset[str]:
@@ -42,10 +42,10 @@ def known_in_slots(matcher: Matcher) -> frozenset[str]:
     return frozenset(found)
 
 
-def written_large(matcher: Matcher) -> dict[str, str]:
-    """Words that the grammar or the map writes with a capital, by the same small."""
+def words_as_written(matcher: Matcher) -> dict[str, str]:
+    """Words that the grammar or the map writes with a capital or an apostrophe, by the same small and plain."""
     places = matcher.locations
-    return capitals(places.written() if places is not None else ()) | dict(matcher.grammar.capitals)
+    return as_written(places.written() if places is not None else ()) | dict(matcher.grammar.as_written)
 
 
 def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:

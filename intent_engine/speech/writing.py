@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.free_text import ARTICLES
+from intent_engine.language.normalize import TITLES
 from intent_engine.language.numbers.spelled import in_digits
 
 __all__ = ["Names", "spellings", "written"]
@@ -27,6 +28,8 @@ _WRITTEN = {
     "oclock": "o'clock",
 }
 """English words that lose a sign when they are normalised."""
+_TITLES = {meant: f"{title.capitalize()}." for title, (meant,) in TITLES.items() if title != "prof"}
+"""How titles are written before names."""
 
 
 def written(words: Sequence[str], language: str | None, *, sentence: bool = True) -> str:
@@ -42,33 +45,44 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: with numbers in words, and in digits; with names small, and with a capital.
+    """Words as they may be spelled: numbers in words, and in digits; names small and plain, and with a capital.
 
     Args:
         words: normalised.
         language: of the words.
-        names: which words may be written with a capital; None: none.
+        names: how words are written that are not small and plain; None: all are.
     """
-    numbers = (tuple(words), in_digits(words)) if language in (None, "en") else (tuple(words),)
+    numbers = (tuple(words), _percent(in_digits(words))) if language in (None, "en") else (tuple(words),)
     named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
     return list(dict.fromkeys((*numbers, *named)))
 
 
+def _percent(words: Sequence[str]) -> tuple[str, ...]:
+    """Words with "60%" for 60 percent."""
+    found: list[str] = []
+    for word in words:
+        if word == "percent" and found and found[-1][-1:].isdigit():
+            found[-1] += "%"
+        else:
+            found.append(word)
+    return tuple(found)
+
+
 class Names:
-    """Words with a capital: as the grammar writes them, and such as a model has only so, by its pieces ("Marco" is one
-    to Whisper, "marco" two). So are letters by themselves: "sample B".
+    """Words that are not written small and plain: as the grammar has them, such as a model has only with a capital, by
+    its pieces ("Marco" is one to Whisper, "marco" two), letters by themselves ("sample B"), and "Dr.".
 
     Of 28 commands with a name of the second kind by synthetic voices ("tell Julia ...", "play the Beatles") all are 1
     to 10 nats likelier so, for tiny.en and for Moonshine; "hotel" is 2 to 5 less likely.
 
     Args:
         tokenizer: of the model.
-        known: words with a capital, by the same small.
+        known: words with a capital or an apostrophe, by the same small and plain.
     """
 
     def __init__(self, tokenizer: Any, known: Mapping[str, str] | None = None) -> None:
         self._tokenizer = tokenizer
-        self._large = dict(known or {})
+        self._large = {**(known or {}), **_TITLES}
 
     def large(self, word: str) -> str:
         """A word as it may be written; the same, if only so."""

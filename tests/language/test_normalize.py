@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from intent_engine.language.normalize import CONTRACTIONS, plain_words, tokenize
+from intent_engine.language.normalize import CONTRACTIONS, TITLES, plain_words, tokenize
 
 
 def said(text: str) -> str:
@@ -41,6 +41,10 @@ def said(text: str) -> str:
         ("...", ""),
         ("—", ""),
         ("\x00\x1b[31m", "31 m"),
+        ("Dr. Miller", "doctor miller"),
+        ("mr brown and Mrs. Smith", "mister brown and missus smith"),
+        ("Prof Schmidt", "professor schmidt"),
+        ("MRI, dr", "mri doctor"),
         # Numbers.
         ("2m", "2 m"),
         ("10 m.", "10 m"),
@@ -128,8 +132,23 @@ def test_every_word_has_a_place_and_places_are_in_order(text: str) -> None:
 def test_a_plain_word_stands_where_its_place_says(text: str) -> None:
     for token in tokenize(text):
         piece = text[token.start : token.end].lower()
-        if token.word.isalpha() and piece.isalpha() and piece not in CONTRACTIONS:
+        if token.word.isalpha() and piece.isalpha() and piece not in CONTRACTIONS and piece not in TITLES:
             assert token.word == piece
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "breaks"),
+    [
+        ("find Dr. Miller", "en", [False, False, False]),
+        ("find Dr, Miller", "en", [False, False, True]),
+        ("find Dr . Miller", "en", [False, False, True]),
+        ("find dr miller. go", "en", [False, False, False, True]),
+        ("find Dr.... go", "en", [False, False, True]),
+        ("frag Dr. Braun", "de", [False, False, True]),
+    ],
+)
+def test_the_full_stop_of_a_title_is_no_pause(text: str, language: str, breaks: list[bool]) -> None:
+    assert [token.breaks for token in tokenize(text, language)] == breaks
 
 
 @settings(max_examples=300)

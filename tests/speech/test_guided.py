@@ -144,7 +144,7 @@ def test_a_name_is_found_as_the_model_writes_it(tmp_path, whisper, text):
     )
     engine = IntentEngine.from_files(tmp_path / "people.yaml")
     tokenizer = whisper.tokenizer("en")
-    names = Names(tokenizer, engine.grammar.capitals)
+    names = Names(tokenizer, engine.grammar.as_written)
     search = GuidedSearch(UtteranceSearch(engine.matcher().likely), tokenizer, "en", names=names)
     model = Wishes(tokenizer.encode(" " + text), *tokenizer.encode("."))
     found = search.likeliest(model, ["what", "ever"], "Whatever.", -8.0)

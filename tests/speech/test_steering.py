@@ -62,6 +62,15 @@ def test_an_exact_sentence_is_looked_at_again_where_nobody_says_it_so(hears, spo
     assert hears(words).listen(spoken).settled is settled
 
 
+def test_what_was_heard_word_by_word_is_as_likely_as_it_was_written(hears, spoken, monkeypatch):
+    """ "Touchdown!" is "touch down" to a grammar, and nobody would write it so."""
+    heard = hears("Go forward, two METERS!", -0.9).listen(spoken)
+    monkeypatch.setattr(type(heard.model), "score", lambda *_: [-1.0])
+    said, other = ("go", "forward", "two", "meters"), ("go", "forward", "ten", "meters")
+    views = heard.viewed({said: -7.0, other: -5.0})
+    assert [view.score for view in views.values()] == [-1.0, -5.0]
+
+
 @pytest.mark.parametrize(("score", "looked"), [(-0.1, False), (-0.9, True)], ids=["clear", "mumbled"])
 def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, score, looked):
     whisper = hears("The orchestra played a waltz by an unknown composer", score)
