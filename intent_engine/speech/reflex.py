@@ -23,7 +23,8 @@ import numpy as np
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import start_beside
 from intent_engine.speech.stop_phrases import MoonshineStops, StopPhrases
-from intent_engine.speech.whisper import WhisperRecognizer, logits_row
+from intent_engine.speech.weights import on_this_machine
+from intent_engine.speech.whisper import WhisperRecognizer, logits_row, max_length
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -58,6 +59,8 @@ QUIET = 0.03
 """RMS of such frames, as a part of the loudest frame's in the window: 30 dB below."""
 MAX_LEADS = 80
 """Words before a stop that are known; more would only slow the start."""
+MULTILINGUAL = ("tiny", "base")
+"""Models for other languages than English: the first that is on this machine, else the first."""
 OPEN_QUESTION = 0.005
 """Part of the threshold from which the second model is asked: of other words by people 3 in 5 looks."""
 
@@ -202,9 +205,9 @@ class WhisperReflex:
 
     def _next(self, features: Any, begun: Sequence[int]) -> Any:
         """Probability of each token after a beginning, ``(tokens,)``."""
-        # max_length counts two for each token to write.
+        told = [*self._prompt, *begun]
         result = self._whisper.engine.generate(
-            features, [[*self._prompt, *begun]], max_length=2, beam_size=1, return_logits_vocab=True
+            features, [told], max_length=max_length(len(told), 1), beam_size=1, return_logits_vocab=True
         )[0]
         scores = logits_row(result.logits[0][0])
         scores = np.exp(scores - scores.max())
@@ -301,7 +304,7 @@ def reflex_for(
     Args:
         engine: whose grammar.
         language: of the grammar; None: its first.
-        model: None: tiny.en for English, tiny for other languages.
+        model: None: tiny.en for English, for other languages tiny, or base where only that is on this machine.
         background: see :class:`WhisperReflex`.
         beside: the recogniser of the same robot; if its second model is Moonshine, the reflex asks that too.
 
@@ -315,11 +318,18 @@ def reflex_for(
     return WhisperReflex(
         grammar.operators.stop,
         leads[:MAX_LEADS],
-        model=model or ("tiny.en" if grammar.language == "en" else "tiny"),
+        model=model or _usual_model(grammar.language),
         language=grammar.language,
         background=background,
         second=beside.second_weights() if isinstance(beside, SecondOpinion) and grammar.language == "en" else None,
     )
+
+
+def _usual_model(language: str) -> str:
+    """The smallest model of a language; a larger one, if it is there and that is not."""
+    if language == "en":
+        return "tiny.en"
+    return next((model for model in MULTILINGUAL if on_this_machine(model)), MULTILINGUAL[0])
 
 
 def _shortest(phrases: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:

@@ -44,7 +44,7 @@ from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
 from intent_engine.speech.weighing import doubted
-from intent_engine.speech.weights import find_weights
+from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -367,11 +367,7 @@ def installed_second(*, english: bool = True) -> str | None:
 def _installed(model: str, english: bool) -> bool:
     if is_moonshine(model):
         return english and moonshine_package() is not None
-    try:
-        find_weights(model, download=False)
-    except WeightsError:
-        return False
-    return True
+    return on_this_machine(model)
 
 
 def _steered(

@@ -214,7 +214,8 @@ class SpokenGrammar:
         there = self._known(language).words
         if meaning.corrected:
             there = there | self._known(language).correcting
-        known = there.issuperset(word for word in words if not is_numeral(word))
+        is_number = self._known(language).matcher.is_number
+        known = there.issuperset(word for word in words if not is_number(word))
         if known and not self.unlisted(meaning, language):
             return False
         heard = tuple(words)

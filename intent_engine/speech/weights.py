@@ -12,7 +12,17 @@ from pathlib import Path
 
 from intent_engine.errors import WeightsError
 
-__all__ = ["MODELS", "Packaged", "Weights", "cache_folder", "check_digest", "find_weights", "folder_of", "sha256"]
+__all__ = [
+    "MODELS",
+    "Packaged",
+    "Weights",
+    "cache_folder",
+    "check_digest",
+    "find_weights",
+    "folder_of",
+    "on_this_machine",
+    "sha256",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +99,15 @@ def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:
         if path is not None:
             return Weights(name, path, "package", True)
     return _from_hub(name, packaged, download)
+
+
+def on_this_machine(name: str) -> bool:
+    """Whether a model can be loaded without a download."""
+    try:
+        find_weights(name, download=False)
+    except WeightsError:
+        return False
+    return True
 
 
 def _complete(folder: Path, name: str) -> None:

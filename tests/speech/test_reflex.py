@@ -11,6 +11,7 @@ import pytest
 import soundfile
 from speech_stage import DATA, ROOT, Jumpy, framed
 
+from intent_engine.engine import IntentEngine
 from intent_engine.errors import WeightsError
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
@@ -72,6 +73,17 @@ def test_only_stop_phrases_hold(reflex, demo, spoken) -> None:
             assert held <= row["end"] - row["start"] + 0.4, "after the words had ended"
         else:
             assert held is None, row["text"]
+
+
+def test_for_other_languages_it_is_the_model_that_is_there(demo, spoken) -> None:
+    """A multilingual model is told the language, and what to do, before the first word."""
+    german = IntentEngine.from_files(ROOT / "grammars" / "de.yaml")
+    reflex = reflex_for(german, background=False)
+    stop = next(row for row in spoken if row["action"] == "stop")
+    held = held_at(reflex, said(demo, stop))
+    assert held is not None
+    assert held <= stop["end"] - stop["start"] + 0.4, "after the word had ended"
+    reflex.close()
 
 
 def test_a_stop_right_after_other_words_holds_as_early(reflex, demo, spoken) -> None:

@@ -69,6 +69,14 @@ def test_what_people_say_is_plain(engine, grammar, text, plain):
     assert grammar.plain(text.split(), meaning) is plain
 
 
+def test_a_number_is_plain_in_every_language(root):
+    german = IntentEngine.from_files(root / "grammars" / "de.yaml")
+    for text in ("fahr einen halben meter vor", "geh zweieinhalb meter nach hinten", "fahr 2 meter vor"):
+        assert SpokenGrammar(german).plain(text.split(), german.parse(text), "de"), text
+    text = "nimm die flurbe"
+    assert not SpokenGrammar(german).plain(text.split(), german.parse(text), "de")
+
+
 @pytest.mark.parametrize(
     ("text", "unknown"),
     [
