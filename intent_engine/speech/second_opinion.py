@@ -62,6 +62,8 @@ SURE_TOGETHER = 0.9
 NEARLY = 2.0
 """where one of them heard the sentence but for so many letters. Else there may be a better one beside it, which is like
 neither's words: "a bit of sun earth" is nearer to "sugar" than to "soy milk"."""
+AGREED = 0.95
+"""Confidence in what both heard word by word, where a slot takes any words."""
 SURE_OF_A_WORD = 0.95
 """Confidence of the first in a single word, from which the second is not asked: in noise tiny.en hears nearly twice as
 many single words as Moonshine, which then says "Don't" for "go"."""
@@ -223,6 +225,8 @@ class SecondOpinion:
         for one in (first, second):
             if self._meaning(one.transcript).refuses:
                 return one.transcript, 0.0
+        if (agreed := self._agreed(first, second)) is not None:
+            return agreed, 0.0
         readings = self.joint(first, second, far=far)
         if not readings:
             return heard, math.inf
@@ -238,6 +242,16 @@ class SecondOpinion:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
         return both, min(letters_apart(best.words, one.heard) for one in (first, second))
+
+    def _agreed(self, first: Opinion, second: Opinion) -> Transcript | None:
+        """What both heard word by word, where a slot without a list takes just that: nothing in the grammar can be for
+        or against "call Jessica". Numbers and a "don't" must have been clear in it, as ever."""
+        words, heard = tuple(first.heard), first.transcript
+        if words != tuple(second.heard) or not self._grammar.takes_as_heard(words, heard.language):
+            return None
+        clear = self._each(lambda one: one.clearness(words), (first, second))
+        said = " ".join(words)
+        return replace(heard, text=said, gap=0.0, alternatives=(), unclear=_unclear(*clear), confidence=AGREED)
 
     def _unheard(self, best: Reading, *opinions: Opinion) -> list[str]:
         """Words in free slots that no list has and that not all heard: nothing else tells that they were said. None of

@@ -13,6 +13,7 @@ from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import PhraseSet, Utterance
@@ -222,6 +223,19 @@ class SpokenGrammar:
         as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
+    def takes_as_heard(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence with a slot that has no list, which holds all words that the grammar does not
+        have: whoever may be called can be called anything."""
+        matcher, known = self._known(language).matcher, self._known(language).words
+        said = list(words[self.lead(words, language) :])
+        readings = matcher.read(said)
+        if not readings or readings[0].problem:
+            return False
+        free = [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS and not slot.slot.known]
+        taken = {place for slot in free for place in range(slot.start, slot.end)}
+        strange = {place for place, word in enumerate(said) if word not in known and not matcher.is_number(word)}
+        return bool(taken) and strange <= taken
+
     def share_known(self, words: Sequence[str], language: str | None = None) -> float:
         """Share of some words that the grammar has, anywhere; 1 of none."""
         known = self._known(language).words
@@ -244,6 +258,8 @@ class SpokenGrammar:
         rows = []
         for words, seen in views.items():
             unknown = sum(isinstance(word, FreeWord) for word in words)
+            if unknown and self.takes_as_heard(words, language):
+                unknown = 0
             meaning = self.parse(" ".join(words), language)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
             rank -= self.unusual(meaning, language)

@@ -32,6 +32,18 @@ def test_a_word_that_nobody_knows_must_be_heard_clearly(whisper, spoken, words, 
     assert tuple(word for word in found if isinstance(word, FreeWord) and found[word] < 0) == unclear
 
 
+def test_a_name_must_be_clear_as_it_is_written(whisper, spoken, monkeypatch):
+    """ "Call anna" is what nobody would write, however clearly it was said."""
+
+    def word_scores(_encoded, text, _language=None):
+        return [(word, -0.1 if word in ("call", "Anna") else -5.0) for word in text.split()]
+
+    monkeypatch.setattr(whisper, "word_scores", word_scores)
+    monkeypatch.setattr(whisper, "_ahead", lambda *_, **_more: 99.0)
+    assert unclear_words(whisper, whisper.encode(spoken), ("call", FreeWord("anna")), "en") == ()
+    assert unclear_words(whisper, whisper.encode(spoken), ("call", FreeWord("flurb")), "en") == ("flurb",)
+
+
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     encoded = whisper.encode(spoken)
     words = ["turn", "left", "fifteen", "degrees"]

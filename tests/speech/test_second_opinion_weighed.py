@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from two_models import FORWARD, LEFT, LIKELY, SOUND, Knows, Thinks, heard, two
 
+from intent_engine.engine import IntentEngine
 from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.second_opinion import SURE_TOGETHER
+from intent_engine.speech.second_opinion import AGREED, SURE_TOGETHER
 
 SENTENCES = [FORWARD, LEFT, "go back", "stop", "turn left fifteen degrees"]
 TEXTS = st.sampled_from([*SENTENCES, "the weather is nice", "don't turn left"])
@@ -128,6 +129,27 @@ def test_a_word_that_no_list_has_must_have_been_heard_by_both(engine, freely):
     found = both_think(engine, first, second)
     assert found.text == flurb
     assert found.unclear == (() if freely == flurb else ("flurb",))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "clear", "agreed"),
+    [
+        ("call jessica", "call jessica", {}, True),
+        ("call jessica", "call jessika", {}, False),
+        ("take the flurb", "take the flurb", {}, False),
+        ("call number sixteen", "call number sixteen", {"sixteen": -9.0}, True),
+    ],
+)
+def test_a_slot_without_a_list_takes_what_both_heard_word_by_word(tmp_path, first, second, clear, agreed):
+    """However unlikely each finds it."""
+    (tmp_path / "people.yaml").write_text(
+        "language: en\nslots: {name: {type: text, max_words: 2}, thing: {type: text, known: [cup]}}\n"
+        "intents: {call: {action: {type: custom, name: call}, sentences: ['call {name}', 'take {thing}']}}\n"
+    )
+    engine = IntentEngine.from_files(tmp_path / "people.yaml")
+    found = both_think(engine, *(Thinks(heard(text, 0.1), {text: -9.0}, clear) for text in (first, second)))
+    assert (found.text, found.sureness >= AGREED) == (first, agreed)
+    assert found.unclear == (("sixteen",) if clear else ())
 
 
 def test_what_both_heard_to_the_end_is_not_left_out(engine):

@@ -199,3 +199,46 @@ def test_the_words_of_a_slot_that_no_list_has_there(engine, text, unlisted):
 )
 def test_how_many_of_the_words_heard_the_grammar_has(grammar, words, share):
     assert grammar.share_known(words.split()) == pytest.approx(share)
+
+
+PEOPLE = """
+language: en
+fillers: [please]
+slots:
+  name: {type: text, max_words: 2}
+  thing: {type: text, known: [cup, ball]}
+intents:
+  call: {action: {type: custom, name: call}, sentences: ["call {name}", "bring {thing} to {name}", "take {thing}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def people(tmp_path_factory) -> SpokenGrammar:
+    path = tmp_path_factory.mktemp("people") / "people.yaml"
+    path.write_text(PEOPLE)
+    return SpokenGrammar(IntentEngine.from_files(path))
+
+
+@pytest.mark.parametrize(
+    ("text", "taken"),
+    [
+        ("call jessica", True),
+        ("please call uncle bob", True),
+        ("bring the cup to jessica", True),
+        ("bring the flurb to jessica", False),
+        ("take the flurb", False),
+        ("take the cup", False),
+        ("greet jessica", False),
+        ("", False),
+    ],
+)
+def test_a_slot_without_a_list_takes_words_as_they_are_heard(people, text, taken):
+    """In one that has a list a word that it does not have may be a misheard one that it has."""
+    assert people.takes_as_heard(text.split()) is taken
+
+
+def test_a_word_that_a_slot_without_a_list_takes_is_no_less_likely(people):
+    view = View(-3.0, -3.0, 0.0)
+    jessica, flurb = ("call", FreeWord("jessica")), ("take", "the", FreeWord("flurb"))
+    found = {one.words: one.evidence.unknown for one in people.ranked({jessica: (view,), flurb: (view,)})}
+    assert found == {jessica: 0, flurb: 1}
