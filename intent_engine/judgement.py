@@ -90,8 +90,10 @@ class Judge:
                 waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
                 shorter = self.continuing and can_be_amended(meaning)
                 return meaning, waits[1 - shorter + _hardly_heard(transcript)]
-            over = prefix.status is PrefixStatus.COMPLETE or (self.continuing and can_be_amended(meaning))
-            return meaning, Outlook.COMPLETE if over else Outlook.SETTLED
+            # "Take up", before a "picture", is like "take off", which nothing can follow.
+            over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
+            amended = self.continuing and can_be_amended(meaning)
+            return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
     def wait(self, transcript: Transcript, meaning: Interpretation | None) -> float | None:

@@ -22,7 +22,8 @@ class Outlook(StrEnum):
     COMPLETE = "complete"
     """A command that nothing can change."""
     SETTLED = "settled"
-    """A command of which further words could change the manner only, as "slowly" would."""
+    """A command of which further words could change the manner only, as "slowly" would; or that nothing can change, but
+    which was only like what was heard."""
     AMENDABLE = "amendable"
     """A motion that further words could change, also while it is done."""
     EXTENDABLE = "extendable"
