@@ -12,8 +12,9 @@ from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.patterns import pattern_problems
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, references
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, references
 from intent_engine.language.utterance import PhraseSet
+from intent_engine.language.vocabulary import words_in
 
 __all__ = ["check_meaning"]
 
@@ -266,22 +267,11 @@ def _denials(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
     negation = {words[0] for words in grammar.operators.negation if len(words) == 1}
     for written in draft.written:
         if written.kind == "sentence" and grammar.intents[written.name].action.type != "stop":
-            for word in _words(written.node):
+            for word in words_in(written.node):
                 if word in negation:
                     message = f"this sentence says {word!r}, and yet the robot will act on it"
                     yield written.problem(message, "remove the word: the engine knows what it means")
                     break
-
-
-def _words(node: Node) -> Iterator[str]:
-    match node:
-        case Word(text):
-            yield text
-        case Optional(item):
-            yield from _words(item)
-        case Choice(items) | Sequence(items) | AnyOrder(items):
-            for item in items:
-                yield from _words(item)
 
 
 def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:

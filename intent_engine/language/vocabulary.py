@@ -7,23 +7,24 @@ from collections.abc import Iterator
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
-__all__ = ["vocabulary"]
+__all__ = ["vocabulary", "words_in"]
 
 
 def vocabulary(grammar: Grammar) -> frozenset[str]:
     """Every word that stands in the sentences, phrases and lists of a grammar."""
-
-    def words(node: Node) -> Iterator[str]:
-        match node:
-            case Word(text):
-                yield text
-            case Optional(item):
-                yield from words(item)
-            case Choice(items) | Sequence(items) | AnyOrder(items):
-                for item in items:
-                    yield from words(item)
-
     trees = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
     trees += grammar.phrases.values()
     trees += [node for slot in grammar.slots.values() for _, node in slot.values]
-    return frozenset(word for tree in trees for word in words(tree))
+    return frozenset(word for tree in trees for word in words_in(tree))
+
+
+def words_in(node: Node) -> Iterator[str]:
+    """The words of a template, without those of what it refers to."""
+    match node:
+        case Word(text):
+            yield text
+        case Optional(item):
+            yield from words_in(item)
+        case Choice(items) | Sequence(items) | AnyOrder(items):
+            for item in items:
+                yield from words_in(item)

@@ -9,9 +9,8 @@ from intent_engine.language.as_written import as_written
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import vocabulary as grammar_words
+from intent_engine.language.vocabulary import vocabulary, words_in
 
 __all__ = ["known_in_slots", "known_words", "said_in_slots", "words_as_written"]
 
@@ -19,9 +18,9 @@ __all__ = ["known_in_slots", "known_words", "said_in_slots", "words_as_written"]
 def known_words(matcher: Matcher) -> frozenset[str]:
     """Every word that a list of the grammar has: those of sentences, values, quantities, places and free slots."""
     grammar = matcher.grammar
-    found = set(NUMBER_WORDS) | set(grammar_words(grammar)) | ARTICLES
+    found = set(NUMBER_WORDS) | vocabulary(grammar) | ARTICLES
     for node in spoken_trees(grammar.language).values():
-        found.update(_words(node))
+        found.update(words_in(node))
     for slot in grammar.slots.values():
         found |= slot.known
     found.update(word for words in (*grammar.fillers, *grammar.wake, *grammar.operators.sequence) for word in words)
@@ -58,14 +57,3 @@ def said_in_slots(slots: Mapping[str, Any]) -> Iterator[str]:
         elif isinstance(value, list):
             for step in value:  # of a compound: the name of its intent was not said
                 yield from said_in_slots(step.get("slots", step)) if isinstance(step, Mapping) else ()
-
-
-def _words(node: Node) -> list[str]:
-    match node:
-        case Word(text):
-            return [text]
-        case Sequence(items) | Choice(items) | AnyOrder(items):
-            return [word for item in items for word in _words(item)]
-        case Optional(item):
-            return _words(item)
-    return []
