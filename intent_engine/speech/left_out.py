@@ -23,6 +23,8 @@ BEYOND = 0.75
 """The share of the letters of such words by which the rest is nearer to the other. By words that nobody heard none of
 333 commands is lost that were right in doubt, and one wrong one is not done; by words left out one of 516, and two of
 29 wrong ones."""
+ENDINGS = ("s", "es", "ed", "ing")
+"""Of the forms in which the first word of a command is told by somebody of something."""
 BEGIN_LETTERS = 2
 """Letters by which what stands before a command differs from what was heard there, from which it began otherwise."""
 
@@ -88,11 +90,24 @@ def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequen
     first = next((word for word in words[lead:] if word not in ARTICLES), None)
     if first is None:
         return ()
-    begun = {(tuple(one[: list(one).index(first)]), nothing) for one, nothing in heard if first in one}
+    heard = list(heard)
+    forms = (first, *(first + ending for ending in ENDINGS))
+    return _begin_before(forms[:1], words[:lead], heard) or _begin_before(forms, words[:lead], heard)
+
+
+def _begin_before(
+    forms: Sequence[str], begins: Sequence[str], heard: Iterable[tuple[Sequence[str], int]]
+) -> Sequence[str]:
+    """The words that all models which heard a word in one of its forms heard before it, if these are not those with
+    which the sentence begins."""
+    places = (
+        (one, nothing, next((list(one).index(form) for form in forms if form in one), None)) for one, nothing in heard
+    )
+    begun = {(tuple(one[:place]), nothing) for one, nothing, place in places if place is not None}
     if len({_letters(begin) for begin, _ in begun}) != 1:
         return ()
     begin, nothing = min(begun)
-    apart = min(_apart(begin, words[:lead]), _apart(begin[nothing:], ()))
+    apart = min(_apart(begin, begins), _apart(begin[nothing:], ()))
     return begin if apart >= BEGIN_LETTERS else ()
 
 

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from rapidfuzz.distance import Levenshtein
 
-__all__ = ["NARRATING", "SUBJECTS", "leaves_out"]
+__all__ = ["NARRATING", "SUBJECTS", "leaves_out", "told"]
 
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
@@ -26,6 +26,12 @@ SUBJECTS: Mapping[str, str] = {
 }
 """Words with which a statement begins, each with the person that it stands for: "I'd like" may be heard as "I like". A
 command may have them elsewhere ("can you put it down"). "It's" is none of them: "spin" is heard so in noise."""
+TELLING = frozenset(
+    {"is", "isnt", "are", "arent", "am", "was", "wasnt", "has", "hasnt", "does", "doesnt", "goes", "went"}
+)
+"""Words that tell or ask something, wherever they stand."""
+OTHERS = frozenset(("he", "she", "they"))
+"""Subjects that no command begins with, whoever is meant."""
 MISHEARD = 0.4
 """Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 
@@ -43,6 +49,33 @@ def leaves_out(words: Sequence[str], story: Iterable[str], heard: Collection[str
     return any(
         word not in words and SUBJECTS.get(word) not in persons and not _stands_for(word, misheard) for word in story
     )
+
+
+def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) -> Sequence[str]:
+    """The first words that all models heard alike, up to one with which something is told or asked, where a sentence
+    has no place for that: "she" of "she goes back", "all of us went". In noise one model alone hears anything, and two
+    the same only if it was said: of 1,296 commands of synthetic voices that were done in doubt, clean and at 10 dB, one
+    is lost by it.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+        lead: how many of them say nothing ("please", "can you").
+
+    Returns:
+        The words; empty: nothing is told.
+    """
+    first = next(iter(heard), ())
+    persons = {SUBJECTS[word] for word in words if word in SUBJECTS}
+    known = {word for one in heard for word in one}
+    misheard = [word for word in words if word not in known]
+    for place, word in enumerate(first):
+        if any(one[place : place + 1] != first[place : place + 1] for one in heard):
+            break
+        tells = word in TELLING or (place == lead and (word in SUBJECTS or word in OTHERS))
+        if tells and word not in words and SUBJECTS.get(word) not in persons and not _stands_for(word, misheard):
+            return first[: place + 1]
+    return ()
 
 
 def _stands_for(heard: str, words: Sequence[str]) -> bool:

@@ -21,7 +21,7 @@ from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.left_out import begin_left_out, end_left_out
-from intent_engine.speech.narration import NARRATING, leaves_out
+from intent_engine.speech.narration import NARRATING, leaves_out, told
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.usual import UsualNumbers
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots, words_as_written
@@ -194,6 +194,8 @@ class SpokenGrammar:
             return ()
         led = [(one, self.lead(one, language)) for one in heard]
         begin = begin_left_out(words, self.lead(words, language), led)
+        if not begin and language in (None, "en"):
+            begin = told(words, heard, min((lead for _, lead in led), default=0))
         end = end_left_out(words, heard)
         return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
 

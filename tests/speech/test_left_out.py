@@ -98,12 +98,30 @@ def begins(engine):
         ("could you go back", ["would you go back"] * 2, ""),
         ("please go back", ["pleas go back"] * 2, ""),
         ("quarter turn left", ["the quarter turn left"] * 2, ""),
+        ("pick up the cup", ["mary picks up the cup"] * 2, "mary"),
+        ("pick up the cup", ["picks up the cup"] * 2, ""),
+        ("would you follow me", ["who says follow me", "would he follows me"], "who says"),
+        ("go back one meter", ["she goes back on meter"] * 2, "she"),
         ("go back", [], ""),
     ],
 )
 def test_first_words_that_were_heard_and_left_out(begins, sentence, heard, left_out):
     """What is told or asked is no command, though all words of one are in it."""
     assert begins(sentence, *heard) == left_out
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("lets turn around", ["it turns around"] * 2, ("it",)),
+        ("oh let us go to the lounge", ["all of us went to the lounge"] * 2, ("all of us went",)),
+        ("lets turn around", ["it turns around", "lets turn around"], ()),
+        ("lets turn around", [], ()),
+    ],
+)
+def test_what_all_heard_told_before_any_word_of_a_command(engine, sentence, heard, left_out):
+    """The verb was heard in another form, so that nothing in it is the command's own beginning."""
+    assert SpokenGrammar(engine).left_out(sentence.split(), [one.split() for one in heard]) == left_out
 
 
 SPOKEN = st.sampled_from(["go to the kitchen", "turn left", "please put it down", "could you go back one meter"])

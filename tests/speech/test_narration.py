@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from intent_engine.speech.narration import leaves_out
+from intent_engine.speech.narration import SUBJECTS, TELLING, leaves_out, told
 
 
 @pytest.mark.parametrize(
@@ -33,3 +35,35 @@ def test_no_word_is_misheard_as_one_that_was_heard():
     words = ["please", "walk", "in", "the", "front", "room"]
     assert leaves_out(words, ["wont"], heard=["please", "wont", "watch", "in", "the", "front", "room"])
     assert not leaves_out(words, ["wont"], heard=["please", "walk", "in", "the", "wont", "room"])
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "lead", "found"),
+    [
+        ("go back one meter", ["she goes back on meter"] * 2, 0, "she"),
+        ("go back one meter", ["okay she goes back on meter"] * 2, 1, "okay she"),
+        ("you can go forward", ["you are going forward"] * 2, 0, "you are"),
+        ("keep going", ["you are going", "we are going"], 0, ""),
+        ("go to the dock", ["so is the dog"] * 2, 1, "so is"),
+        ("where is linda", ["where is the linda"] * 2, 0, ""),
+        ("pick it up", ["pick it up"] * 2, 0, ""),
+        ("as the crow flies", ["has the crow flies"] * 2, 0, ""),
+        ("go back", [], 0, ""),
+    ],
+)
+def test_what_several_heard_alike_tells_of_somebody(sentence, heard, lead, found):
+    assert " ".join(told(sentence.split(), [one.split() for one in heard], lead)) == found
+
+
+WORDS = st.lists(st.sampled_from([*sorted(TELLING | set(SUBJECTS)), "go", "left", "please", "robot"]), max_size=6)
+
+
+@given(WORDS, st.lists(WORDS, max_size=2), st.integers(0, 2))
+def test_nothing_is_told_by_a_sentence_that_was_heard(words, others, lead):
+    assert not told(words, [words, *others], lead)
+
+
+@given(WORDS, st.lists(WORDS, min_size=1, max_size=3), st.integers(0, 2))
+def test_what_is_told_all_have_heard(words, heard, lead):
+    found = list(told(words, heard, lead))
+    assert all(one[: len(found)] == found for one in heard)
