@@ -152,13 +152,14 @@ def _slots_right(expected: Sequence[Step], found: Sequence[Step]) -> int:
 
 
 def same(one: Any, other: Any) -> bool:
-    """Whether two values say the same: numbers nearly, texts in their plain words, the rest exactly."""
+    """Whether two values say the same: numbers nearly, texts in their plain words, together or apart ("tool box"), the
+    rest exactly."""
     if isinstance(one, bool) or isinstance(other, bool):
         return one is other
     if isinstance(one, (int, float)) and isinstance(other, (int, float)):
         return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-6)
     if isinstance(one, str) and isinstance(other, str):
-        return one == other or plain(one) == plain(other) != []
+        return one == other or "".join(plain(one)) == "".join(plain(other)) != ""
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
     return bool(one == other)

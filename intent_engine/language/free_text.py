@@ -55,9 +55,12 @@ class FreeText:
         return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
 
     @staticmethod
-    def thing(said: Sequence[str]) -> str:
-        """The name without its articles."""
-        said = list(said)
-        while len(said) > 1 and said[0] in ARTICLES:
-            said = said[1:]
-        return " ".join(said)
+    def thing(slot: Slot, said: Sequence[str]) -> str:
+        """The name without its articles, in one word where the slot lists it so: "screw driver"."""
+        words = list(said)
+        while len(words) > 1 and words[0] in ARTICLES:
+            words = words[1:]
+        for place in range(len(words) - 2, -1, -1):
+            if (whole := "".join(words[place : place + 2])) in slot.known:
+                words[place : place + 2] = [whole]
+        return " ".join(words)

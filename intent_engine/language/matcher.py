@@ -336,7 +336,7 @@ class Matcher:
             problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
         if problem:
             return SlotReading(label, slot, start, end, None, 0.0, (), status, problem)
-        return SlotReading(label, slot, start, end, self._free.thing(said))
+        return SlotReading(label, slot, start, end, self._free.thing(slot, said))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value = quantities.evaluate(said, slot.type, self.grammar.language, slot.unit)

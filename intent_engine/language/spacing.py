@@ -63,12 +63,17 @@ class Spacing:
     def _one(self, first: str, second: str) -> bool:
         """Whether two words are one of the grammar."""
         whole = first + second
-        return whole in self._words and self._closed.isdisjoint((first, second, whole))
+        return (whole in self._words or whole in self._things) and self._closed.isdisjoint((first, second, whole))
 
     @cached_property
     def _words(self) -> _Words:
         stops = (word for words in self._grammar.operators.stop for word in words)
         return frozenset(word for word in (*vocabulary(self._grammar), *stops) if word.isalpha())
+
+    @cached_property
+    def _things(self) -> _Words:
+        """The words that free slots list: as likely names, and not as sentences to be parted into."""
+        return frozenset(word for slot in self._grammar.slots.values() for word in slot.known if word.isalpha())
 
     @cached_property
     def _longest(self) -> int:

@@ -103,6 +103,8 @@ def test_slots_are_counted_one_by_one():
         ("Living Room", "living room", True),
         ("bay 3", "bay three", True),
         ("kitchen", "chicken", False),
+        ("yellow tool box", "yellow toolbox", True),
+        ("tool box", "box", False),
         ("", "", True),
         ("?", "!", False),
         (None, None, True),

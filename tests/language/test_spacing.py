@@ -77,6 +77,23 @@ def test_what_is_another_word_or_parted_by_a_pause_is_none(drone, text):
     assert drone.parse(text).actions == ()
 
 
+@pytest.mark.parametrize(
+    ("said", "thing"),
+    [
+        ("pick up the screw driver", "screwdriver"),
+        ("bring me the red note book", "red notebook"),
+        ("pick up the tool box", "tool box"),
+        ("pick up the toolbox", "toolbox"),
+        ("pick up the tooth brush", "toothbrush"),
+    ],
+)
+def test_a_thing_is_written_as_its_list_has_it(said, thing):
+    """A program that looks for its screwdriver finds it; what no list has stays as it was said."""
+    assert thing in shipped().parse(said).slots.values()
+    words = Utterance.of(said)
+    assert (Spacing(shipped().grammar).otherwise(words) or words).words[-1] == thing.split()[-1]
+
+
 def test_free_words_stay_as_they_were_said(drone):
     assert drone.parse("note way point takeoff").slots == {"note": "way point takeoff"}
 
