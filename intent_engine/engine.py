@@ -17,6 +17,7 @@ from intent_engine.language.grammar_file import load_grammars
 from intent_engine.language.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
+from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import resolve
 from intent_engine.language.utterance import Utterance
@@ -230,6 +231,10 @@ class IntentEngine:
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
+    def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
+        """What is dictated in a text, with the words before it; None: nothing is."""
+        return self._interpreter(language).dictated(text)
+
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
         matcher = self.matcher(language)
@@ -242,6 +247,8 @@ class IntentEngine:
                 count, reached = matcher.prefix(words)
         except ConfigError:  # see parse
             count, reached = 0, None
+        if reached is None and self.dictated(text, language=language) is not None:
+            return Prefix(PrefixStatus.EXTENDABLE, (), len(words))
         if reached is None:
             return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
         status = _status(matcher, reached)

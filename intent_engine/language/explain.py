@@ -14,6 +14,7 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.language.explanation import Candidate, Explanation, Noticed, Step, Word
 from intent_engine.language.meaning import MAX_CHARACTERS, Clause, Interpreter
 from intent_engine.language.meaning.command import forbidden
+from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.meaning.steps import Kind
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.reading import Reading
@@ -164,7 +165,7 @@ def _words_of(part: Utterance | list[str]) -> str:
 def _subject(kind: Kind, given: tuple[Any, ...]) -> str:
     """What a step was tried on."""
     match kind:
-        case Kind.REFUSAL:
+        case Kind.REFUSAL | Kind.DICTATION:
             return str(given[0])
         case Kind.OTHERWISE:
             return _words_of(given[1])
@@ -191,6 +192,10 @@ def _stop(answer: bool) -> str:
 
 def _wake(answer: Utterance | None) -> str:
     return "not said" if answer is None else f"said; then {_words_of(answer)!r}"
+
+
+def _dictation(answer: Dictated | None) -> str | None:
+    return None if answer is None else f"dictated: {answer.text!r}"
 
 
 def _numbers(answer: bool) -> str | None:
@@ -227,6 +232,7 @@ def _otherwise(answer: tuple[Interpretation, Any]) -> str:
 OUTCOMES: Mapping[Kind, Callable[[Any], str | None]] = {
     Kind.STOP: _stop,
     Kind.WAKE: _wake,
+    Kind.DICTATION: _dictation,
     Kind.NUMBERS: _numbers,
     Kind.SENTENCE: _clause("no sentence has these words"),
     Kind.COMMAND: _clause("no command"),

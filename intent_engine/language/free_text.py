@@ -32,6 +32,7 @@ class FreeText:
             *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
         )  # fmt: skip
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
+        self._fillers = PhraseSet(grammar.fillers)
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
@@ -51,13 +52,24 @@ class FreeText:
 
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""
+        if slot.dictation and self._says_nothing(said):
+            return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
 
+    def _says_nothing(self, said: Sequence[str]) -> bool:
+        place = 0
+        while place < len(said) and (length := self._fillers.at(said, place)):
+            place += length
+        return place == len(said)
+
     @staticmethod
     def thing(slot: Slot, said: Sequence[str]) -> str:
-        """The name without its articles, in one word where the slot lists it so: "screw driver"."""
+        """The name without its articles, in one word where the slot lists it so: "screw driver". What is dictated is no
+        name."""
         words = list(said)
+        if slot.dictation:
+            return " ".join(words)
         while len(words) > 1 and words[0] in ARTICLES:
             words = words[1:]
         for place in range(len(words) - 2, -1, -1):

@@ -87,6 +87,8 @@ class Slot:
     """Choice: value and the template that spells it."""
     max_words: int = 4
     """Text: at most so many words."""
+    dictation: bool = False
+    """Text: whether it is dictated. It ends its sentence, and holds all that is said from there on, as it was said."""
     allow: frozenset[str] = frozenset()
     """Text: words that it may hold though they are operators ("and")."""
     without: frozenset[str] = frozenset()

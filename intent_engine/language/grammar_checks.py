@@ -42,6 +42,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
     if not circles:  # what follows walks through phrases
         shapes = Shapes(grammar)
         problems += _silent(draft, shapes)
+        problems += _dictations(grammar, draft)
         if not unknown:  # else a value may name its own slot
             problems += _too_wide(grammar, places, shapes)
         sound = not unknown and not draft.blind
@@ -188,6 +189,20 @@ def _silent(draft: Draft, shapes: Shapes) -> Iterator[Problem]:
         if written.kind == "slot" and shapes.empty(written.node):
             message = f"a value of slot {written.name!r} can be said without a word"
             yield written.problem(message, "make one word of it necessary")
+
+
+def _dictations(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """What is dictated goes on to the end of what is said."""
+    for written in draft.written:
+        for reference in references(written.node):
+            slot = grammar.slots.get(reference.name)
+            if slot is None or not slot.dictation:
+                continue
+            node = written.node
+            parts = node.items if isinstance(node, Sequence) else (node,)
+            if written.kind != "sentence" or parts[-1] is not reference:
+                message = f"what is dictated goes on to the end, so {{{reference.label}}} must end a sentence"
+                yield written.problem(message, "write it last, and outside of brackets and phrases", reference.column)
 
 
 # -- sentences ------------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ _KEYS: Mapping[str, tuple[str, ...]] = {
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
-    "text": ("max_words", "allow", "without", "known"),
+    "text": ("max_words", "dictation", "allow", "without", "known"),
     "object": ("max_words", "allow", "without", "known"),
 }
 """What each type of slot takes besides its type."""
@@ -34,6 +34,8 @@ _UNITS: Mapping[str, str] = {
     "angular_speed": "rad/s, deg/s",
     "percent": "percent",
 }
+USUAL_WORDS, MOST_WORDS = 4, 12
+"""Words of a text, where its slot says no number; and of one that is dictated, in a sentence of several commands."""
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
@@ -186,7 +188,8 @@ class PartReader:
             maximum=high,
             usual_step=step,
             values=values,
-            max_words=spec.get("max_words", 4),
+            max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
+            dictation=spec.get("dictation", False),
             allow=frozenset(word for text in spec.get("allow", ()) for word in plain_phrase(text)),
             without=frozenset(word for text in spec.get("without", ()) for word in plain_phrase(text)),
             known=frozenset(word for text in spec.get("known", ()) for word in plain_phrase(text)),

@@ -319,7 +319,7 @@ class Sampler:
             if _words(text) <= slot.max_words:
                 yield Spoken(text, text)
             if self.grammar.language == "en" and _words(text) < slot.max_words:
-                yield Spoken(f"the {text}", text)
+                yield Spoken(f"the {text}", f"the {text}" if slot.dictation else text)
 
     @cached_property
     def _words(self) -> frozenset[str]:

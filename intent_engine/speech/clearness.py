@@ -68,7 +68,8 @@ class Clearness(Scoring):
             language: of the speech.
             heard: whether the model heard just these.
         """
-        found = self._known_clearly(encoded, words, language, heard=heard)
+        dictated = self.grammar.dictated(" ".join(words), language)
+        found = {} if dictated else self._known_clearly(encoded, words, language, heard=heard)
         ahead = self._ahead(encoded, words, language, heard=heard) - NOT_SAID
         if math.isfinite(ahead):
             begin = " ".join(words[: self.grammar.lead(words, language) or 1])

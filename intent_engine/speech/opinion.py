@@ -44,6 +44,8 @@ class Opinion:
     """Of the grammar, that it may have been."""
     settled: bool = False
     """Whether the model has nothing more to find."""
+    dictated: tuple[str, ...] = ()
+    """The words before a dictated text, if one was heard."""
 
     @property
     def heard(self) -> list[str]:
@@ -54,6 +56,10 @@ class Opinion:
         """What the model thinks of sentences, its own or others'."""
         scores = self.model.score_words(self.encoded, sentences, self.transcript.language)
         return list(self.viewed(dict(zip(sentences, scores, strict=True))).values())
+
+    def likelihoods(self, texts: Sequence[str]) -> list[float]:
+        """Log probability of texts, as they are written, given the sound."""
+        return self.model.score(self.encoded, texts, self.transcript.language)
 
     def viewed(self, scores: Mapping[tuple[str, ...], float]) -> dict[tuple[str, ...], View]:
         """What the model thinks of sentences of which it has said how likely they are. One that it heard word by word

@@ -28,6 +28,7 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
+from intent_engine.speech.dictating import dictated_to_both, read_as_dictated
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
@@ -169,7 +170,7 @@ class SecondOpinion:
         asked = self._ask(samples) if again else None
         self._asked = None
         heard = self._first.listen(samples)
-        if heard.settled and not heard.transcript.unclear:
+        if heard.settled and not (heard.transcript.unclear or heard.dictated):
             return _Look(samples, heard, None, heard.transcript, False)
         clearly = heard.transcript.score > CLEAR_TALK
         language = heard.transcript.language
@@ -225,6 +226,10 @@ class SecondOpinion:
         for one in (first, second):
             if self._meaning(one.transcript).refuses:
                 return one.transcript, 0.0
+        if (dictated := dictated_to_both(first, second, AGREED)) is not None:
+            words = tuple(self._grammar.words(dictated.text, heard.language))
+            clear = self._each(lambda one: one.clearness(words), (first, second))
+            return replace(dictated, unclear=_unclear(*clear)), 0.0
         if (agreed := self._agreed(first, second)) is not None:
             return agreed, 0.0
         readings = self.joint(first, second, far=far)
@@ -238,6 +243,7 @@ class SecondOpinion:
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
         both = as_read(heard, readings, unclear=unclear, left_out=left_out)
+        both = read_as_dictated(both, best.words, (first, second))
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf

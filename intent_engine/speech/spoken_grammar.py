@@ -89,6 +89,11 @@ class SpokenGrammar:
         """What a text means."""
         return self._engine.parse(text, language=self._own(language))
 
+    def dictated(self, text: str, language: str | None = None) -> tuple[str, ...]:
+        """The words before a dictated text; none where nothing is dictated."""
+        found = self._engine.dictated(text, language=self._own(language))
+        return found.begin if found is not None else ()
+
     def words(self, text: str, language: str | None = None) -> list[str]:
         """The words of a text, together or apart as the grammar writes them, numbers as words."""
         said = Utterance.of(text, language or "en")
@@ -245,6 +250,8 @@ class SpokenGrammar:
 
     def unlisted(self, meaning: Interpretation, language: str | None = None) -> list[str]:
         """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
+        if self.dictated(meaning.text, language):
+            return []
         known = self._known(language).in_slots
         return [word for word in said_in_slots(meaning.slots) if word not in known]
 
@@ -265,11 +272,11 @@ class SpokenGrammar:
             meaning = self.parse(" ".join(words), language)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
             rank -= self.unusual(meaning, language)
-            rows.append((rank, words, seen, unknown, meaning.actions))
+            rows.append((rank, words, seen, unknown, meaning.actions, self._asked(meaning, language)))
         rows.sort(key=lambda row: (-row[0], row[1]))
         readings = []
-        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
-            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
+        for place, (rank, words, seen, unknown, actions, asked) in enumerate(rows):
+            other = next((row[0] for row in rows[place + 1 :] if row[-1] != asked), -math.inf)
             telling = 1 + self._telling(words, language)
             gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
             evidence = Evidence(
@@ -284,6 +291,10 @@ class SpokenGrammar:
             )
             readings.append(Reading(words, evidence, actions))
         return readings
+
+    def _asked(self, meaning: Interpretation, language: str | None) -> object:
+        """What is asked for; with dictated texts, whatever they are, the same."""
+        return self.dictated(meaning.text, language) or meaning.actions
 
     def _own(self, language: str | None) -> str | None:
         return language if language in self._engine.languages else None

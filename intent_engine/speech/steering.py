@@ -129,6 +129,11 @@ class Steering(Clearness):
         words = self.grammar.words(free, language)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE
         in_time = not (too_many(words, samples) or too_few(words, samples))
+        dictated = self.grammar.dictated(free, language) if exact and in_time and not meaning.stops else ()
+        if dictated:
+            hardly = self._unclear_before(encoded, free, dictated, language)
+            written_down = replace(heard, gap=0.0, unclear=hardly, confidence=1.0)
+            return Opinion(self, samples, encoded, written_down, (tuple(words),), settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
         if exact and (meaning.stops or (in_time and self.grammar.plain(words, meaning, language))):
             close = self._close(encoded, words, language)
@@ -136,6 +141,19 @@ class Steering(Clearness):
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
             return Opinion(self, samples, encoded, sure, (tuple(words), *close), settled=True)
         return Opinion(self, samples, encoded, heard)
+
+    def _unclear_before(
+        self, encoded: Encoded, free: str, dictated: Sequence[str], language: str | None
+    ) -> tuple[str, ...]:
+        """The words before a dictated text that were not heard clearly, or may have been a "don't"."""
+        words = self.grammar.words(free, language)
+        hardly = [
+            word
+            for said, score in self.word_scores(encoded, free, language)[: len(dictated) + self.grammar.lead(words)]
+            for word in self.grammar.words(said, language)
+            if word in dictated and score < math.log(CLEAR)
+        ]
+        return (*hardly, *_below(self.clearness(encoded, words, language, heard=True)))
 
     def compare(self, heard: Opinion) -> Opinion:
         """What was heard, taken for one of the sentences of the grammar that are like the words. Settled where it

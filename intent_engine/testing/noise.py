@@ -60,13 +60,18 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
         filler = usable[choices.below(len(usable))]
         opens = any((word,) in operators.sequence for word in filler)  # "right then": elsewhere it joins two commands
-        place = 0 if opens else choices.below(len(said) + 1)
+        place = 0 if opens else choices.below(len(said) + (0 if _dictated(said) else 1))
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
         longer = [*said[:place], Piece(" ".join(filler)), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
     return said
+
+
+def _dictated(pieces: Sequence[Piece]) -> bool:
+    """Whether the last of the pieces is a dictated text: all that is said in it and after it belongs to it."""
+    return bool(pieces) and pieces[-1].slot is not None and pieces[-1].slot.dictation
 
 
 def _words(pieces: Sequence[Piece]) -> list[str]:
@@ -100,7 +105,7 @@ def negated(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list
     text = " ".join(words)
     for plain, short in CONTRACTED.items():
         text = text.replace(" ".join(plain), short)
-    place = 0 if choices.below(2) == 0 else choices.below(len(pieces))
+    place = 0 if choices.below(2) == 0 or _dictated(pieces) else choices.below(len(pieces))
     return [*pieces[:place], Piece(text), *pieces[place:]]
 
 
@@ -113,7 +118,7 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
     operators = grammar.operators
     # "izquierda, no, derecha": in Spanish that may as well negate.
     clear = [words for words in operators.correction if not all((word,) in operators.negation for word in words)]
-    if not clear or _holds_operator(first, grammar):
+    if not clear or _holds_operator(first, grammar) or _dictated(first.pieces):
         return None
     again = Piece(" ".join(clear[choices.below(len(clear))]))
     last = first.pieces[-1]
@@ -193,6 +198,9 @@ def spelled(pieces: Sequence[Piece], choices: Choices, *, whole: bool = True) ->
         whole: whether the pieces are one plain command, so that a pause among them means nothing.
     """
     texts = [_written(piece, choices).text for piece in pieces]
+    if _dictated(pieces):  # kept as it is written
+        begin = " ".join(texts[:-1])
+        return (begin, begin.title(), f"{begin},")[choices.below(3)] + f" {texts[-1]}" + ("", ".")[choices.below(2)]
     if whole and len(texts) > 1 and choices.below(4) == 3:
         place = choices.below(len(texts) - 1)
         texts[place] += ","

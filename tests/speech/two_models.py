@@ -31,6 +31,9 @@ class Thinks:
     settled: bool = False
     others: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """What else may have been said in place of a sentence."""
+    dictated: tuple[str, ...] = ()
+    finds: dict[str, float] = field(default_factory=dict)
+    """How likely texts are, as they are written."""
 
     @property
     def sentences(self) -> tuple[tuple[str, ...], ...]:
@@ -45,6 +48,9 @@ class Thinks:
             View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, letters_apart(words, self.heard))
             for words in sentences
         ]
+
+    def likelihoods(self, texts):
+        return [self.finds.get(text, UNLIKELY) for text in texts]
 
     def beside(self, words, *, far=False):
         return tuple(tuple(text.split()) for text in self.others.get(" ".join(words), ()))

@@ -7,6 +7,7 @@ Each rule has its module, and knows only those above it:
 
 - ``phrases``: fillers, wake words and operators, found in words;
 - ``command``: one command, exactly said or with misheard names;
+- ``dictation``: "write down ...", and then anything;
 - ``correction``: "turn left no right";
 - ``compound``: "go forward and turn left";
 - ``run_on``: "go forward turn left";

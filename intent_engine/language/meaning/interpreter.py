@@ -12,6 +12,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.command import Clause, Commands, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
@@ -54,12 +55,17 @@ class Interpreter:
             return rule if watch is None else watched(rule, watch)
 
         phrases = self.phrases
+        self._dictation = made(Dictation(phrases, commands))
         self._commands = made(commands)
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
+
+    def dictated(self, text: str) -> Dictated | None:
+        """The command in which a text is dictated, whatever the robot does; None: nothing is."""
+        return self._dictation.taken(text) if self._dictation else None
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -95,6 +101,9 @@ class Interpreter:
         words, phrases = said.words, self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
             return self._stopped(text)
+        if self._dictation and (dictated := self._dictation.taken(text, state, spoken)) is not None:
+            core = phrases.without_fillers(said)
+            return self._stopped(text) if self._stops_beside(said, core, state) else _told(text, dictated.clause)
         if said.unclear:
             return self._unclear(text, said, state)
         if phrases.wake:

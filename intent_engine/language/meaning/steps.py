@@ -21,6 +21,8 @@ class Kind(StrEnum):
     """Utterance -> whether it is a command to stop."""
     WAKE = "wake word"
     """Utterance -> what follows the wake word; None: it was not said."""
+    DICTATION = "dictation"
+    """Text -> the command in which something is dictated; None: nothing is."""
     NUMBERS = "numbers"
     """Utterance -> whether one number was begun twice."""
     SENTENCE = "sentence"

@@ -1,0 +1,128 @@
+"""What is dictated: "write down that", and then anything, as it was said.
+
+The words of other slots are a name, so that "don't", "and then" and "robot" are none of them. A dictated text may hold
+all of these. So only the words before it are understood, and it is kept as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+
+from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.template_tree import references
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import words_in
+
+__all__ = ["Dictated", "Dictation"]
+
+LONGEST = 16
+"""Words before a dictated text, with all that says nothing: "hey robot, could you please write down for me that"."""
+ANYTHING = "\0anything"
+"""Stands for the text, as a word that no grammar has."""
+AROUND = " \t\n,;:-.\u2026"
+"""What is written around the text and not said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dictated:
+    """A command with a text in it."""
+
+    clause: Clause
+    begin: tuple[str, ...]
+    """The words before the text, without such as say nothing."""
+    text: str
+    """As it was written."""
+
+
+class Dictation:
+    """Finds what is dictated in texts of one grammar. Thread-safe."""
+
+    def __init__(self, phrases: Phrases, commands: Commands) -> None:
+        self._phrases = phrases
+        self._commands = commands
+        self._language = commands.matcher.grammar.language
+        self._openings = _openings(commands.matcher.grammar)
+
+    def __bool__(self) -> bool:
+        return bool(self._openings)
+
+    @step(Kind.DICTATION)
+    def taken(self, text: str, state: Collection[str] = (), spoken: bool = False) -> Dictated | None:
+        """The command that a text is, with what is dictated in it; None: nothing is.
+
+        Args:
+            text: what was said or typed.
+            state: of the robot.
+            spoken: whether a wake word is needed, if the grammar has one.
+        """
+        written = text.split()
+        for count in range(min(len(written) - 1, LONGEST), 0, -1):
+            rest = " ".join(written[count:]).strip(AROUND)
+            if self._says_nothing(rest):
+                continue
+            for begin in self._begins(" ".join(written[:count]), spoken):
+                clause = self._commands.exact([*begin.words, ANYTHING], state)
+                if clause is not None and (slot := _dictated(clause.reading)) is not None:
+                    return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
+        return None
+
+    def _says_nothing(self, text: str) -> bool:
+        """Whether there is nothing in it to dictate: "write down, please"."""
+        return not self._phrases.without_fillers(Utterance.of(text, self._language)).words
+
+    def _begins(self, text: str, spoken: bool) -> Iterator[Utterance]:
+        """A beginning of a text, without the wake word, as it is and without what says nothing."""
+        said = Utterance.of(text, self._language)
+        if self._openings.isdisjoint(said.words):
+            return
+        if self._phrases.wake:
+            woken = self._phrases.awake(said)
+            if woken is None and spoken:
+                return
+            said = woken or said
+        yield said
+        without = self._phrases.without_fillers(said)
+        if without is not said:
+            yield without
+
+    def _with(self, clause: Clause, slot: SlotReading, text: str) -> Clause:
+        """The command with a text in its slot."""
+        assert clause.reading is not None
+        words = Utterance.of(text, self._language).words
+        slots = (*clause.reading.slots[:-1], replace(slot, end=slot.start + len(words), value=text))
+        reading = replace(
+            clause.reading, slots=slots, words=(*clause.reading.words[:-1], *words), free_words=len(words)
+        )
+        if not clause.accepted:
+            return replace(clause, reading=reading)
+        try:
+            action = build_action(reading.intent, reading.values(), self._commands.matcher.locations)
+        except CannotActError as error:
+            return Clause(reading, reason=str(error))
+        return replace(clause, reading=reading, action=action)
+
+
+def _dictated(reading: Reading | None) -> SlotReading | None:
+    """The slot that a text is to be put in."""
+    slot = reading.slots[-1] if reading is not None and reading.slots else None
+    return slot if slot is not None and slot.slot.dictation and slot.value == ANYTHING else None
+
+
+def _openings(grammar: Grammar) -> frozenset[str]:
+    """The words of sentences in which something is dictated; of any other utterance nothing more is asked."""
+    found: set[str] = set()
+    for intent in grammar.intents.values():
+        for sentence in intent.sentences:
+            named = {reference.name for reference in references(sentence.template)}
+            if any(name in grammar.slots and grammar.slots[name].dictation for name in named):
+                found.update(words_in(sentence.template))
+                found.update(
+                    word for name in named & grammar.phrases.keys() for word in words_in(grammar.phrases[name])
+                )
+    return frozenset(found)
