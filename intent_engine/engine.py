@@ -231,6 +231,10 @@ class IntentEngine:
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
+    def dictates(self, language: str | None = None) -> bool:
+        """Whether anything can be dictated."""
+        return self._interpreter(language).dictates
+
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
         """What is dictated in a text, with the words before it; None: nothing is."""
         return self._interpreter(language).dictated(text)

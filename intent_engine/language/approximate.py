@@ -13,7 +13,7 @@ from typing import Any, Protocol, TypeAlias
 
 from intent_engine.language.likeness import sound
 
-__all__ = ["FreeWord", "Graph", "UtteranceSearch"]
+__all__ = ["FREE", "FreeWord", "Graph", "UtteranceSearch"]
 
 MAX_SPAN = 4
 """Words heard that one word of the grammar may stand for."""

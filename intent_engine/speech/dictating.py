@@ -1,22 +1,80 @@
 """A dictated text: "write down that the left wheel needs oil". Nothing in a grammar tells what may be in it.
 
-So only the words before it are asked about. Where two models heard these alike, the text is the one that both together
-find likelier, word for word as one of them wrote it.
+So only the words before it are steered: "right down" is "write down" if that is how it sounded. What comes after them
+is left to each model as it heard it, and taken from the one whose text both together find likelier. Among the sentences
+of a grammar such a command is its beginning with one word for whatever was dictated.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from intent_engine.speech.opinion import Opinion
+from intent_engine.language.approximate import FreeWord
+from intent_engine.language.meaning.dictation import ANYTHING
+from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["dictated_to_both", "read_as_dictated"]
+if TYPE_CHECKING:
+    from intent_engine.speech.opinion import Opinion
+
+__all__ = ["DICTATED", "as_heard", "as_written", "begin_of", "dictated_to_both", "written_as_dictated"]
+
+DICTATED = FreeWord(ANYTHING)
+"""Whatever was dictated, as the last word of a sentence."""
+MORE_HEARD = 2
+"""Words by which more or fewer may have been heard for the words before it: "Tillanna" for "tell Anna"."""
+
+
+def begin_of(words: Sequence[str]) -> tuple[str, ...]:
+    """The words before a dictated text; none where nothing is dictated."""
+    return tuple(words[:-1]) if words and words[-1] == DICTATED else ()
+
+
+def as_heard(words: Sequence[str], heard: Sequence[str]) -> tuple[str, ...]:
+    """A sentence, with the text that was heard in the place of whatever was dictated.
+
+    Args:
+        words: of the sentence.
+        heard: all words that were heard.
+    """
+    begin = begin_of(words)
+    return (*begin, *heard[_length(begin, heard) :]) if begin else tuple(words)
+
+
+def _length(begin: Sequence[str], heard: Sequence[str]) -> int:
+    """How many of the words heard stand for those before a text, which is not empty."""
+    most = min(len(begin) + MORE_HEARD, len(heard) - 1)
+    lengths = range(max(0, min(len(begin) - MORE_HEARD, most)), most + 1)
+    return min(lengths, key=lambda length: letters_apart(begin, heard[:length]), default=0)
+
+
+def as_written(begin: Sequence[str], text: str, words: Callable[[str], Sequence[str]]) -> str:
+    """The words before a text, and the text as a model wrote it.
+
+    Args:
+        begin: those words.
+        text: all that it wrote.
+        words: of which words something written is.
+    """
+    count = _length(begin, words(text))
+    written = text.split()
+    enough = (place for place in range(len(written) - 1) if len(words(" ".join(written[:place]))) >= count)
+    return " ".join((*begin, *written[next(enough, len(written) - 1) :]))
+
+
+def written_as_dictated(transcript: Transcript, words: Sequence[str], opinions: Sequence[Opinion]) -> Transcript:
+    """A transcript of a sentence, with the dictated text in it that all models together find likeliest."""
+    if not (begin := begin_of(words)):
+        return transcript
+    texts = list(dict.fromkeys(one.written(begin) for one in opinions))
+    together = [sum(likely) for likely in zip(*(one.likelihoods(texts) for one in opinions), strict=True)]
+    return replace(transcript, text=texts[together.index(max(together))])
 
 
 def dictated_to_both(first: Opinion, second: Opinion, confidence: float) -> Transcript | None:
-    """What two models heard, where both heard the same before a dictated text; else None.
+    """What two models heard, where both heard the same words before a dictated text; else None.
 
     Args:
         first, second: what each made of the sound.
@@ -24,14 +82,5 @@ def dictated_to_both(first: Opinion, second: Opinion, confidence: float) -> Tran
     """
     if not first.dictated or first.dictated != second.dictated:
         return None
-    texts = [one.transcript.free_text for one in (first, second)]
-    both = [sum(found) for found in zip(*(one.likelihoods(texts) for one in (first, second)), strict=True)]
-    text = texts[both.index(max(both))]
-    return replace(first.transcript, text=text, free_text=text, gap=0.0, confidence=confidence)
-
-
-def read_as_dictated(transcript: Transcript, words: Sequence[str], opinions: Sequence[Opinion]) -> Transcript:
-    """A transcript in the writing of the model that heard just these words, where one heard them and a text in them."""
-    heard = (one for one in opinions if one.dictated and one.heard == list(words))
-    one = next(heard, None)
-    return transcript if one is None else replace(transcript, text=one.transcript.free_text)
+    sure = replace(first.transcript, gap=0.0, alternatives=(), confidence=confidence)
+    return written_as_dictated(sure, (*first.dictated, DICTATED), (first, second))

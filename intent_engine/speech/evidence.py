@@ -95,6 +95,8 @@ class View:
     """The same of the words that were heard freely."""
     apart: float
     """Letters by which the sentence differs from those."""
+    words: int = 0
+    """Of the sentence, where it holds a dictated text; else 0."""
 
     @property
     def value(self) -> float:

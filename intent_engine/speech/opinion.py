@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from intent_engine.actions import Action
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.dictating import DICTATED, as_heard, as_written, begin_of
 from intent_engine.speech.evidence import Evidence, View, letters_apart
 from intent_engine.speech.recognizer import Encoded, Transcript
 
@@ -54,8 +55,19 @@ class Opinion:
 
     def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
         """What the model thinks of sentences, its own or others'."""
-        scores = self.model.score_words(self.encoded, sentences, self.transcript.language)
-        return list(self.viewed(dict(zip(sentences, scores, strict=True))).values())
+        heard = self.heard
+        said = [as_heard(words, heard) for words in sentences]
+        scores = self.model.score_words(self.encoded, said, self.transcript.language)
+        viewed = self.viewed(dict(zip(said, scores, strict=True)))
+        return [
+            replace(viewed[one], words=len(one) if begin_of(words) else 0)
+            for one, words in zip(said, sentences, strict=True)
+        ]
+
+    def written(self, begin: Sequence[str]) -> str:
+        """A dictated text as the model wrote it, after the words that are before it."""
+        language = self.transcript.language
+        return as_written(begin, self.transcript.free_text, lambda text: self.model.grammar.words(text, language))
 
     def likelihoods(self, texts: Sequence[str]) -> list[float]:
         """Log probability of texts, as they are written, given the sound."""
@@ -76,7 +88,9 @@ class Opinion:
 
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
-        return self.model.clearness(self.encoded, words, self.transcript.language, heard=self.heard == list(words))
+        heard = self.heard
+        said = as_heard(words, heard)
+        return self.model.clearness(self.encoded, said, self.transcript.language, heard=heard == list(said))
 
 
 def as_read(
@@ -93,7 +107,7 @@ def as_read(
         heard,
         text=" ".join(best.words),
         gap=best.evidence.gap,
-        alternatives=tuple(" ".join(one.words) for one in others[:3]),
+        alternatives=tuple(" ".join(one.words).replace(DICTATED, "...") for one in others[:3]),
         unclear=unclear,
         left_out=left_out,
         confidence=best.evidence.confidence,

@@ -28,7 +28,7 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
-from intent_engine.speech.dictating import dictated_to_both, read_as_dictated
+from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, dictated_to_both, written_as_dictated
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
@@ -227,7 +227,7 @@ class SecondOpinion:
             if self._meaning(one.transcript).refuses:
                 return one.transcript, 0.0
         if (dictated := dictated_to_both(first, second, AGREED)) is not None:
-            words = tuple(self._grammar.words(dictated.text, heard.language))
+            words = (*first.dictated, DICTATED)
             clear = self._each(lambda one: one.clearness(words), (first, second))
             return replace(dictated, unclear=_unclear(*clear)), 0.0
         if (agreed := self._agreed(first, second)) is not None:
@@ -241,13 +241,14 @@ class SecondOpinion:
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
             clear = self._each(lambda one: one.clearness(best.words), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
-            left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
+            if not begin_of(best.words):
+                left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
         both = as_read(heard, readings, unclear=unclear, left_out=left_out)
-        both = read_as_dictated(both, best.words, (first, second))
+        both = written_as_dictated(both, best.words, (first, second))
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
-        return both, min(letters_apart(best.words, one.heard) for one in (first, second))
+        return both, min(letters_apart(as_heard(best.words, one.heard), one.heard) for one in (first, second))
 
     def _agreed(self, first: Opinion, second: Opinion) -> Transcript | None:
         """What both heard word by word, where a slot without a list takes just that: nothing in the grammar can be for

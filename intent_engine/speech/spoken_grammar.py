@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
-from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.corrections import as_meant, corrected_like
+from intent_engine.speech.dictating import DICTATED, begin_of
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
 from intent_engine.speech.left_out import begin_left_out, end_left_out
@@ -36,6 +37,10 @@ CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
 SEARCHES = 64
 """Searches whose results are kept."""
+OPENINGS = 4
+"""Beginnings of commands in which something is dictated, that are looked up,"""
+LONGEST_OPENING = 5
+"""in so many of the first words heard."""
 FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
@@ -93,6 +98,19 @@ class SpokenGrammar:
         """The words before a dictated text; none where nothing is dictated."""
         found = self._engine.dictated(text, language=self._own(language))
         return found.begin if found is not None else ()
+
+    def openings(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Commands in which the text that follows is dictated, like the first words heard, the likest first."""
+        if not self._engine.dictates(self._own(language)):
+            return []
+        found: dict[tuple[str, ...], float] = {}
+        for count in range(1, min(LONGEST_OPENING, len(heard) - 1) + 1):
+            most = max(FAR_LETTERS, FAR * sum(map(len, heard[:count])))
+            for words, apart in self._nearest((*heard[:count], DICTATED), language):
+                apart -= FREE
+                if begin_of(words) and apart <= most and self.dictated(" ".join(words), language):
+                    found[words] = min(apart, found.get(words, apart))
+        return sorted(found, key=lambda words: found[words])[:OPENINGS]
 
     def words(self, text: str, language: str | None = None) -> list[str]:
         """The words of a text, together or apart as the grammar writes them, numbers as words."""
@@ -270,7 +288,8 @@ class SpokenGrammar:
             if unknown and self.takes_as_heard(words, language):
                 unknown = 0
             meaning = self.parse(" ".join(words), language)
-            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * word_count(words)
+            count = max(view.words for view in seen) or word_count(words)
+            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
             rank -= self.unusual(meaning, language)
             rows.append((rank, words, seen, unknown, meaning.actions, self._asked(meaning, language)))
         rows.sort(key=lambda row: (-row[0], row[1]))
@@ -283,7 +302,7 @@ class SpokenGrammar:
                 # As the gap is weighed.
                 gap=math.expm1(_mean([math.log1p(gap) for gap in gaps])),
                 margin=min(FAR_AHEAD, rank - other),
-                cost=-_mean([view.score for view in seen]) / (1 + len(words)),
+                cost=-_mean([view.score / (1 + (view.words or len(words))) for view in seen]),
                 apart=_mean([view.apart for view in seen]) / telling,
                 unknown=unknown,
                 models=len(seen),

@@ -22,6 +22,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import CLEAR, Clearness
+from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, written_as_dictated
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.left_out import goes_on
 from intent_engine.speech.opinion import Opinion, Reading, as_read
@@ -133,7 +134,8 @@ class Steering(Clearness):
         if dictated:
             hardly = self._unclear_before(encoded, free, dictated, language)
             written_down = replace(heard, gap=0.0, unclear=hardly, confidence=1.0)
-            return Opinion(self, samples, encoded, written_down, (tuple(words),), settled=True, dictated=dictated)
+            sentences = ((*dictated, DICTATED),)
+            return Opinion(self, samples, encoded, written_down, sentences, settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
         if exact and (meaning.stops or (in_time and self.grammar.plain(words, meaning, language))):
             close = self._close(encoded, words, language)
@@ -207,7 +209,7 @@ class Steering(Clearness):
         """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
         alone hears anything there."""
         free, language = heard.transcript.free_text, heard.transcript.language
-        left_out = self.grammar.left_out(words, [heard.heard], language)
+        left_out = () if begin_of(words) else self.grammar.left_out(words, [heard.heard], language)
         if not left_out:
             return ()
         scores = self.word_scores(heard.encoded, free, language)
@@ -228,12 +230,15 @@ class Steering(Clearness):
         encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
         words = heard.heard
         possible = self._possible(heard)
+        dictated = [one for one in self.grammar.openings(words, language) if possible(as_heard(one, words))]
+        texts = {sentence: (view,) for sentence, view in zip(dictated, heard.views(dictated), strict=True)}
 
         def ranked() -> list[Reading]:
             views = {sentence: (view,) for sentence, view in heard.viewed(found).items()}
-            return self.grammar.ranked(views, language)
+            return self.grammar.ranked({**texts, **views}, language)
 
-        like = [*self.grammar.near(words, language), *self._short(encoded, words, language), *heard.sentences]
+        like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
+        like += [sentence for sentence in heard.sentences if not begin_of(sentence)]
         like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
         readings = ranked()
@@ -268,6 +273,8 @@ class Steering(Clearness):
     def beside(self, heard: Opinion, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
         """Other commands that may have been said in place of one, and differ in one word, or if ``far`` in a few; the
         likeliest first."""
+        if begin_of(words):
+            return ()
         encoded, language = heard.encoded, heard.transcript.language
         if self._besides[0] is not encoded:
             self._besides = encoded, {}
@@ -365,6 +372,8 @@ class Steering(Clearness):
 def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:
     """What was heard, taken for the likeliest of some sentences; if there are none, for nothing."""
     transcript = as_read(heard.transcript, readings) if readings else heard.transcript
+    if readings:
+        transcript = written_as_dictated(transcript, readings[0].words, [heard])
     return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
 
 

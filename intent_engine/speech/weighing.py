@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from typing import Any, Protocol
 
+from intent_engine.speech.dictating import begin_of
 from intent_engine.speech.left_out import ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.spoken_grammar import SpokenGrammar
@@ -58,7 +59,11 @@ def _compared(
 ) -> list[Reading]:
     heard = [one.heard for one in opinions if one.heard]
     several = len(opinions) > 1  # one alone may have stopped short, which its search of the grammar makes up for
-    said = [words for words in sentences if not (goes_on(words, heard) or (several and ends_unheard(words, heard)))]
+    said = [
+        words
+        for words in sentences
+        if begin_of(words) or not (goes_on(words, heard) or (several and ends_unheard(words, heard)))
+    ]
     if not said:
         return []
     views = zip(*each(lambda one: one.views(said), opinions), strict=True)

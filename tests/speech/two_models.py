@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.dictating import as_heard, as_written
 from intent_engine.speech.evidence import View, letters_apart
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import SecondOpinion
@@ -45,9 +46,12 @@ class Thinks:
 
     def views(self, sentences):
         return [
-            View(self.scores.get(" ".join(words), UNLIKELY), LIKELY, letters_apart(words, self.heard))
-            for words in sentences
+            View(self.scores.get(" ".join(said), UNLIKELY), LIKELY, letters_apart(said, self.heard))
+            for said in (as_heard(words, self.heard) for words in sentences)
         ]
+
+    def written(self, begin):
+        return as_written(begin, self.transcript.free_text, lambda text: text.lower().split())
 
     def likelihoods(self, texts):
         return [self.finds.get(text, UNLIKELY) for text in texts]
