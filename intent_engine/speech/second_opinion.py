@@ -28,7 +28,14 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside
 from intent_engine.speech.clearness import RIVAL_MARGIN
-from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, dictated_to_both, written_as_dictated
+from intent_engine.speech.dictating import (
+    DICTATED,
+    as_heard,
+    begin_of,
+    dictated_to_both,
+    hardly_begun,
+    written_as_dictated,
+)
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
@@ -241,6 +248,7 @@ class SecondOpinion:
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
             clear = self._each(lambda one: one.clearness(best.words), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
+            unclear += hardly_begun(best.words, (first, second))
             if not begin_of(best.words):
                 left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
         both = as_read(heard, readings, unclear=unclear, left_out=left_out)

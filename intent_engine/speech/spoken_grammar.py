@@ -108,7 +108,8 @@ class SpokenGrammar:
             most = max(FAR_LETTERS, FAR * sum(map(len, heard[:count])))
             for words, apart in self._nearest((*heard[:count], DICTATED), language):
                 apart -= FREE
-                if begin_of(words) and apart <= most and self.dictated(" ".join(words), language):
+                begin = begin_of(words)
+                if begin and apart <= most and self.dictated(" ".join(words), language) == begin:
                     found[words] = min(apart, found.get(words, apart))
         return sorted(found, key=lambda words: found[words])[:OPENINGS]
 
@@ -291,11 +292,11 @@ class SpokenGrammar:
             count = max(view.words for view in seen) or word_count(words)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
             rank -= self.unusual(meaning, language)
-            rows.append((rank, words, seen, unknown, meaning.actions, self._asked(meaning, language)))
+            rows.append((rank, words, seen, unknown, meaning.actions))
         rows.sort(key=lambda row: (-row[0], row[1]))
         readings = []
-        for place, (rank, words, seen, unknown, actions, asked) in enumerate(rows):
-            other = next((row[0] for row in rows[place + 1 :] if row[-1] != asked), -math.inf)
+        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
+            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
             telling = 1 + self._telling(words, language)
             gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
             evidence = Evidence(
@@ -310,10 +311,6 @@ class SpokenGrammar:
             )
             readings.append(Reading(words, evidence, actions))
         return readings
-
-    def _asked(self, meaning: Interpretation, language: str | None) -> object:
-        """What is asked for; with dictated texts, whatever they are, the same."""
-        return self.dictated(meaning.text, language) or meaning.actions
 
     def _own(self, language: str | None) -> str | None:
         return language if language in self._engine.languages else None

@@ -22,9 +22,10 @@ from intent_engine.interpretation import Status
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import CLEAR, Clearness
-from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, written_as_dictated
+from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_begun, written_as_dictated
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.left_out import goes_on
+from intent_engine.speech.narration import NARRATING
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.pace import too_few, too_many
 from intent_engine.speech.recognizer import Encoded, Transcript
@@ -125,9 +126,10 @@ class Steering(Clearness):
         free, mean, _ = self.greedy(encoded, language)
         heard = Transcript(free, mean, free, language=language)
         meaning = self.grammar.parse(free, language)
-        if not free or self.refused(encoded, free, meaning, language):
-            return Opinion(self, samples, encoded, heard, settled=True)
         words = self.grammar.words(free, language)
+        refused = self.refused(encoded, free, meaning, language)
+        if not free or (refused and not self._may_be_dictated(words, language)):
+            return Opinion(self, samples, encoded, heard, settled=True)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE
         in_time = not (too_many(words, samples) or too_few(words, samples))
         dictated = self.grammar.dictated(free, language) if exact and in_time and not meaning.stops else ()
@@ -143,6 +145,11 @@ class Steering(Clearness):
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
             return Opinion(self, samples, encoded, sure, (tuple(words), *close), settled=True)
         return Opinion(self, samples, encoded, heard)
+
+    def _may_be_dictated(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether what shall not be done may stand in a dictated text: "right down, do not forget the keys"."""
+        told = next((place for place, word in enumerate(words) if word in NARRATING), len(words))
+        return any(len(begin_of(one)) <= told for one in self.grammar.openings(words, language))
 
     def _unclear_before(
         self, encoded: Encoded, free: str, dictated: Sequence[str], language: str | None
@@ -203,7 +210,8 @@ class Steering(Clearness):
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
         best = heard.sentences[0]
-        return replace(transcript, unclear=_below(heard.clearness(best)), left_out=self._left_out(heard, best))
+        unclear = (*_below(heard.clearness(best)), *hardly_begun(best, [heard]))
+        return replace(transcript, unclear=unclear, left_out=self._left_out(heard, best))
 
     def _left_out(self, heard: Opinion, words: Sequence[str]) -> tuple[str, ...]:
         """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
@@ -239,6 +247,8 @@ class Steering(Clearness):
 
         like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
         like += [sentence for sentence in heard.sentences if not begin_of(sentence)]
+        if dictated:  # else each text that somebody may have dictated would be another command
+            like = [sentence for sentence in like if not self.grammar.dictated(" ".join(sentence), language)]
         like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
         readings = ranked()

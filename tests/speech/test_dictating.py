@@ -10,6 +10,7 @@ from two_models import LIKELY, SOUND, Thinks, heard, two
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
+from intent_engine.speech.dictating import DICTATED
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
@@ -38,6 +39,14 @@ class Writer(Thinks):
     @property
     def heard(self) -> list[str]:
         return self.transcript.free_text.lower().strip(".").split()
+
+
+class Thinker(Writer):
+    """One who thought of the command though the words before its text were heard otherwise."""
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return (("write", "down", DICTATED), ("drive", "back"))
 
 
 def wrote(text: str, finds: dict[str, float], clear: dict[str, float] | None = None) -> Writer:
@@ -90,6 +99,18 @@ def test_where_one_heard_other_words_before_it_they_are_weighed_as_a_command(not
     assert meant(notes, both_heard(notes, first, second)).slots == {"note": "buy fifteen bottles of milk"}
     second = replace(second, scores={words: LIKELY - 60.0, "drive back": LIKELY})
     assert not meant(notes, both_heard(notes, replace(first, scores={words: -20.0}), second)).actions
+
+
+@pytest.mark.parametrize(("behind", "done"), [(2.9, True), (3.1, False)])
+def test_what_none_heard_before_a_text_must_be_nearly_as_likely(notes, behind, done):
+    """ "Not the left one" is no "note the left one"."""
+    text, words = "right down buy a bottle of milk", "write down buy a bottle of milk"
+    both = Writer(heard(text, 0.3), {words: LIKELY - behind, "drive back": -30.0})
+    both = replace(both, finds={"write down buy a bottle of milk": LIKELY})
+    first, second = (Thinker(**vars(both)) for _ in range(2))
+    found = both_heard(notes, first, second)
+    assert found.unclear == (() if done else ("write down",))
+    assert bool(meant(notes, found).actions) is done
 
 
 @pytest.mark.parametrize("model", [SteeredWhisper, SteeredMoonshine])
