@@ -25,7 +25,8 @@ DICTATED = FreeWord(ANYTHING)
 """Whatever was dictated, as the last word of a sentence."""
 BEHIND = 3.0
 """nats for each model by which the words before a text may be less likely than what was heard in their place. "Right
-down" is behind by 0.1 to 2 of "write down"; of 16 recordings of other talk that is like such words, 2 are by less."""
+down" is so by 0 to 9 of "write down", half of the time by less than 2; "not the" of "note the" by 5 to 13
+(docs/decisions/speech-dictation.md)."""
 MORE_HEARD = 2
 """Words by which more or fewer may have been heard for the words before it: "Tillanna" for "tell Anna"."""
 
