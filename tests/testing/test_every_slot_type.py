@@ -31,6 +31,7 @@ slots:
   where: {type: location}
   what: {type: text, max_words: 3}
   who: {type: object, max_words: 1}
+  memo: {type: text, dictation: true}
 intents:
   measure:
     action: {type: custom, name: measure}
@@ -41,6 +42,9 @@ intents:
   meet:
     action: {type: custom, name: meet}
     sentences: ["meet {who} at {where}", "describe {what} [to {who}]", "from {where:start} to {where:finish}"]
+  remember:
+    action: {type: custom, name: remember}
+    sentences: ["jot [down] {memo}"]
   arrange:
     action: {type: custom, name: arrange}
     sentences: ["sing {tone}", "{put} ({n} times;{tone};[at {where}])", "mix {n:first} with {n:second} (now|soon)"]
