@@ -231,10 +231,6 @@ class IntentEngine:
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
-    def dictates(self, language: str | None = None) -> bool:
-        """Whether anything can be dictated."""
-        return self._interpreter(language).dictates
-
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
         """What is dictated in a text, with the words before it; None: nothing is."""
         return self._interpreter(language).dictated(text)
@@ -251,10 +247,13 @@ class IntentEngine:
                 count, reached = matcher.prefix(words)
         except ConfigError:  # see parse
             count, reached = 0, None
-        if reached is None and self.dictated(text, language=language) is not None:
-            return Prefix(PrefixStatus.EXTENDABLE, (), len(words))
         if reached is None:
-            return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
+            dictated = self.dictated(text, language=language) is not None
+            return (
+                Prefix(PrefixStatus.EXTENDABLE, (), len(words))
+                if dictated
+                else Prefix(PrefixStatus.IMPOSSIBLE, (), count)
+            )
         status = _status(matcher, reached)
         settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
         return Prefix(status, next_words(matcher, reached), count, settled)

@@ -52,16 +52,10 @@ class FreeText:
 
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""
-        if slot.dictation and self._says_nothing(said):
+        if slot.dictation and self._fillers.cover(said):
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
-
-    def _says_nothing(self, said: Sequence[str]) -> bool:
-        place = 0
-        while place < len(said) and (length := self._fillers.at(said, place)):
-            place += length
-        return place == len(said)
 
     @staticmethod
     def thing(slot: Slot, said: Sequence[str]) -> str:

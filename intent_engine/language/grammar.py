@@ -201,3 +201,8 @@ class Grammar:
     files: tuple[str, ...] = ()
     warnings: tuple[Problem, ...] = ()
     """What is doubtful though it can be used."""
+
+    @property
+    def dictates(self) -> bool:
+        """Whether anything can be dictated."""
+        return any(slot.dictation for slot in self.slots.values())

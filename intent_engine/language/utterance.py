@@ -53,6 +53,13 @@ class PhraseSet:
             if tuple(words[position : position + len(phrase)]) == phrase
         ]
 
+    def cover(self, words: Sequence[str]) -> bool:
+        """Whether the words are such phrases, one after the other, and nothing else."""
+        place = 0
+        while place < len(words) and (length := self.at(words, place)):
+            place += length
+        return place == len(words)
+
     def ends(self, words: Sequence[str]) -> int:
         """Length of the longest phrase that the words end with; 0 for none."""
         for start in range(len(words)):

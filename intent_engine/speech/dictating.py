@@ -19,7 +19,7 @@ from intent_engine.speech.recognizer import Transcript
 if TYPE_CHECKING:
     from intent_engine.speech.opinion import Opinion
 
-__all__ = ["DICTATED", "as_heard", "as_written", "begin_of", "dictated_to_both", "hardly_begun", "written_as_dictated"]
+__all__ = ["DICTATED", "as_heard", "as_written", "begin_of", "dictated_to_both", "hardly_begun", "text_of"]
 
 DICTATED = FreeWord(ANYTHING)
 """Whatever was dictated, as the last word of a sentence."""
@@ -84,13 +84,14 @@ def as_written(begin: Sequence[str], text: str, words: Callable[[str], Sequence[
     return " ".join((*begin, *written[next(enough, len(written) - 1) :]))
 
 
-def written_as_dictated(transcript: Transcript, words: Sequence[str], opinions: Sequence[Opinion]) -> Transcript:
-    """A transcript of a sentence, with the dictated text in it that all models together find likeliest."""
+def text_of(words: Sequence[str], opinions: Sequence[Opinion]) -> str:
+    """A sentence as it is written: with the dictated text in it, if there is one, that all models together find
+    likeliest."""
     if not (begin := begin_of(words)):
-        return transcript
+        return " ".join(words)
     texts = list(dict.fromkeys(one.written(begin) for one in opinions))
     together = [sum(likely) for likely in zip(*(one.likelihoods(texts) for one in opinions), strict=True)]
-    return replace(transcript, text=texts[together.index(max(together))])
+    return texts[together.index(max(together))]
 
 
 def dictated_to_both(first: Opinion, second: Opinion, confidence: float) -> Transcript | None:
@@ -102,5 +103,5 @@ def dictated_to_both(first: Opinion, second: Opinion, confidence: float) -> Tran
     """
     if not first.dictated or first.dictated != second.dictated:
         return None
-    sure = replace(first.transcript, gap=0.0, alternatives=(), confidence=confidence)
-    return written_as_dictated(sure, (*first.dictated, DICTATED), (first, second))
+    text = text_of((*first.dictated, DICTATED), (first, second))
+    return replace(first.transcript, text=text, gap=0.0, alternatives=(), confidence=confidence)

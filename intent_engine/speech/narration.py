@@ -66,14 +66,12 @@ def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) ->
         The words; empty: nothing is told.
     """
     first = next(iter(heard), ())
-    persons = {SUBJECTS[word] for word in words if word in SUBJECTS}
     known = {word for one in heard for word in one}
-    misheard = [word for word in words if word not in known]
     for place, word in enumerate(first):
         if any(one[place : place + 1] != first[place : place + 1] for one in heard):
             break
         tells = word in TELLING or (place == lead and (word in SUBJECTS or word in OTHERS))
-        if tells and word not in words and SUBJECTS.get(word) not in persons and not _stands_for(word, misheard):
+        if tells and leaves_out(words, [word], known):
             return first[: place + 1]
     return ()
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from intent_engine.actions import Action
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import Samples
-from intent_engine.speech.dictating import DICTATED, as_heard, as_written, begin_of
+from intent_engine.speech.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.evidence import Evidence, View, letters_apart
 from intent_engine.speech.recognizer import Encoded, Transcript
 
@@ -94,18 +94,18 @@ class Opinion:
 
 
 def as_read(
-    heard: Transcript,
+    opinions: Sequence[Opinion],
     readings: Sequence[Reading],
     *,
     unclear: tuple[str, ...] = (),
     left_out: tuple[str, ...] = (),
 ) -> Transcript:
-    """What was heard freely, taken for the likeliest of some sentences, of whose words some were not clear, and which
-    leaves some out that were heard."""
+    """What one or several models heard, the first of them freely, taken for the likeliest of some sentences, of whose
+    words some were not clear, and which leaves some out that were heard."""
     best, *others = readings
     return replace(
-        heard,
-        text=" ".join(best.words),
+        opinions[0].transcript,
+        text=text_of(best.words, opinions),
         gap=best.evidence.gap,
         alternatives=tuple(" ".join(one.words).replace(DICTATED, "...") for one in others[:3]),
         unclear=unclear,

@@ -31,10 +31,8 @@ from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.dictating import (
     DICTATED,
     as_heard,
-    begin_of,
     dictated_to_both,
     hardly_begun,
-    written_as_dictated,
 )
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
@@ -249,10 +247,8 @@ class SecondOpinion:
             clear = self._each(lambda one: one.clearness(best.words), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            if not begin_of(best.words):
-                left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
-        both = as_read(heard, readings, unclear=unclear, left_out=left_out)
-        both = written_as_dictated(both, best.words, (first, second))
+            left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
+        both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf

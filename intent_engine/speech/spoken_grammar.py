@@ -101,7 +101,7 @@ class SpokenGrammar:
 
     def openings(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """Commands in which the text that follows is dictated, like the first words heard, the likest first."""
-        if not self._engine.dictates(self._own(language)):
+        if not self._known(language).matcher.grammar.dictates:
             return []
         found: dict[tuple[str, ...], float] = {}
         for count in range(1, min(LONGEST_OPENING, len(heard) - 1) + 1):
@@ -201,7 +201,7 @@ class SpokenGrammar:
 
     def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words change nothing, wherever they stand: "please"."""
-        return self.lead([*words, ""], language) == len(words)
+        return self._known(language).leading.cover(words)
 
     def left_out(
         self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
@@ -214,7 +214,7 @@ class SpokenGrammar:
             heard: the words that each model heard.
             language: of the speech.
         """
-        if self.parse(" ".join(words), language).stops:
+        if begin_of(words) or self.parse(" ".join(words), language).stops:
             return ()
         led = [(one, self.lead(one, language)) for one in heard]
         begin = begin_left_out(words, self.lead(words, language), led)

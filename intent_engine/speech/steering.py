@@ -22,7 +22,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import CLEAR, Clearness
-from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_begun, written_as_dictated
+from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_begun
 from intent_engine.speech.guided import GuidedSearch
 from intent_engine.speech.left_out import goes_on
 from intent_engine.speech.narration import NARRATING
@@ -134,10 +134,9 @@ class Steering(Clearness):
         in_time = not (too_many(words, samples) or too_few(words, samples))
         dictated = self.grammar.dictated(free, language) if exact and in_time and not meaning.stops else ()
         if dictated:
-            hardly = self._unclear_before(encoded, free, dictated, language)
-            written_down = replace(heard, gap=0.0, unclear=hardly, confidence=1.0)
+            sure = replace(heard, gap=0.0, confidence=1.0)
             sentences = ((*dictated, DICTATED),)
-            return Opinion(self, samples, encoded, written_down, sentences, settled=True, dictated=dictated)
+            return Opinion(self, samples, encoded, sure, sentences, settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
         if exact and (meaning.stops or (in_time and self.grammar.plain(words, meaning, language))):
             close = self._close(encoded, words, language)
@@ -150,19 +149,6 @@ class Steering(Clearness):
         """Whether what shall not be done may stand in a dictated text: "right down, do not forget the keys"."""
         told = next((place for place, word in enumerate(words) if word in NARRATING), len(words))
         return any(len(begin_of(one)) <= told for one in self.grammar.openings(words, language))
-
-    def _unclear_before(
-        self, encoded: Encoded, free: str, dictated: Sequence[str], language: str | None
-    ) -> tuple[str, ...]:
-        """The words before a dictated text that were not heard clearly, or may have been a "don't"."""
-        words = self.grammar.words(free, language)
-        hardly = [
-            word
-            for said, score in self.word_scores(encoded, free, language)[: len(dictated) + self.grammar.lead(words)]
-            for word in self.grammar.words(said, language)
-            if word in dictated and score < math.log(CLEAR)
-        ]
-        return (*hardly, *_below(self.clearness(encoded, words, language, heard=True)))
 
     def compare(self, heard: Opinion) -> Opinion:
         """What was heard, taken for one of the sentences of the grammar that are like the words. Settled where it
@@ -206,18 +192,31 @@ class Steering(Clearness):
     def clear(self, heard: Opinion) -> Transcript:
         """What was heard, with the words that were not heard clearly, if it may be acted on."""
         transcript = heard.transcript
-        known = heard.settled and transcript.confidence == 1.0  # heard word by word, and looked at already
+        # Heard word by word, and looked at already; but not who else may have begun a text.
+        known = heard.settled and transcript.confidence == 1.0 and not heard.dictated
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
         best = heard.sentences[0]
-        unclear = (*_below(heard.clearness(best)), *hardly_begun(best, [heard]))
+        unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best)), *hardly_begun(best, [heard]))
         return replace(transcript, unclear=unclear, left_out=self._left_out(heard, best))
+
+    def _hardly_heard_before(self, heard: Opinion) -> list[str]:
+        """The words before a dictated text that were heard, but not clearly."""
+        free, language = heard.transcript.free_text, heard.transcript.language
+        scores = self.word_scores(heard.encoded, free, language) if heard.dictated else []
+        begin = scores[: len(heard.dictated) + self.grammar.lead(heard.heard, language)]
+        return [
+            word
+            for said, score in begin
+            for word in self.grammar.words(said, language)
+            if word in heard.dictated and score < math.log(CLEAR)
+        ]
 
     def _left_out(self, heard: Opinion, words: Sequence[str]) -> tuple[str, ...]:
         """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
         alone hears anything there."""
         free, language = heard.transcript.free_text, heard.transcript.language
-        left_out = () if begin_of(words) else self.grammar.left_out(words, [heard.heard], language)
+        left_out = self.grammar.left_out(words, [heard.heard], language)
         if not left_out:
             return ()
         scores = self.word_scores(heard.encoded, free, language)
@@ -381,9 +380,7 @@ class Steering(Clearness):
 
 def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:
     """What was heard, taken for the likeliest of some sentences; if there are none, for nothing."""
-    transcript = as_read(heard.transcript, readings) if readings else heard.transcript
-    if readings:
-        transcript = written_as_dictated(transcript, readings[0].words, [heard])
+    transcript = as_read([heard], readings) if readings else heard.transcript
     return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
 
 

@@ -62,7 +62,7 @@ def _compared(
     said = [
         words
         for words in sentences
-        if begin_of(words) or not (goes_on(words, heard) or (several and ends_unheard(words, heard)))
+        if not (goes_on(words, heard) or (several and not begin_of(words) and ends_unheard(words, heard)))
     ]
     if not said:
         return []

@@ -82,6 +82,17 @@ def test_a_text_goes_with_the_slots_before_it_and_needs_what_its_intent_needs(no
     assert found.slots == {"name": "mother", "words": "I don't come home, and go to bed"}
 
 
+def test_a_sentence_may_begin_with_a_slot_or_a_phrase_in_a_phrase(tmp_path):
+    (tmp_path / "say.yaml").write_text(
+        "language: en\nslots: {tone: [loudly, softly], note: {type: text, dictation: true}}\n"
+        "phrases: {say: say, shout: '({say}|cry)'}\n"
+        "intents: {say: {action: {type: custom, name: say}, sentences: ['{tone} {note}', '{shout} {note}']}}\n"
+    )
+    engine = IntentEngine.from_files(tmp_path / "say.yaml")
+    assert engine.parse("softly don't go").slots == {"tone": "softly", "note": "don't go"}
+    assert engine.parse("cry and then go").slots == {"note": "and then go"}
+
+
 def test_after_another_command_a_note_is_a_few_words(notes):
     found = notes.parse("go back two meters and then take a note the door is closed")
     assert [step["intent"] for step in found.slots["steps"]] == ["move", "note"]

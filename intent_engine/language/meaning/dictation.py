@@ -10,14 +10,11 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from intent_engine.language.action_builder import CannotActError, build_action
-from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.template_tree import references
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import words_in
 
 __all__ = ["Dictated", "Dictation"]
 
@@ -47,10 +44,10 @@ class Dictation:
         self._phrases = phrases
         self._commands = commands
         self._language = commands.matcher.grammar.language
-        self._openings = _openings(commands.matcher.grammar)
+        self._possible = commands.matcher.grammar.dictates
 
     def __bool__(self) -> bool:
-        return bool(self._openings)
+        return self._possible
 
     @step(Kind.DICTATION)
     def taken(self, text: str, state: Collection[str] = (), spoken: bool = False) -> Dictated | None:
@@ -74,13 +71,11 @@ class Dictation:
 
     def _says_nothing(self, text: str) -> bool:
         """Whether there is nothing in it to dictate: "write down, please"."""
-        return not self._phrases.without_fillers(Utterance.of(text, self._language)).words
+        return self._phrases.fillers.cover(Utterance.of(text, self._language).words)
 
     def _begins(self, text: str, spoken: bool) -> Iterator[Utterance]:
         """A beginning of a text, without the wake word, as it is and without what says nothing."""
         said = Utterance.of(text, self._language)
-        if self._openings.isdisjoint(said.words):
-            return
         if self._phrases.wake:
             woken = self._phrases.awake(said)
             if woken is None and spoken:
@@ -112,17 +107,3 @@ def _dictated(reading: Reading | None) -> SlotReading | None:
     """The slot that a text is to be put in."""
     slot = reading.slots[-1] if reading is not None and reading.slots else None
     return slot if slot is not None and slot.slot.dictation and slot.value == ANYTHING else None
-
-
-def _openings(grammar: Grammar) -> frozenset[str]:
-    """The words of sentences in which something is dictated; of any other utterance nothing more is asked."""
-    found: set[str] = set()
-    for intent in grammar.intents.values():
-        for sentence in intent.sentences:
-            named = {reference.name for reference in references(sentence.template)}
-            if any(name in grammar.slots and grammar.slots[name].dictation for name in named):
-                found.update(words_in(sentence.template))
-                found.update(
-                    word for name in named & grammar.phrases.keys() for word in words_in(grammar.phrases[name])
-                )
-    return frozenset(found)

@@ -63,11 +63,6 @@ class Interpreter:
         self._negations = made(Negations(phrases, self._commands, self._compounds))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
 
-    @property
-    def dictates(self) -> bool:
-        """Whether anything can be dictated."""
-        return bool(self._dictation)
-
     def dictated(self, text: str) -> Dictated | None:
         """The command in which a text is dictated, whatever the robot does; None: nothing is."""
         return self._dictation.taken(text) if self._dictation else None
