@@ -209,11 +209,13 @@ def _problem_clause(reading: Reading) -> Clause:
 
 
 def _problem_rank(reading: Reading) -> tuple[int, int, float]:
-    """Which failure tells most: an ambiguous name, then a limit, then the fewest words not understood."""
+    """Which failure tells most: an ambiguous name, then a limit, then a place that is not on the map, since places are
+    called anything and values of a list are not ("go to room 206" is no turn); then the fewest words not understood."""
     order = {"ambiguous": 0, "limit": 1}
     slot = next(slot for slot in reading.slots if slot.problem)
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
-    return order.get(slot.status, 2), slot.end - slot.start, -nearest
+    rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
+    return rank, slot.end - slot.start, -nearest
 
 
 def _changes(reading: Reading) -> str:
