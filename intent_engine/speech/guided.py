@@ -29,14 +29,10 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.speech.writing import Names, written
 
-__all__ = ["WORD", "GuidedSearch", "NextPieces", "word_count"]
+__all__ = ["DEEP", "USUAL", "WORD", "Effort", "GuidedSearch", "NextPieces", "word_count"]
 
-BATCH = 4
-"""Beginnings that the model is asked about in one call."""
 AHEAD = 3
-"""Pieces that the model adds freely to the longest of them."""
-CALLS = 6
-"""Calls of the model in one search."""
+"""Pieces that the model adds freely to the longest beginning that it is asked about."""
 PIECE = 1.0
 """nats that a piece is expected to cost: so much may a longer beginning be behind and still be looked at first."""
 DEEPER = 1.5
@@ -63,8 +59,6 @@ UNLIKELY_DIGITS = -7.0
 """of digits, of which there are so many,"""
 UNLIKELY_COMMA = -2.0
 """and of a comma, which may be left out."""
-STEPS = 600
-"""Beginnings looked at in one search."""
 FOUND = 12
 """Sentences given."""
 LONG_FILLER = 5
@@ -75,6 +69,23 @@ BLANKS = "[\u0120\u2581]"
 """How tokenizers write the blank before a word."""
 MAX_TRIES = 4000
 """Places of the grammar whose words are kept in pieces."""
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """How much a search may cost."""
+
+    calls: int
+    """Calls of the model,"""
+    batch: int
+    """and beginnings that it is asked about in one."""
+    steps: int
+    """Beginnings looked at."""
+
+
+USUAL = Effort(calls=6, batch=4, steps=600)
+DEEP = Effort(calls=20, batch=8, steps=3000)
+"""Long sentences of which much was misheard are found by this alone; it takes five times as long."""
 
 NextPieces: TypeAlias = Callable[
     [Sequence[tuple[int, ...]], int], Iterable[tuple[tuple[int, ...], npt.NDArray[np.float32]]]
@@ -223,7 +234,13 @@ class GuidedSearch:
         self._more_digits = {number: piece for number, piece in digits.items() if piece[0] != " "}
 
     def likeliest(
-        self, ask: NextPieces, heard: Sequence[str], free: str, free_score: float, drafts: Sequence[str] = ()
+        self,
+        ask: NextPieces,
+        heard: Sequence[str],
+        free: str,
+        free_score: float,
+        drafts: Sequence[str] = (),
+        effort: Effort = USUAL,
     ) -> list[tuple[tuple[str, ...], float]]:
         """Sentences of the grammar that explain the sound best.
 
@@ -233,6 +250,7 @@ class GuidedSearch:
             free: the same as the model wrote them.
             free_score: their log probability.
             drafts: sentences of the grammar that may be meant; they cost no further call.
+            effort: how much it may cost.
 
         Returns:
             (words, log probability with a full stop) pairs, likeliest first, at most :data:`FOUND`.
@@ -244,9 +262,9 @@ class GuidedSearch:
         frontier = _Frontier(free_score, len(pieces))
         frontier.push(_Path(0.0, state=self._graph.start(), large=not free.strip()[:1].islower()))
         steps = 0
-        for call in range(CALLS):
+        for call in range(effort.calls):
             waiting: list[_Path] = []
-            while steps < STEPS and (path := frontier.pop()) is not None:
+            while steps < effort.steps and (path := frontier.pop()) is not None:
                 row = rows.get(path.tokens)
                 if row is None:
                     waiting.append(path)
@@ -255,9 +273,9 @@ class GuidedSearch:
                 for further in self._further(path, row, heard, frontier.found):
                     frontier.push(further)
             waiting = [path for path in waiting if not frontier.behind(path)]
-            if not waiting or call == CALLS - 1:
+            if not waiting or call == effort.calls - 1:
                 break
-            asked = frontier.choose(waiting, BATCH)
+            asked = frontier.choose(waiting, effort.batch)
             length = max(length, AHEAD + max(map(len, asked)))
             for beginning, chances in ask(asked, length):
                 if beginning not in rows:

@@ -6,6 +6,7 @@ it begins, and where it ends, such a word makes another meaning of it: "do you g
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Sequence
 
 from rapidfuzz.distance import Levenshtein
@@ -13,7 +14,7 @@ from rapidfuzz.distance import Levenshtein
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.speech.evidence import letters_apart
 
-__all__ = ["begin_left_out", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = ["begin_left_out", "begins_like", "end_left_out", "ends_unheard", "goes_on"]
 
 UNHEARD_LETTERS = 6
 """Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
@@ -27,6 +28,10 @@ ENDINGS = ("s", "es", "ed", "ing")
 """Of the forms in which the first word of a command is told by somebody of something."""
 BEGIN_LETTERS = 2
 """Letters by which what stands before a command differs from what was heard there, from which it began otherwise."""
+
+MISHEARD = 0.6
+"""Share of its letters by which the beginning of a command differs at most from what was heard in its place: "making"
+and "make me", but not "who ordered" and "I want"."""
 
 
 def goes_on(words: Sequence[str], heard: Iterable[Sequence[str]]) -> bool:
@@ -93,6 +98,20 @@ def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequen
     heard = list(heard)
     forms = (first, *(first + ending for ending in ENDINGS))
     return _begin_before(forms[:1], words[:lead], heard) or _begin_before(forms, words[:lead], heard)
+
+
+def begins_like(words: Sequence[str], other: Sequence[str], heard: Sequence[str]) -> bool:
+    """Whether what a sentence has before the words that it ends with as another does is like what was heard there.
+
+    Args:
+        words: of the sentence.
+        other: words of the other.
+        heard: words that were heard before that one.
+    """
+    pairs = zip(reversed(words), reversed(other), strict=False)
+    same = sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], pairs))
+    own, before = ([word for word in part if word not in ARTICLES] for part in (words[: len(words) - same], heard))
+    return letters_apart(own, before) <= MISHEARD * max(sum(map(len, own)), sum(map(len, before)))
 
 
 def _begin_before(

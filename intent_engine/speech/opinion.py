@@ -86,6 +86,10 @@ class Opinion:
         """As :meth:`Steering.beside`."""
         return self.model.beside(self, words, far=far)
 
+    def begun(self, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        """As :meth:`Steering.begun`."""
+        return self.model.begun(self, words)
+
     def clearness(self, words: Sequence[str]) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
         heard = self.heard

@@ -49,7 +49,7 @@ from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.weighing import doubted
+from intent_engine.speech.weighing import begun_otherwise, doubted
 from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
@@ -106,6 +106,10 @@ class Steered(Recognizer, Protocol):
 
     def search(self, heard: Opinion) -> Opinion:
         """As :meth:`~intent_engine.speech.steering.Steering.search`."""
+        ...
+
+    def dig(self, heard: Opinion, searched: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.dig`."""
         ...
 
     def clear(self, heard: Opinion) -> Transcript:
@@ -204,11 +208,17 @@ class SecondOpinion:
         return self._beside.submit(look)
 
     def _searched(self, look: _Look) -> Transcript:
-        """What both make of a sound when they have searched the grammar, side by side."""
+        """What both make of a sound when they have searched the grammar, side by side: once more and deeper, if it
+        would be asked back else."""
         assert look.second is not None
-        searched = self._beside.submit(self._second.result().search, look.second)
-        first = self._first.search(look.first)
-        both, _ = self._weighed(first, searched.result(), far=True)
+        second = self._second.result()
+        searched = self._beside.submit(second.search, look.second)
+        first, other = self._first.search(look.first), searched.result()
+        both, _ = self._weighed(first, other, far=True)
+        if self._grammar.acted_on(both.sureness, both.language) or self._meaning(both).refuses:
+            return both
+        dug = self._beside.submit(second.dig, look.second, other)
+        both, _ = self._weighed(self._first.dig(look.first, first), dug.result(), far=True)
         return both
 
     def _stops(self, heard: Transcript) -> bool:
@@ -275,7 +285,9 @@ class SecondOpinion:
     def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
         """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both
         think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.weighing.doubted`."""
-        return doubted(self._grammar, (first, second), self._each, far=far)
+        opinions = (first, second)
+        readings = doubted(self._grammar, opinions, self._each, far=far)
+        return begun_otherwise(self._grammar, readings, opinions, self._each) if far else readings
 
     def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
         """The same asked of two models, side by side."""

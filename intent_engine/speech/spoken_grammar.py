@@ -216,12 +216,18 @@ class SpokenGrammar:
         """
         if begin_of(words) or self.parse(" ".join(words), language).stops:
             return ()
-        led = [(one, self.lead(one, language)) for one in heard]
-        begin = begin_left_out(words, self.lead(words, language), led)
+        begin = self.begin_left_out(words, heard, language)
         if not begin and language in (None, "en"):
-            begin = told(words, heard, min((lead for _, lead in led), default=0))
+            begin = told(words, heard, min((self.lead(one, language) for one in heard), default=0))
         end = end_left_out(words, heard)
         return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
+
+    def begin_left_out(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> Sequence[str]:
+        """As :func:`~intent_engine.speech.left_out.begin_left_out`."""
+        led = [(one, self.lead(one, language)) for one in heard]
+        return begin_left_out(words, self.lead(words, language), led)
 
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence is what people say: without words in free slots that no list has, without a word

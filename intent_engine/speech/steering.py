@@ -23,7 +23,7 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import CLEAR, Clearness
 from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_begun
-from intent_engine.speech.guided import GuidedSearch
+from intent_engine.speech.guided import DEEP, USUAL, Effort, GuidedSearch
 from intent_engine.speech.left_out import goes_on
 from intent_engine.speech.narration import NARRATING
 from intent_engine.speech.opinion import Opinion, Reading, as_read
@@ -155,7 +155,7 @@ class Steering(Clearness):
         surely is one of them, or clearly none."""
         if heard.settled:
             return heard
-        compared = self._compared(heard, search=False)
+        compared = self._compared(heard)
         talk = compared.transcript.sureness < FARFETCHED and heard.transcript.score > CLEAR_TALK
         compared = self._doubted(compared)
         confidence, gap = compared.transcript.sureness, compared.transcript.gap
@@ -167,14 +167,25 @@ class Steering(Clearness):
         is found, with a longer input once more. This takes most of the time. Settled."""
         if heard.settled:
             return heard
-        found = replace(self._compared(heard, search=True), settled=True)
+        found = replace(self._compared(heard, USUAL), settled=True)
         if heard.transcript.score > RETRY_SCORE or found.transcript.sureness >= SURE:
             return found
         again = self.listen(heard.samples, longer=True)
         if again.settled:
             return again  # what was heard at last to be refused is not done, however sure it seemed before
-        again = replace(self._compared(again, search=True), settled=True)
+        again = replace(self._compared(again, USUAL), settled=True)
         return again if again.transcript.sureness > found.transcript.sureness else found
+
+    def dig(self, heard: Opinion, searched: Opinion) -> Opinion:
+        """What was heard, after a search that takes several times as long, for what would else be asked back.
+
+        Args:
+            heard: before it was searched; where that was settled already, nothing more is found.
+            searched: what :meth:`search` made of it.
+        """
+        if heard.settled or not searched.transcript.free_text:
+            return searched
+        return replace(self._compared(searched, DEEP), settled=True)
 
     def _doubted(self, heard: Opinion, *, far: bool = False) -> Opinion:
         """What was heard, compared with other commands beside the likeliest, as :func:`doubted` has them."""
@@ -182,9 +193,9 @@ class Steering(Clearness):
             return heard
         return _as_read(heard, doubted(self.grammar, [heard], far=far))
 
-    def _compared(self, heard: Opinion, *, search: bool) -> Opinion:
+    def _compared(self, heard: Opinion, effort: Effort | None = None) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
-        readings = self.readings(heard, search=search)
+        readings = self.readings(heard, effort)
         free, language = heard.transcript.free_text, heard.transcript.language
         unread = replace(heard, transcript=Transcript(free, heard.transcript.score, free, language=language))
         return _as_read(unread, readings)
@@ -227,12 +238,12 @@ class Steering(Clearness):
 
     # -- the sentences of the grammar --------------------------------------------------------------
 
-    def readings(self, heard: Opinion, *, search: bool = True) -> list[Reading]:
+    def readings(self, heard: Opinion, effort: Effort | None = USUAL) -> list[Reading]:
         """Sentences of the grammar that the sound may be, likeliest first.
 
         Args:
             heard: what was heard freely.
-            search: whether the model is led along the grammar; else those are enough that are like the words heard.
+            effort: with which the model is led along the grammar; None: those are enough that are like the words heard.
         """
         encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
         words = heard.heard
@@ -251,7 +262,7 @@ class Steering(Clearness):
         like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
         readings = ranked()
-        if not search:
+        if effort is None:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
         guided = self._guide(language).guided.likeliest(
@@ -260,6 +271,7 @@ class Steering(Clearness):
             free,
             self.score(encoded, [free], language)[0],
             drafts,
+            effort,
         )
         for sentence, score in guided:
             if sentence in found or possible(sentence):
@@ -292,6 +304,24 @@ class Steering(Clearness):
             rivals = self._rivals(encoded, words, language, NEAR, self._possible(heard), widely=True, far=far)
             found[words, far] = tuple(rivals)
         return found[words, far]
+
+    def begun(self, heard: Opinion, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+        """Sentences that mean what one means, and may have begun otherwise ("make me a ..."), the likeliest first."""
+        encoded, language = heard.encoded, heard.transcript.language
+        meaning = self.grammar.parse(" ".join(words), language)
+        lead = self.grammar.lead(words, language)
+        possible = self._possible(heard)
+        rows = self._along(encoded, words, language, widely=True)
+        others = (
+            sentence
+            for sentence in self._guide(language).rivals.beside(words, rows, NEAR, widely=True, far=True)
+            if sentence[:lead] == words[:lead]
+            and sentence[lead:][:1] != words[lead:][:1]
+            and self.grammar.lead(sentence, language) == lead  # "can you" is no beginning of a command by itself
+            and possible(sentence)
+            and not self.grammar.means_else(sentence, meaning, language)
+        )
+        return tuple(itertools.islice(others, MOST_RIVALS))
 
     def _rivals(
         self,

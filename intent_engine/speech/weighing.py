@@ -9,11 +9,11 @@ from itertools import chain
 from typing import Any, Protocol
 
 from intent_engine.speech.dictating import begin_of
-from intent_engine.speech.left_out import ends_unheard, goes_on
+from intent_engine.speech.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 
-__all__ = ["Each", "doubted"]
+__all__ = ["Each", "begun_otherwise", "doubted"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a
@@ -52,6 +52,26 @@ def doubted(
         sentences += others
         readings = _compared(grammar, sentences, opinions, each)
     return readings
+
+
+def begun_otherwise(
+    grammar: SpokenGrammar, readings: Sequence[Reading], opinions: Sequence[Opinion], each: Each = map
+) -> list[Reading]:
+    """Sentences, likeliest first; where the likeliest leaves out what was heard before it, with such as mean the same
+    and begin like that: "making a mocha" is no "a mocha", but it may be "make me a mocha".
+
+    Args:
+        grammar, opinions, each: as for :func:`doubted`.
+        readings: what that gave.
+    """
+    best = readings[0].words if readings else ()
+    left_out = grammar.begin_left_out(best, [one.heard for one in opinions], opinions[0].transcript.language)
+    if not left_out:
+        return list(readings)
+    known = {one.words for one in readings}
+    begun = dict.fromkeys(chain.from_iterable(each(lambda one: one.begun(best), opinions)))
+    others = [words for words in begun if words not in known and begins_like(words, best, left_out)]
+    return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
 
 
 def _compared(

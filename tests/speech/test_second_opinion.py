@@ -128,6 +128,23 @@ def test_where_they_are_not_both_search_when_it_is_over(engine):
     assert (found.text, found.draft) == ("go back", False)
 
 
+def test_both_dig_for_what_would_be_asked_back(engine):
+    both, one, other = two(engine, UNSURE, UNSURE)
+    one.found = other.found = Thinks(replace(heard(LEFT, 0.3), free_text="goat bad"), {LEFT: -12.0})
+    one.buried = other.buried = Thinks(replace(heard("go back", 0.5), free_text="goat bad"), {"go back": LIKELY})
+    found = both.transcribe(SOUND)
+    assert (found.text, one.dug, other.dug) == ("go back", 1, 1)
+
+
+@pytest.mark.parametrize("found", [heard("go back", 0.5), heard("don't go back", None)], ids=["sure", "refused"])
+def test_where_a_search_says_enough_nobody_digs(engine, found):
+    both, one, other = two(engine, UNSURE, UNSURE)
+    one.found = other.found = Thinks(found, {"go back": LIKELY})
+    one.buried = other.buried = Thinks(heard(LEFT, 0.5), {LEFT: LIKELY})
+    assert both.transcribe(SOUND).text == found.text
+    assert (one.dug, other.dug) == (0, 0)
+
+
 @pytest.mark.parametrize(
     ("one", "other", "searched"),
     [

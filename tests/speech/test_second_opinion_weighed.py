@@ -192,3 +192,15 @@ def test_what_neither_thought_of_is_asked_of_both(engine):
     assert (found.text, set(found.alternatives)) == (bowl, {mug, book}), (
         "the second time beside the one that is likelier"
     )
+
+
+@pytest.mark.parametrize(
+    ("before", "score", "taken"), [("goat", -1.5, True), ("goat", -20.0, False), ("who is going", -1.5, False)]
+)
+def test_what_was_heard_before_a_command_may_be_its_own_beginning(engine, before, score, taken):
+    """ "Goat forward two meters" may be "go forward two meters"; as "forward two meters" it leaves out a word."""
+    short = FORWARD.removeprefix("go ")
+    freely = replace(heard(short, 0.5), free_text=f"{before} {short}")
+    thinks = Knows(freely, {short: -2.0, FORWARD: score}, begins={short: (FORWARD,)}, thought_of=frozenset({short}))
+    found = both_think(engine, thinks, replace(thinks))
+    assert (found.text, found.left_out) == ((FORWARD, ()) if taken else (short, (before,)))

@@ -105,6 +105,17 @@ def test_of_a_word_or_two_the_single_words_that_the_sound_may_be_are_looked_at(h
     assert (("left",) in heard.sentences) is found, heard.sentences
 
 
+def test_what_means_the_same_may_have_begun_otherwise_but_for_a_please(engine, whisper, spoken):
+    heard = whisper.listen(spoken)
+    meant = engine.parse("forward two meters").actions
+    found = heard.begun(("forward", "two", "meters"))
+    assert ("go", "forward", "two", "meters") in found
+    for words in found:
+        assert words[0] != "forward"
+        assert engine.parse(" ".join(words)).actions == meant
+        assert not whisper.grammar.lead(words, "en")
+
+
 @pytest.mark.parametrize(("clearly", "left_out"), [(-0.1, ("do you",)), (-2.0, ())])
 def test_what_one_model_heard_clearly_before_a_command_is_not_left_out(hears, spoken, monkeypatch, clearly, left_out):
     """In noise one alone hears anything before it."""

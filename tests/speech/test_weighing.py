@@ -14,7 +14,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.speech.evidence import View, letters_apart
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
-from intent_engine.speech.weighing import ROUNDS, doubted
+from intent_engine.speech.weighing import ROUNDS, begun_otherwise, doubted
 
 DRINKS = ("espresso", "latte", "mocha", "iced mocha", "coffee", "iced coffee", "americano")
 
@@ -96,3 +96,26 @@ def test_the_likeliest_of_all_that_was_asked_about_comes_first(orders, thought_o
     margins = [one.evidence.margin for one in readings]
     assert margins[0] >= 0
     assert len(found) == len(set(found))
+
+
+def test_a_beginning_that_one_thought_of_is_asked_of_both(orders):
+    short, long = ("a", "mocha"), ("make", "me", "a", "mocha")
+
+    @dataclass
+    class Begins(Scripted):
+        begins: Sequence[tuple[str, ...]] = ()
+
+        def begun(self, words: tuple[str, ...]) -> Sequence[tuple[str, ...]]:
+            return self.begins if words == short else ()
+
+        def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
+            return [View(self.scores[" ".join(one)], -1.0, letters_apart(one, self.heard)) for one in sentences]
+
+    scores = {"a mocha": -3.0, "make me a mocha": -2.5}
+    heard = ("making", "a", "mocha")
+    first, second = Begins((), scores, {}, heard, begins=[long]), Begins((), scores, {}, heard)
+    known = orders.ranked({short: first.views([short])})
+    for opinions in ([first, second], [second, first]):
+        assert begun_otherwise(orders, known, opinions)[0].words == long  # type: ignore[arg-type]
+    first.begins = [short]
+    assert begun_otherwise(orders, known, [first, second]) == known  # type: ignore[arg-type]

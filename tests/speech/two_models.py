@@ -32,6 +32,8 @@ class Thinks:
     settled: bool = False
     others: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """What else may have been said in place of a sentence."""
+    begins: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """Sentences that mean the same and begin otherwise."""
     dictated: tuple[str, ...] = ()
     finds: dict[str, float] = field(default_factory=dict)
     """How likely texts are, as they are written."""
@@ -59,6 +61,9 @@ class Thinks:
     def beside(self, words, *, far=False):
         return tuple(tuple(text.split()) for text in self.others.get(" ".join(words), ()))
 
+    def begun(self, words):
+        return tuple(tuple(text.split()) for text in self.begins.get(" ".join(words), ()))
+
     def clearness(self, _words):
         return self.clear
 
@@ -85,7 +90,9 @@ class Says:
         self.opinion = replace(answer, settled=answer.settled or settled)
         self.found = found or answer
         self.listened: list[int] = []
-        self.compared = self.searched = 0
+        self.buried: Thinks | None = None
+        """What is found by digging."""
+        self.compared = self.searched = self.dug = 0
         self.closed = False
         self.prepared = threading.Event()
 
@@ -104,6 +111,10 @@ class Says:
     def search(self, heard: Thinks) -> Thinks:
         self.searched += 1
         return heard if heard.settled else self.found
+
+    def dig(self, heard: Thinks, searched: Thinks) -> Thinks:
+        self.dug += 1
+        return searched if heard.settled or self.buried is None else self.buried
 
     def clear(self, heard: Thinks) -> Transcript:
         return heard.transcript
