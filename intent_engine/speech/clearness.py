@@ -55,7 +55,13 @@ class Clearness(Scoring):
         return self.grammar.as_written(language)
 
     def clearness(
-        self, encoded: Encoded, words: Sequence[str], language: str | None = None, *, heard: bool = False
+        self,
+        encoded: Encoded,
+        words: Sequence[str],
+        language: str | None = None,
+        *,
+        heard: bool = False,
+        others: Sequence[Sequence[str]] = (),
     ) -> dict[str, float]:
         """The words of an utterance on which its meaning hangs, each with the nats by which it was heard more clearly
         than it must be: words of free slots that no list has, or else numbers that sound like others; and the beginning
@@ -67,10 +73,12 @@ class Clearness(Scoring):
             words: of the utterance.
             language: of the speech.
             heard: whether the model heard just these.
+            others: of the same meaning, of which a "don't" may have been said as well: "go on to the kitchen" sounds
+                like "don't go to the kitchen".
         """
         dictated = self.grammar.dictated(" ".join(words), language)
         found = {} if dictated else self._known_clearly(encoded, words, language, heard=heard)
-        ahead = self._ahead(encoded, words, language, heard=heard) - NOT_SAID
+        ahead = self._ahead(encoded, words, language, heard=heard, others=others) - NOT_SAID
         if math.isfinite(ahead):
             begin = " ".join(words[: self.grammar.lead(words, language) or 1])
             found[begin] = min(ahead, found.get(begin, math.inf))
@@ -128,7 +136,15 @@ class Clearness(Scoring):
 
     # -- what shall not be done ---------------------------------------------------------------------
 
-    def _ahead(self, encoded: Encoded, words: Sequence[str], language: str | None, *, heard: bool = False) -> float:
+    def _ahead(
+        self,
+        encoded: Encoded,
+        words: Sequence[str],
+        language: str | None,
+        *,
+        heard: bool,
+        others: Sequence[Sequence[str]] = (),
+    ) -> float:
         """nats by which a command is likelier than that it shall not be done.
 
         Args:
@@ -136,8 +152,10 @@ class Clearness(Scoring):
             words: of the command.
             language: of the speech.
             heard: whether the model heard just these.
+            others: of the same meaning.
         """
-        forbidden = self.grammar.forbidden(words, language)
+        said_so = (words, *others)
+        forbidden = list(dict.fromkeys(one for way in said_so for one in self.grammar.forbidden(way, language)))
         if not forbidden:
             return math.inf
         # What follows is hardly likelier after a "don't".

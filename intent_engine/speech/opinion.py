@@ -90,11 +90,12 @@ class Opinion:
         """As :meth:`Steering.begun`."""
         return self.model.begun(self, words)
 
-    def clearness(self, words: Sequence[str]) -> dict[str, float]:
+    def clearness(self, words: Sequence[str], others: Sequence[Sequence[str]] = ()) -> dict[str, float]:
         """As :meth:`Steering.clearness`."""
         heard = self.heard
         said = as_heard(words, heard)
-        return self.model.clearness(self.encoded, said, self.transcript.language, heard=heard == list(said))
+        language, word_by_word = self.transcript.language, heard == list(said)
+        return self.model.clearness(self.encoded, said, language, heard=word_by_word, others=others)
 
 
 def as_read(

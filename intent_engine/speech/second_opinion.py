@@ -49,7 +49,7 @@ from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.weighing import begun_otherwise, doubted
+from intent_engine.speech.weighing import begun_otherwise, doubted, same_meaning
 from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
@@ -239,7 +239,7 @@ class SecondOpinion:
         """
         heard = first.transcript
         for one in (first, second):
-            if self._meaning(one.transcript).refuses:
+            if self._meaning(one.transcript).refuses and self._heard_to_be_refused(one):
                 return one.transcript, 0.0
         if (dictated := dictated_to_both(first, second, AGREED)) is not None:
             words = (*first.dictated, DICTATED)
@@ -254,7 +254,8 @@ class SecondOpinion:
         unclear: tuple[str, ...] = ()
         left_out: tuple[str, ...] = ()
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
-            clear = self._each(lambda one: one.clearness(best.words), (first, second))
+            same = same_meaning(readings)
+            clear = self._each(lambda one: one.clearness(best.words, same), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
             left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
@@ -263,6 +264,15 @@ class SecondOpinion:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
         return both, min(letters_apart(as_heard(best.words, one.heard), one.heard) for one in (first, second))
+
+    def _heard_to_be_refused(self, one: Opinion) -> bool:
+        """Whether a model heard a word with which nothing is done, or all that it heard is refused; and did not only
+        take "a hundred percent" for "never", which is for both to weigh."""
+        language = one.transcript.language
+        return (
+            self._grammar.negated(one.heard, language)
+            or self._grammar.parse(one.transcript.free_text, language).refuses
+        )
 
     def _agreed(self, first: Opinion, second: Opinion) -> Transcript | None:
         """What both heard word by word, where a slot without a list takes just that: nothing in the grammar can be for

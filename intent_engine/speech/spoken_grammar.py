@@ -66,6 +66,8 @@ class _Known:
     """"I mean", "no", "make that","""
     correcting: frozenset[str]
     """and their words, which a sentence that is corrected has besides."""
+    negations: PhraseSet
+    """"Not", "never","""
     empty: PhraseSet
     """What says nothing: "please","""
     leading: PhraseSet
@@ -169,6 +171,12 @@ class SpokenGrammar:
     def corrections(self, language: str | None = None) -> PhraseSet:
         """Phrases that take back what was said before them."""
         return self._known(language).corrections
+
+    def negated(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether any of some words make a sentence that is not done, or no command: "never"."""
+        if language in (None, "en") and not NARRATING.isdisjoint(words):
+            return True
+        return any(self._known(language).negations.at(words, place) for place in range(len(words)))
 
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether a sentence asks for something else."""
@@ -337,6 +345,7 @@ class SpokenGrammar:
                 words,
                 PhraseSet(corrections),
                 frozenset(word for words in corrections for word in words),
+                PhraseSet(grammar.operators.negation),
                 PhraseSet(grammar.fillers),
                 PhraseSet((*grammar.fillers, *grammar.operators.sequence)),
                 known_in_slots(matcher),

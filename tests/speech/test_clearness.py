@@ -178,6 +178,22 @@ def test_a_command_must_be_far_likelier_than_that_it_shall_not_be_done(
     assert unclear_words(whisper, None, text.split(), "en") == unclear
 
 
+@pytest.mark.parametrize(("ahead", "unclear"), [(5.4, ("go",)), (5.5, ())])
+def test_a_dont_may_belong_to_the_same_command_in_other_words(whisper, parts, monkeypatch, ahead, unclear):
+    """ "Don't go to the kitchen" is like "go on to the kitchen", of which no "don't go on to the kitchen" is likely."""
+    words, other = ["go", "on", "to", "the", "kitchen"], ["just", "go", "to", "the", "kitchen"]
+    parts("Go on to the kitchen", {"Don't": 1.0})
+
+    def score(_encoded, texts, _language=None):
+        behind = {text: 30.0 if NOT_SAID.search(text) else 0.0 for text in texts} | {"Don't go to the kitchen": ahead}
+        return [-9.0 - behind[text] for text in texts]
+
+    monkeypatch.setattr(whisper, "score", score)
+    assert unclear_words(whisper, None, words, "en") == ()
+    found = whisper.clearness(None, words, "en", others=[other])
+    assert tuple(word for word, clear in found.items() if clear < 0) == unclear
+
+
 @pytest.mark.parametrize(
     ("text", "heard", "others", "asked"),
     [

@@ -35,6 +35,16 @@ def test_what_is_taken_was_thought_of_by_one_and_refused_by_none(engine, one, ot
         assert engine.parse(found.text).refuses
 
 
+@pytest.mark.parametrize(("freely", "refused"), [("ever go back", False), ("never go back", True)])
+def test_what_one_takes_for_a_refusal_but_did_not_hear_is_for_both_to_weigh(engine, freely, refused):
+    sure, never = "go back", "never go back"
+    first = Thinks(heard(sure, 0.6), {sure: LIKELY, never: -9.0})
+    second = Thinks(replace(heard(never, 0.6), free_text=freely), {sure: -2.0, never: LIKELY})
+    found = both_think(engine, first, second)
+    assert (found.text == never) is refused
+    assert bool(engine.parse(found.text).actions) is not refused
+
+
 @given(st.floats(-12, LIKELY), st.floats(-12, LIKELY))
 def test_who_agrees_is_believed_sooner_than_who_differs(engine, score, another):
     first = Thinks(heard(FORWARD, 0.5), {FORWARD: score})

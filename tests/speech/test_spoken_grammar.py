@@ -136,6 +136,23 @@ def test_what_says_nothing_at_the_beginning(grammar, text, lead):
     assert grammar.lead(text.split()) == lead
 
 
+@pytest.mark.parametrize(
+    ("language", "words", "negated"),
+    [
+        ("en", "never go back", True),
+        ("en", "dont go back", True),
+        ("en", "when we go back", True),
+        ("en", "ever go back", False),
+        ("en", "a hundred percent get me a mocha", False),
+        ("de", "fahr nicht zurueck", True),
+        ("de", "fahr zurueck", False),
+    ],
+)
+def test_a_word_with_which_nothing_is_done(language, words, negated):
+    spoken = SpokenGrammar(IntentEngine.from_files(["grammars/en.yaml", "grammars/de.yaml"]))
+    assert spoken.negated(words.split(), language) is negated
+
+
 def test_a_stop_of_words_that_may_stand_anywhere(grammar, monkeypatch):
     """German "halt an": both are said anywhere too."""
     monkeypatch.setattr(grammar, "_telling", lambda _words, _language: 0)

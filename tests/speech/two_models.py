@@ -64,7 +64,7 @@ class Thinks:
     def begun(self, words):
         return tuple(tuple(text.split()) for text in self.begins.get(" ".join(words), ()))
 
-    def clearness(self, _words):
+    def clearness(self, _words, _others=()):
         return self.clear
 
 
