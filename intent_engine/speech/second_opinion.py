@@ -81,6 +81,9 @@ is known: so are nine of ten orders of coffee in noise and commands, and four of
 each other in a grammar of 370 words, in one of 800 every second or fifth."""
 LATER = 1.5
 """s by which an utterance may have gone on since it was heard with less care, all of them silent."""
+SOON = 1.5
+"""s that a search may take for a deeper one to follow, which takes up to five times as long: on a slow machine it would
+seem to hang."""
 CLOSING = 2.0
 """s that the second model is given to end what it does."""
 LIKE_BEFORE = 0.4
@@ -212,10 +215,12 @@ class SecondOpinion:
         would be asked back else."""
         assert look.second is not None
         second = self._second.result()
+        began = time.perf_counter()
         searched = self._beside.submit(second.search, look.second)
         first, other = self._first.search(look.first), searched.result()
         both, _ = self._weighed(first, other, far=True)
-        if self._grammar.acted_on(both.sureness, both.language) or self._meaning(both).refuses:
+        known = self._grammar.acted_on(both.sureness, both.language) or self._meaning(both).refuses
+        if known or time.perf_counter() - began > SOON:
             return both
         dug = self._beside.submit(second.dig, look.second, other)
         both, _ = self._weighed(self._first.dig(look.first, first), dug.result(), far=True)

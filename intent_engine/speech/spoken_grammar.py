@@ -196,6 +196,10 @@ class SpokenGrammar:
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
         return [(*kept, *no, *rest) for kept in dict.fromkeys(((), begin)) for no in FORBIDDING]
 
+    def begins_with_a_verb(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether a sentence begins with a word that no slot has, nor is an article: nobody says "don't a mocha"."""
+        return words[self.lead(words, language)] not in self._known(language).in_slots
+
     def lead(self, words: Sequence[str], language: str | None = None) -> int:
         """How many words at the beginning of a sentence say nothing: "and then please"."""
         leading = self._known(language).leading

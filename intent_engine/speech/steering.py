@@ -32,7 +32,7 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.scoring import Rows
 from intent_engine.speech.spoken_grammar import SpokenGrammar
-from intent_engine.speech.weighing import doubted
+from intent_engine.speech.weighing import SAME, doubted
 from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
@@ -208,8 +208,17 @@ class Steering(Clearness):
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
         best = heard.sentences[0]
-        unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best)), *hardly_begun(best, [heard]))
+        unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, self._same(heard))))
+        unclear += hardly_begun(best, [heard])
         return replace(transcript, unclear=unclear, left_out=self._left_out(heard, best))
+
+    def _same(self, heard: Opinion) -> list[tuple[str, ...]]:
+        """The next sentences that mean what the likeliest means."""
+        language = heard.transcript.language
+        best, *others = heard.sentences
+        meaning = self.grammar.parse(" ".join(best), language)
+        same = (one for one in others if not begin_of(one) and not self.grammar.means_else(one, meaning, language))
+        return list(itertools.islice(same, SAME))
 
     def _hardly_heard_before(self, heard: Opinion) -> list[str]:
         """The words before a dictated text that were heard, but not clearly."""

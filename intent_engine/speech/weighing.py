@@ -13,7 +13,7 @@ from intent_engine.speech.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 
-__all__ = ["Each", "begun_otherwise", "doubted", "same_meaning"]
+__all__ = ["SAME", "Each", "begun_otherwise", "doubted", "same_meaning"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a

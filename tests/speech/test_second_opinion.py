@@ -10,6 +10,7 @@ import pytest
 from two_models import FORWARD, LEFT, LIKELY, SOUND, UNSURE, Says, Thinks, heard, two
 
 from intent_engine.errors import WeightsError
+from intent_engine.speech import second_opinion
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.second_opinion import SURE_TOGETHER, SecondOpinion
 
@@ -134,6 +135,15 @@ def test_both_dig_for_what_would_be_asked_back(engine):
     one.buried = other.buried = Thinks(replace(heard("go back", 0.5), free_text="goat bad"), {"go back": LIKELY})
     found = both.transcribe(SOUND)
     assert (found.text, one.dug, other.dug) == ("go back", 1, 1)
+
+
+def test_where_a_search_takes_long_already_nobody_digs(engine, monkeypatch):
+    monkeypatch.setattr(second_opinion, "SOON", -1.0)
+    both, one, other = two(engine, UNSURE, UNSURE)
+    one.found = other.found = Thinks(replace(heard(LEFT, 0.3), free_text="goat bad"), {LEFT: -12.0})
+    one.buried = other.buried = Thinks(replace(heard("go back", 0.5), free_text="goat bad"), {"go back": LIKELY})
+    assert both.transcribe(SOUND).sureness < SURE_TOGETHER
+    assert (one.dug, other.dug) == (0, 0)
 
 
 @pytest.mark.parametrize("found", [heard("go back", 0.5), heard("don't go back", None)], ids=["sure", "refused"])

@@ -137,6 +137,20 @@ def test_what_says_nothing_at_the_beginning(grammar, text, lead):
 
 
 @pytest.mark.parametrize(
+    ("words", "verb"),
+    [
+        ("go to the kitchen", True),
+        ("please go to the kitchen", True),
+        ("forward two meters", False),
+        ("please forward two meters", False),
+        ("a little to the left", False),
+    ],
+)
+def test_what_begins_with_a_verb_may_be_forbidden(grammar, words, verb):
+    assert grammar.begins_with_a_verb(words.split()) is verb
+
+
+@pytest.mark.parametrize(
     ("language", "words", "negated"),
     [
         ("en", "never go back", True),
