@@ -45,6 +45,15 @@ def test_what_one_takes_for_a_refusal_but_did_not_hear_is_for_both_to_weigh(engi
     assert bool(engine.parse(found.text).actions) is not refused
 
 
+@pytest.mark.parametrize(("other", "unclear"), [("go to the kitchen", ("go",)), ("go to the bedroom", ())])
+def test_a_dont_is_looked_for_in_other_words_of_the_same_command(engine, other, unclear):
+    """ "Don't go to the kitchen" is like "go on to the kitchen"."""
+    said = "go on to the kitchen"
+    both = Thinks(heard(said, 0.6), {said: LIKELY, other: -9.0}, shared={other: {"go": -9.0}})
+    found = both_think(engine, both, replace(both))
+    assert (found.text, found.unclear) == (said, unclear)
+
+
 @given(st.floats(-12, LIKELY), st.floats(-12, LIKELY))
 def test_who_agrees_is_believed_sooner_than_who_differs(engine, score, another):
     first = Thinks(heard(FORWARD, 0.5), {FORWARD: score})

@@ -11,6 +11,7 @@ from intent_engine.runtime import HeardKind
 from intent_engine.speech import steering
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.weighing import SAME
 
 NOT = "Do not ", "Don't ", "Never "
 
@@ -103,6 +104,22 @@ def test_of_a_word_or_two_the_single_words_that_the_sound_may_be_are_looked_at(h
     heard = whisper.compare(whisper.listen(spoken[: int(0.5 * SAMPLE_RATE)]))
     assert (heard.sentences[:1] == (("go",),)) is found, heard.sentences
     assert (("left",) in heard.sentences) is found, heard.sentences
+
+
+def test_a_dont_is_looked_for_in_other_words_of_the_same_command(engine, hears, spoken, monkeypatch):
+    whisper = hears("Goat forward 2 meters")
+    compared = []
+
+    def clearness(_encoded, words, _language, *, heard, others):
+        compared.append([words, *others])
+        return {}
+
+    monkeypatch.setattr(whisper, "clearness", clearness)
+    whisper.transcribe(spoken)
+    ((said, *others),) = compared
+    assert len(others) == SAME
+    meanings = {engine.parse(" ".join(one)).actions for one in (said, *others)}
+    assert meanings == {engine.parse("go forward two meters").actions}
 
 
 def test_what_means_the_same_may_have_begun_otherwise_but_for_a_please(engine, whisper, spoken):

@@ -32,6 +32,8 @@ class Thinks:
     settled: bool = False
     others: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """What else may have been said in place of a sentence."""
+    shared: dict[str, dict[str, float]] = field(default_factory=dict)
+    """How clear words are, with what is said in other words compared as well."""
     begins: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Sentences that mean the same and begin otherwise."""
     dictated: tuple[str, ...] = ()
@@ -64,8 +66,10 @@ class Thinks:
     def begun(self, words):
         return tuple(tuple(text.split()) for text in self.begins.get(" ".join(words), ()))
 
-    def clearness(self, _words, _others=()):
-        return self.clear
+    def clearness(self, _words, others=()):
+        return self.clear | {
+            word: clear for one in others for word, clear in self.shared.get(" ".join(one), {}).items()
+        }
 
 
 @dataclass
