@@ -154,8 +154,8 @@ class Clearness(Scoring):
             heard: whether the model heard just these.
             others: of the same meaning.
         """
-        said_so = (words, *(one for one in others if self.grammar.begins_with_a_verb(one, language)))
-        forbidden = list(dict.fromkeys(one for way in said_so for one in self.grammar.forbidden(way, language)))
+        ways = (words, *others)
+        forbidden = list(dict.fromkeys(one for way in ways for one in self.grammar.forbidden(way, language)))
         if not forbidden:
             return math.inf
         # What follows is hardly likelier after a "don't".

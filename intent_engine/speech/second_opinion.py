@@ -49,7 +49,7 @@ from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.weighing import begun_otherwise, doubted, same_meaning
+from intent_engine.speech.weighing import begun_otherwise, doubted
 from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
@@ -259,8 +259,8 @@ class SecondOpinion:
         unclear: tuple[str, ...] = ()
         left_out: tuple[str, ...] = ()
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
-            same = same_meaning(readings)
-            clear = self._each(lambda one: one.clearness(best.words, same), (first, second))
+            otherwise = self._grammar.said_otherwise([one.words for one in readings], heard.language)
+            clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
             left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)

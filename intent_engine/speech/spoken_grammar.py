@@ -4,6 +4,7 @@ which may be meant at all, and which of several is the likeliest, by what models
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -54,6 +55,9 @@ UNUSUAL = 2.0
 more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
+
+OTHERWISE = 2
+"""Other ways to say a command, of which a "don't" is looked for too."""
 
 
 @dataclass(slots=True)
@@ -196,9 +200,16 @@ class SpokenGrammar:
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
         return [(*kept, *no, *rest) for kept in dict.fromkeys(((), begin)) for no in FORBIDDING]
 
-    def begins_with_a_verb(self, words: Sequence[str], language: str | None = None) -> bool:
-        """Whether a sentence begins with a word that no slot has, nor is an article: nobody says "don't a mocha"."""
-        return words[self.lead(words, language)] not in self._known(language).in_slots
+    def said_otherwise(
+        self, sentences: Sequence[tuple[str, ...]], language: str | None = None
+    ) -> list[tuple[str, ...]]:
+        """The next sentences that mean what the first means, of which a "don't" may have been said as well: those that
+        begin with a verb, since nobody says "don't a mocha"."""
+        best, *others = sentences
+        meaning = self.parse(" ".join(best), language)
+        same = (one for one in others if not begin_of(one) and not self.means_else(one, meaning, language))
+        in_slots = self._known(language).in_slots
+        return [one for one in itertools.islice(same, OTHERWISE) if one[self.lead(one, language)] not in in_slots]
 
     def lead(self, words: Sequence[str], language: str | None = None) -> int:
         """How many words at the beginning of a sentence say nothing: "and then please"."""

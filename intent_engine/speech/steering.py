@@ -32,7 +32,7 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
 from intent_engine.speech.scoring import Rows
 from intent_engine.speech.spoken_grammar import SpokenGrammar
-from intent_engine.speech.weighing import SAME, doubted
+from intent_engine.speech.weighing import doubted
 from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ class Steering(Clearness):
         surely is one of them, or clearly none."""
         if heard.settled:
             return heard
-        compared = self._compared(heard)
+        compared = self._compared(heard, None)
         talk = compared.transcript.sureness < FARFETCHED and heard.transcript.score > CLEAR_TALK
         compared = self._doubted(compared)
         confidence, gap = compared.transcript.sureness, compared.transcript.gap
@@ -193,7 +193,7 @@ class Steering(Clearness):
             return heard
         return _as_read(heard, doubted(self.grammar, [heard], far=far))
 
-    def _compared(self, heard: Opinion, effort: Effort | None = None) -> Opinion:
+    def _compared(self, heard: Opinion, effort: Effort | None) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
         readings = self.readings(heard, effort)
         free, language = heard.transcript.free_text, heard.transcript.language
@@ -208,17 +208,10 @@ class Steering(Clearness):
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
         best = heard.sentences[0]
-        unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, self._same(heard))))
+        otherwise = self.grammar.said_otherwise(heard.sentences, transcript.language)
+        unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
         return replace(transcript, unclear=unclear, left_out=self._left_out(heard, best))
-
-    def _same(self, heard: Opinion) -> list[tuple[str, ...]]:
-        """The next sentences that mean what the likeliest means."""
-        language = heard.transcript.language
-        best, *others = heard.sentences
-        meaning = self.grammar.parse(" ".join(best), language)
-        same = (one for one in others if not begin_of(one) and not self.grammar.means_else(one, meaning, language))
-        return list(itertools.islice(same, SAME))
 
     def _hardly_heard_before(self, heard: Opinion) -> list[str]:
         """The words before a dictated text that were heard, but not clearly."""
@@ -316,21 +309,19 @@ class Steering(Clearness):
 
     def begun(self, heard: Opinion, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
         """Sentences that mean what one means, and may have begun otherwise ("make me a ..."), the likeliest first."""
-        encoded, language = heard.encoded, heard.transcript.language
+        language = heard.transcript.language
         meaning = self.grammar.parse(" ".join(words), language)
         lead = self.grammar.lead(words, language)
         possible = self._possible(heard)
-        rows = self._along(encoded, words, language, widely=True)
-        others = (
-            sentence
-            for sentence in self._guide(language).rivals.beside(words, rows, NEAR, widely=True, far=True)
-            if sentence[:lead] == words[:lead]
-            and sentence[lead:][:1] != words[lead:][:1]
-            and self.grammar.lead(sentence, language) == lead  # "can you" is no beginning of a command by itself
-            and possible(sentence)
-            and not self.grammar.means_else(sentence, meaning, language)
-        )
-        return tuple(itertools.islice(others, MOST_RIVALS))
+
+        def wanted(sentence: tuple[str, ...]) -> bool:
+            begins_otherwise = sentence[:lead] == words[:lead] and sentence[lead:][:1] != words[lead:][:1]
+            # "Can you" is no beginning of a command by itself.
+            if not begins_otherwise or self.grammar.lead(sentence, language) != lead:
+                return False
+            return possible(sentence) and not self.grammar.means_else(sentence, meaning, language)
+
+        return tuple(self._others(heard.encoded, words, language, NEAR, wanted, widely=True, far=True))
 
     def _rivals(
         self,
@@ -357,14 +348,27 @@ class Steering(Clearness):
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:
             return {}
+
+        def wanted(sentence: tuple[str, ...]) -> bool:
+            return possible(sentence) and self.grammar.means_else(sentence, meaning, language)
+
+        return self._others(encoded, words, language, near, wanted, widely=widely, far=far)
+
+    def _others(
+        self,
+        encoded: Encoded,
+        words: Sequence[str],
+        language: str | None,
+        near: float,
+        wanted: Callable[[tuple[str, ...]], bool],
+        *,
+        widely: bool,
+        far: bool,
+    ) -> dict[tuple[str, ...], str]:
+        """Of the sentences beside one those that are wanted, as :meth:`_rivals` gives them."""
         rows = self._along(encoded, words, language, widely=widely)
-        rivals = self._guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
-        others = (
-            sentence
-            for sentence in rivals
-            if possible(sentence) and self.grammar.means_else(sentence, meaning, language)
-        )
-        return {sentence: rivals[sentence] for sentence in itertools.islice(others, MOST_RIVALS)}
+        beside = self._guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
+        return {one: beside[one] for one in itertools.islice(filter(wanted, beside), MOST_RIVALS)}
 
     def _close(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:
         """Other commands that may have been said where one was heard word by word, each with the word in question."""

@@ -13,16 +13,13 @@ from intent_engine.speech.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 
-__all__ = ["SAME", "Each", "begun_otherwise", "doubted", "same_meaning"]
+__all__ = ["Each", "begun_otherwise", "doubted"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a
 mocha" was found at last, and nobody looked for "an iced mocha"."""
 WORTH_DOUBT = 0.1
 """Confidence from which they are: of less nothing comes."""
-
-SAME = 2
-"""Other ways to say what the likeliest says, of which a "don't" is looked for too."""
 
 
 class Each(Protocol):
@@ -75,12 +72,6 @@ def begun_otherwise(
     begun = dict.fromkeys(chain.from_iterable(each(lambda one: one.begun(best), opinions)))
     others = [words for words in begun if words not in known and begins_like(words, best, left_out)]
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
-
-
-def same_meaning(readings: Sequence[Reading]) -> list[tuple[str, ...]]:
-    """The next sentences that mean what the likeliest means."""
-    best, *others = readings
-    return [one.words for one in others if one.actions == best.actions and not begin_of(one.words)][:SAME]
 
 
 def _compared(
