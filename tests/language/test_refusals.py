@@ -29,3 +29,24 @@ def test_a_value_that_no_list_has_is_told_as_one_of_that_list(text, reason):
     found = shipped().parse(text)
     assert found.status is Status.REJECTED
     assert reason in found.reason
+
+
+@pytest.mark.parametrize("whole", ["{}, and then turn left", "turn left and then {}", "turn left, {} and turn right"])
+@pytest.mark.parametrize(
+    ("part", "reason"),
+    [
+        ("go to the garage", "in 'go to the garage': no place is called 'garage'"),
+        ("fly over the moon", "'fly over the moon' is not a command of this grammar"),
+        ("go forward two thousand meters", "in 'go forward two thousand meters': distance of 2000 is more"),
+    ],
+)
+def test_what_spoils_a_compound_is_told(whole, part, reason):
+    found = shipped().parse(whole.format(part))
+    assert found.status is Status.REJECTED
+    assert not found.actions
+    assert found.reason.startswith(reason)
+
+
+@pytest.mark.parametrize("text", ["the bus and the car", "we met and talked", "yes, and it was late"])
+def test_what_joins_no_commands_is_told_as_a_whole(text):
+    assert shipped().parse(text).reason == "not a command of this grammar"

@@ -15,6 +15,9 @@ __all__ = ["MAX_PARTS", "Compounds"]
 
 MAX_PARTS = 8
 """Commands in one utterance."""
+MOST_ENDS = 3
+"""Places where a part may end, nearest first, that are tried to tell which part of an utterance is no command: each
+costs a reading, and to tell why need not be exact."""
 
 
 class Compounds:
@@ -75,6 +78,29 @@ class Compounds:
             return found
 
         return rest(self._sequence.at(words, 0), 1) or None
+
+    def failing(self, core: Utterance, state: Collection[str]) -> tuple[Utterance, Clause | None] | None:
+        """The part for which an utterance that joins commands is none, with what is made of it: the first that is no
+        command, if those before it are, and what follows it or comes before it is at least one. None: no part is."""
+        start = first = self._sequence.at(core.words, 0)
+        while True:
+            ends = list(self._boundaries(core, start))[-MOST_ENDS:]
+            parts = [(end, after, self.part(core.part(start, end), state)) for end, after in ends]
+            done = next((after for _, after, clause in parts if clause is not None and clause.accepted), None)
+            if done is None:
+                break
+            if done >= len(core.words):
+                return None
+            start = done
+        end, after, clause = parts[-1]
+        if start == first and (after >= len(core.words) or not self._whole(core.part(after, len(core.words)), state)):
+            return None
+        return core.part(start, end), clause
+
+    def _whole(self, rest: Utterance, state: Collection[str]) -> bool:
+        """Whether an utterance is a command, or several."""
+        clause = self.part(rest, state)
+        return (clause is not None and clause.accepted) or self.split(rest, state) is not None
 
     def _boundaries(self, core: Utterance, start: int) -> Iterator[tuple[int, int]]:
         """(end of this part, start of the next), the longest part first."""

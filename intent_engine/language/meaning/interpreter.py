@@ -28,6 +28,7 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
+NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")
 Understood = tuple[Interpretation, tuple[Clause, ...]]
@@ -167,7 +168,7 @@ class Interpreter:
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
             return self._joined(text, commands)
         written = self._written_otherwise(text, core, state)
-        return written if written is not None else self._not_understood(text, core, clause or single)
+        return written if written is not None else self._not_understood(text, core, state, clause or single)
 
     def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """The same words, written together or apart as the grammar has them, if they are a command so."""
@@ -233,7 +234,7 @@ class Interpreter:
         return Interpretation(text, Status.REJECTED, reason=reason), ()
 
     @step(Kind.OTHERWISE)
-    def _not_understood(self, text: str, core: Utterance, clause: Clause | None) -> Understood:
+    def _not_understood(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Understood:
         words = core.words
         if not self.phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
@@ -244,8 +245,20 @@ class Interpreter:
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:
             return _told(text, clause)
+        failing = self._compounds.failing(core, state)
+        if failing is not None:
+            return self._not_all(text, *failing)
         near = self._nearest.sentences(words)
-        return Interpretation(text, Status.REJECTED, reason="not a command of this grammar", alternatives=near), ()
+        return Interpretation(text, Status.REJECTED, reason=NO_COMMAND, alternatives=near), ()
+
+    def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
+        """One part of what was said is no command, so nothing of it is done."""
+        said = " ".join(part.words)
+        if clause is not None and clause.reason:
+            near, reason = clause.alternatives, f"in {said!r}: {clause.reason}"
+        else:
+            near, reason = self._nearest.sentences(part.words), f"{said!r} is {NO_COMMAND}"
+        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near), ()
 
 
 def _told(text: str, clause: Clause) -> Understood:
