@@ -6,6 +6,7 @@ that acts on a guess does what was not said.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -29,6 +30,10 @@ SURE_ENOUGH_OF_SEVERAL = 0.9
 """The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
 SURE_BESIDE_A_STOP = 0.9
 """The same for a word or two that may have been a stop: of 42 "go" at 10 dB two were less sure."""
+FAR_BEHIND = 6.5
+"""nats by which a stop may be less likely and still be what was said. Of 58 "stop" in two kitchen noises at 10 and 6 dB
+ten were "go" from 0.6 to 0.9; the stop was behind by 5.2 at most. Any single word of a grammar is compared with any
+short sound: of "louder" or "start recording" a stop is among the next likeliest, but behind by 8 and more."""
 WORTH_ASKING = 0.4
 """Confidence from which it is told what it may have been."""
 SURE_ENOUGH_TO_STOP = 0.4
@@ -211,7 +216,9 @@ class Judge:
         if len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
             return False
         language = self._language(transcript)
-        return any(self.engine.parse(other, language=language).stops for other in transcript.alternatives)
+        behind = transcript.behind or itertools.repeat(0.0)
+        near = (other for other, nats in zip(transcript.alternatives, behind, strict=False) if nats < FAR_BEHIND)
+        return any(self.engine.parse(other, language=language).stops for other in near)
 
     def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
         """What was said, one intent for each kind of command."""

@@ -236,15 +236,17 @@ def test_a_stop_that_was_felt_stays_one_unless_another_was_heard(judge, text, fr
 
 
 @pytest.mark.parametrize(
-    ("text", "alternatives", "confidence", "done"),
+    ("text", "alternatives", "behind", "confidence", "done"),
     [
-        ("go", ("come", "stop"), SURE_BESIDE_A_STOP - 0.01, False),
-        ("go", ("come", "stop"), SURE_BESIDE_A_STOP, True),
-        ("go", ("come", "right"), SURE_ENOUGH, True),
-        ("go back two meters", ("stop",), SURE_ENOUGH, True),
+        ("go", ("come", "stop"), (), SURE_BESIDE_A_STOP - 0.01, False),
+        ("go", ("come", "stop"), (1.0, 6.0), SURE_BESIDE_A_STOP - 0.01, False),
+        ("go", ("come", "stop"), (1.0, 7.0), SURE_ENOUGH, True),
+        ("go", ("come", "stop"), (), SURE_BESIDE_A_STOP, True),
+        ("go", ("come", "right"), (), SURE_ENOUGH, True),
+        ("go back two meters", ("stop",), (), SURE_ENOUGH, True),
     ],
 )
-def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternatives, confidence, done):
-    """Of 464 "stop" in noise four were heard "go", and the robot drove off."""
-    transcript = Transcript(text, -2.0, text, alternatives=alternatives, confidence=confidence)
+def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternatives, behind, confidence, done):
+    """Of 464 "stop" in noise four were heard "go", and the robot drove off. But any word is compared with a "stop"."""
+    transcript = Transcript(text, -2.0, text, alternatives=alternatives, behind=behind, confidence=confidence)
     assert bool(judge.meaning(transcript, (), ()).actions) is done

@@ -104,4 +104,4 @@ def dictated_to_both(first: Opinion, second: Opinion, confidence: float) -> Tran
     if not first.dictated or first.dictated != second.dictated:
         return None
     text = text_of((*first.dictated, DICTATED), (first, second))
-    return replace(first.transcript, text=text, gap=0.0, alternatives=(), confidence=confidence)
+    return replace(first.transcript, text=text, gap=0.0, alternatives=(), behind=(), confidence=confidence)

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Opinion", "Reading", "as_read"]
 
+ALTERNATIVES = 3
+"""Further readings of a transcript."""
+
 
 @dataclass(frozen=True, slots=True)
 class Reading:
@@ -26,6 +29,8 @@ class Reading:
     words: tuple[str, ...]
     evidence: Evidence
     actions: tuple[Action, ...] = ()
+    behind: float = 0.0
+    """nats by which it is less likely than the likeliest."""
 
     @property
     def unknown(self) -> int:
@@ -107,12 +112,13 @@ def as_read(
 ) -> Transcript:
     """What one or several models heard, the first of them freely, taken for the likeliest of some sentences, of whose
     words some were not clear, and which leaves some out that were heard."""
-    best, *others = readings
+    best, *others = readings[: 1 + ALTERNATIVES]
     return replace(
         opinions[0].transcript,
         text=text_of(best.words, opinions),
         gap=best.evidence.gap,
-        alternatives=tuple(" ".join(one.words).replace(DICTATED, "...") for one in others[:3]),
+        alternatives=tuple(" ".join(one.words).replace(DICTATED, "...") for one in others),
+        behind=tuple(one.behind for one in others),
         unclear=unclear,
         left_out=left_out,
         confidence=best.evidence.confidence,

@@ -26,6 +26,8 @@ class Transcript:
     explains the sound as well as anything. Large: something else was said."""
     alternatives: tuple[str, ...] = ()
     """Further readings, best first."""
+    behind: tuple[float, ...] = ()
+    """nats by which each of these is less likely than the text; empty: not known."""
     unclear: tuple[str, ...] = ()
     """Words on which the meaning hangs and that were not heard clearly: names that no list has, and numbers that sound
     like others."""

@@ -287,7 +287,9 @@ class SecondOpinion:
             return None
         clear = self._each(lambda one: one.clearness(words), (first, second))
         said = " ".join(words)
-        return replace(heard, text=said, gap=0.0, alternatives=(), unclear=_unclear(*clear), confidence=AGREED)
+        return replace(
+            heard, text=said, gap=0.0, alternatives=(), behind=(), unclear=_unclear(*clear), confidence=AGREED
+        )
 
     def _unheard(self, best: Reading, *opinions: Opinion) -> list[str]:
         """Words in free slots that no list has and that not all heard: nothing else tells that they were said. None of

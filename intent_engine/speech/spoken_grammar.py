@@ -338,7 +338,7 @@ class SpokenGrammar:
                 models=len(seen),
                 alone=len(words) == 1,
             )
-            readings.append(Reading(words, evidence, actions))
+            readings.append(Reading(words, evidence, actions, rows[0][0] - rank))
         return readings
 
     def _own(self, language: str | None) -> str | None:
