@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -56,6 +57,9 @@ more than a circle. Of 447 angles that people told a robot one was none (docs/de
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 
+ENUMERATED = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
+"""The number before a sentence in a list, which nobody said: "1. Play my workout playlist." Models have it from texts
+that they were trained on."""
 OTHERWISE = 2
 """Other ways to say a command, of which a "don't" is looked for too."""
 
@@ -120,8 +124,8 @@ class SpokenGrammar:
         return sorted(found, key=lambda words: found[words])[:OPENINGS]
 
     def words(self, text: str, language: str | None = None) -> list[str]:
-        """The words of a text, together or apart as the grammar writes them, numbers as words."""
-        said = Utterance.of(text, language or "en")
+        """The words of a text that was heard, together or apart as the grammar writes them, numbers as words."""
+        said = Utterance.of(ENUMERATED.sub("", text), language or "en")
         words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
         return in_words(words) if language in (None, "en") else words
 

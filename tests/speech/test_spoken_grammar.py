@@ -177,6 +177,21 @@ def test_numbers_are_words(grammar):
     assert grammar.words("Turn left by 15 degrees!") == ["turn", "left", "by", "fifteen", "degrees"]
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1. Go to the kitchen.", "go to the kitchen"),
+        ("1 meter back.", "one meter back"),
+        ("1.5 meters back", "one point five meters back"),
+        ("90. degrees left", "ninety degrees left"),
+        ("Go back 1. Meter", "go back one meter"),
+        ("1.", "one"),
+    ],
+)
+def test_the_number_of_a_sentence_in_a_list_was_not_said(grammar, text, words):
+    assert grammar.words(text) == words.split()
+
+
 def test_what_is_known_is_of_the_grammar_that_is_loaded(tmp_path):
     """A robot that learns a command hears it."""
     file = tmp_path / "en.yaml"
