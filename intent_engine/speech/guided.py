@@ -421,8 +421,24 @@ def _value(found: tuple[tuple[str, ...], float]) -> float:
 
 @lru_cache(maxsize=4096)
 def word_count(words: tuple[str, ...]) -> int:
-    """Words, a number of several as one: "8120" is said in five."""
-    return sum(1 for _ in itertools.groupby(words, lambda word: word if word not in NUMBER_WORDS else None))
+    """Words, a number of several as one: "8120" is said in five, "a hundred" in as many as "eight hundred"."""
+    count = 0
+    inside = False
+    """A number."""
+    for place, word in enumerate(words):
+        rest = words[place + 1 : place + 3]
+        number = (
+            word in NUMBER_WORDS
+            or (word == "a" and _is_number(rest[:1]))
+            or (word == "and" and inside and _is_number(rest[1:] if rest[:1] == ("a",) else rest[:1]))
+        )
+        count += not (number and inside)
+        inside = number
+    return count
+
+
+def _is_number(words: Sequence[str]) -> bool:
+    return any(word in NUMBER_WORDS for word in words)
 
 
 def _spans(heard: Sequence[str]) -> set[str]:

@@ -169,7 +169,19 @@ def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
 
 @pytest.mark.parametrize(
     ("text", "count"),
-    [("", 0), ("stop", 1), ("turn left one hundred and ten degrees", 6), ("turn left ninety degrees", 4), ("one", 1)],
+    [
+        ("", 0),
+        ("stop", 1),
+        ("one", 1),
+        ("turn left one hundred and ten degrees", 4),
+        ("turn left ninety degrees", 4),
+        ("shake at a hundred rpm", 4),
+        ("shake at eight hundred rpm", 4),
+        ("go back two and a half meters", 4),
+        ("turn left and ten degrees", 5),
+        ("bring one and a cup", 5),
+        ("bring a cup", 3),
+    ],
 )
 def test_a_number_counts_as_few_words(text, count):
     """Else "one hundred ten" would be worth two words more than the "ninety" that was said."""
