@@ -422,23 +422,11 @@ def _value(found: tuple[tuple[str, ...], float]) -> float:
 @lru_cache(maxsize=4096)
 def word_count(words: tuple[str, ...]) -> int:
     """Words, a number of several as one: "8120" is said in five, "a hundred" in as many as "eight hundred"."""
-    count = 0
-    inside = False
-    """A number."""
-    for place, word in enumerate(words):
-        rest = words[place + 1 : place + 3]
-        number = (
-            word in NUMBER_WORDS
-            or (word == "a" and _is_number(rest[:1]))
-            or (word == "and" and inside and _is_number(rest[1:] if rest[:1] == ("a",) else rest[:1]))
-        )
-        count += not (number and inside)
-        inside = number
-    return count
-
-
-def _is_number(words: Sequence[str]) -> bool:
-    return any(word in NUMBER_WORDS for word in words)
+    number = [False] * (len(words) + 1)
+    for place in reversed(range(len(words))):
+        joins = words[place] == "a" or (words[place] == "and" and place > 0 and words[place - 1] in NUMBER_WORDS)
+        number[place] = words[place] in NUMBER_WORDS or (joins and number[place + 1])
+    return sum(1 for before, here in itertools.pairwise([False, *number[:-1]]) if not (before and here))
 
 
 def _spans(heard: Sequence[str]) -> set[str]:

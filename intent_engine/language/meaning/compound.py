@@ -52,6 +52,11 @@ class Compounds:
         words = core.words
         if not self._sequence.may_stand_in(words) and not any(core.breaks[1:]):
             return None
+        return self._commands_in(core, state)
+
+    def _commands_in(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+        """The same of an utterance that may be a single command."""
+        words = core.words
         tried: dict[int, list[Clause] | None] = {}
 
         def rest(start: int, depth: int) -> list[Clause] | None:
@@ -93,14 +98,9 @@ class Compounds:
                 return None
             start = done
         end, after, clause = parts[-1]
-        if start == first and (after >= len(core.words) or not self._whole(core.part(after, len(core.words)), state)):
+        if start == first and not self._commands_in(core.part(after, len(core.words)), state):
             return None
         return core.part(start, end), clause
-
-    def _whole(self, rest: Utterance, state: Collection[str]) -> bool:
-        """Whether an utterance is a command, or several."""
-        clause = self.part(rest, state)
-        return (clause is not None and clause.accepted) or self.split(rest, state) is not None
 
     def _boundaries(self, core: Utterance, start: int) -> Iterator[tuple[int, int]]:
         """(end of this part, start of the next), the longest part first."""
