@@ -180,6 +180,11 @@ class Operators:
     pronoun: tuple[tuple[str, ...], ...] = ()
     """Words for a thing that was named before: "it"."""
 
+    @property
+    def opening(self) -> tuple[tuple[str, ...], ...]:
+        """Words that go on from what was said before, and say nothing where an utterance begins: "and", "but"."""
+        return (*self.sequence, *self.contrast)
+
 
 @dataclass(frozen=True, slots=True)
 class Grammar:

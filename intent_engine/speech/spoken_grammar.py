@@ -366,7 +366,7 @@ class SpokenGrammar:
                 frozenset(word for words in corrections for word in words),
                 PhraseSet(grammar.operators.negation),
                 PhraseSet(grammar.fillers),
-                PhraseSet((*grammar.fillers, *grammar.operators.sequence)),
+                PhraseSet((*grammar.fillers, *grammar.operators.opening)),
                 known_in_slots(matcher),
                 words_as_written(matcher),
                 search,

@@ -163,3 +163,19 @@ def test_a_filler_that_joins_commands_is_none_between_them(engine, text, steps):
 )
 def test_but_it_opens_one(engine, text):
     assert engine.parse(text).slots == {"side": "left"}
+
+
+@pytest.mark.parametrize(
+    "begin", ["but", "and", "and then", "but then", "instead", "okay but", "but please", "but can you", "rather"]
+)
+@pytest.mark.parametrize("text", ["turn left", "go to the kitchen and turn left", "pick up the cup", "stop"])
+def test_what_goes_on_from_before_says_nothing_where_an_utterance_begins(engine, begin, text):
+    assert engine.parse(f"{begin} {text}").actions == engine.parse(text).actions
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["but", "and then", "but we go to the kitchen", "but don't turn left", "turn left but", "but the kitchen is cold"],
+)
+def test_nor_does_it_make_a_command(engine, text):
+    assert not engine.parse(text).actions

@@ -50,7 +50,8 @@ class Compounds:
     def split(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
         """The commands that an utterance joins, if every part of some split is a whole command; else None."""
         words = core.words
-        if not self._sequence.may_stand_in(words) and not any(core.breaks[1:]):
+        joined = self._sequence.may_stand_in(words) or any(core.breaks[1:])
+        if not joined and not self._phrases.goes_on(words):
             return None
         return self._commands_in(core, state)
 
@@ -82,12 +83,12 @@ class Compounds:
             tried[start] = found
             return found
 
-        return rest(self._sequence.at(words, 0), 1) or None
+        return rest(self._phrases.goes_on(words), 1) or None
 
     def failing(self, core: Utterance, state: Collection[str]) -> tuple[Utterance, Clause | None] | None:
         """The part for which an utterance that joins commands is none, with what is made of it: the first that is no
         command, if those before it are, and what follows it or comes before it is at least one. None: no part is."""
-        start = first = self._sequence.at(core.words, 0)
+        start = first = self._phrases.goes_on(core.words)
         while True:
             ends = list(self._boundaries(core, start))[-MOST_ENDS:]
             parts = [(end, after, self.part(core.part(start, end), state)) for end, after in ends]

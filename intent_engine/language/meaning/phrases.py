@@ -33,8 +33,9 @@ class Phrases:
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self.contrast = PhraseSet(operators.contrast)
-        opening = (words for words in grammar.fillers if any((word,) in operators.sequence for word in words))
-        self._openers = Openers(PhraseSet(opening), self.sequence)
+        self._opening = PhraseSet(operators.opening)
+        joining = (words for words in grammar.fillers if any((word,) in operators.sequence for word in words))
+        self._openers = Openers(PhraseSet(joining), self.sequence)
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:
@@ -63,6 +64,13 @@ class Phrases:
                 return None
             position += length
         return None
+
+    def goes_on(self, words: Sequence[str]) -> int:
+        """How many words at the beginning only go on from what was said before: "and then", "but"."""
+        position = 0
+        while length := self._opening.at(words, position):
+            position += length
+        return position
 
     def after_opening(self, words: list[str]) -> int:
         """Where an utterance begins, past fillers, wake words and words of correction ("no stop", "hey robot stop")."""
