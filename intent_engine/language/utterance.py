@@ -7,6 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
+from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
 __all__ = ["Openers", "PhraseSet", "Utterance", "plain"]
@@ -133,9 +135,19 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
+    def zero_between(self, position: int) -> bool | None:
+        """Whether an "oh" between two numbers is a digit, as in "two oh four", and not a sigh: "two, oh, four". None:
+        none stands here."""
+        around = self.words[position - 1 : position + 2] if position else []
+        if len(around) < 3 or around[1] not in ZERO:
+            return None
+        if not all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2]):
+            return None
+        return not any(self.breaks[position : position + 2])
+
     def without(self, phrases: PhraseSet, but: PhraseSet | None = None, openers: Openers | None = None) -> Utterance:
         """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no"), or
-        one of the ``openers`` and opens nothing.
+        one of the ``openers`` and opens nothing, or a digit.
 
         A pause before or after a removed phrase is kept.
         """
@@ -150,6 +162,8 @@ class Utterance:
             pause = pause or self.breaks[position]
             length = phrases.at(self.words, position)
             if length and openers is not None and openers.misplaced(self, position, length, words):
+                length = 0
+            if length == 1 and self.zero_between(position):
                 length = 0
             whole = but.at(self.words, position) if but is not None else 0
             if whole > max(length, 1):

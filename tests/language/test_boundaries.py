@@ -179,3 +179,19 @@ def test_what_goes_on_from_before_says_nothing_where_an_utterance_begins(engine,
 )
 def test_nor_does_it_make_a_command(engine, text):
     assert not engine.parse(text).actions
+
+
+@pytest.mark.parametrize(
+    ("text", "angle"),
+    [
+        ("turn left one oh five degrees", 105),
+        ("please turn left one oh five degrees", 105),
+        ("oh turn left fifteen degrees oh", 15),
+        ("turn left one, oh, five degrees", None),
+        ("uh turn left one, oh, five degrees", None),
+        ("turn left one uh five degrees", None),
+    ],
+)
+def test_an_oh_between_two_numbers_is_a_digit_unless_there_is_a_pause(engine, text, angle):
+    slots = engine.parse(text).slots
+    assert slots == ({} if angle is None else {"side": "left", "angle": pytest.approx(math.radians(angle))})

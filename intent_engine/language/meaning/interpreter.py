@@ -112,7 +112,7 @@ class Interpreter:
             if woken is None and spoken:
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        clause = self._commands.exact(said.words, state)
+        clause = self._commands.exact(said.words, state) if not self._sighed_in_number(said) else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
@@ -207,6 +207,13 @@ class Interpreter:
         """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
         is_number = self.matcher.is_number
         return any(is_number(core.words[place - 1]) and is_number(core.words[place]) for place in core.joined)
+
+    def _sighed_in_number(self, said: Utterance) -> bool:
+        """ "Two, oh, four meters": not 204."""
+        fillers = self.phrases.fillers
+        return fillers.may_stand_in(said.words) and any(
+            said.zero_between(place) is False and fillers.at(said.words, place) == 1 for place in range(1, len(said))
+        )
 
     # -- results ------------------------------------------------------------------------------------------------
 
