@@ -38,6 +38,7 @@ def known_in_slots(matcher: Matcher) -> frozenset[str]:
         found.update(word for value, _ in slot.values for word in str(value).split())
     for name in matcher.locations or ():
         found.update(Utterance.of(name, grammar.language).words)
+        found.update(name.split())  # a slot has the place as the map writes it: "Bay B12", "X-ray"
     return frozenset(found)
 
 

@@ -234,6 +234,28 @@ def test_the_words_of_a_slot_that_no_list_has_there(engine, text, unlisted):
 
 
 @pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("Kitchen", "kitchen"),
+        ("Living Room", "living room"),
+        ("Bay B12", "bay b twelve"),
+        ("Room 204", "room two oh four"),
+        ("X-ray", "x ray"),
+        ("Dr. Miller's office", "doctor miller's office"),
+        ("Café Luna", "cafe luna"),
+        ("ICU", "ICU"),
+    ],
+)
+def test_a_place_is_listed_however_the_map_writes_it(root, tmp_path, name, said):
+    (tmp_path / "map.yaml").write_text(f'locations:\n  "{name}": {{x: 1, y: 2}}\n', "utf-8")
+    engine = IntentEngine.from_files(root / "grammars" / "en.yaml", locations=tmp_path / "map.yaml")
+    grammar, meaning = SpokenGrammar(engine), engine.parse(f"go to {said}")
+    assert meaning.slots == {"place": name}
+    assert grammar.unlisted(meaning) == []
+    assert grammar.unlisted(engine.parse(f"go to {said} and then pick up the flurb")) == ["flurb"]
+
+
+@pytest.mark.parametrize(
     ("words", "share"),
     [("go to the kitchen", 1.0), ("go 2.5 meters", 1.0), ("go to my gorgeous kitchen unicorn", 4 / 6), ("", 1.0)],
 )
