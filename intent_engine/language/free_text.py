@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from intent_engine.language.grammar import Grammar, Slot
+from intent_engine.language.normalize import without_accents
 from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["ALONE", "ARTICLES", "FREE_KINDS", "UNFINISHED", "FreeText"]
@@ -59,14 +61,22 @@ class FreeText:
 
     @staticmethod
     def thing(slot: Slot, said: Sequence[str]) -> str:
-        """The name without its articles, in one word where the slot lists it so: "screw driver". What is dictated is no
-        name."""
+        """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents
+        ("jose"). What is dictated is no name."""
         words = list(said)
         if slot.dictation:
             return " ".join(words)
+        if accented := _accented(slot.known):
+            words = [accented.get(word, word) for word in words]
         while len(words) > 1 and words[0] in ARTICLES:
             words = words[1:]
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]
         return " ".join(words)
+
+
+@lru_cache(maxsize=64)
+def _accented(known: frozenset[str]) -> Mapping[str, str]:
+    """Words with accents, by the same without."""
+    return {plain: word for word in sorted(known) if (plain := without_accents(word)) not in known}

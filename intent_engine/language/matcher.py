@@ -22,6 +22,7 @@ from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.spacing import Spacing
 from intent_engine.language.spellings import spellings
+from intent_engine.language.spoken_patterns import SpokenPatterns
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import Choice, Node, Reference, Word, references
 
@@ -57,6 +58,7 @@ class Matcher:
         self._index_lock = threading.Lock()
         self._free = FreeText(grammar)
         self._add_networks()
+        self.patterns = SpokenPatterns(grammar, self.networks, self._call)
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
 
@@ -172,6 +174,8 @@ class Matcher:
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
+        for key in self.patterns.networks:
+            middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
             middle.edges.append(Edge(end, call=Call("stop")))
         else:
@@ -237,15 +241,20 @@ class Matcher:
             slot = self.grammar.slots.get(name)
             if slot is None:
                 scope[name] = Call(f"phrase:{name}")
-            elif slot.type in FREE_KINDS:
-                key = f"text:{name}" if slot.allow or slot.known or slot.without else f"free:{slot.max_words}"
-                scope[f"{name}:{label}"] = Call(key, ("slot", label, name))
             else:
-                loose = None
-                if slot.fuzzy and slot.type in ("location", "choice"):
-                    loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
-                scope[f"{name}:{label}"] = Call(f"slot:{name}", ("slot", label, name), loose)
+                scope[f"{name}:{label}"] = self._call(slot, label)
         return scope
+
+    @staticmethod
+    def _call(slot: Slot, label: str) -> Call:
+        mark = ("slot", label, slot.name)
+        if slot.type in FREE_KINDS:
+            listed = slot.allow or slot.known or slot.without
+            return Call(f"text:{slot.name}" if listed else f"free:{slot.max_words}", mark)
+        loose = None
+        if slot.fuzzy and slot.type in ("location", "choice"):
+            loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
+        return Call(f"slot:{slot.name}", mark, loose)
 
     # -- reading ----------------------------------------------------------------------------------------------
 

@@ -88,6 +88,19 @@ class Network:
     start: State
     end: State
 
+    def words(self) -> frozenset[str]:
+        """Its own, without those of what it calls."""
+        found: set[str] = set()
+        seen, waiting = {self.start}, [self.start]
+        while waiting:
+            state = waiting.pop()
+            found.update(state.arcs)
+            onward = {*(target for targets in state.arcs.values() for target in targets)}
+            onward.update(edge.target for edge in state.edges)
+            waiting.extend(onward - seen)
+            seen |= onward
+        return frozenset(found)
+
 
 class Networks:
     """All networks of one grammar, by key, each built when first asked for. Not thread-safe: see the automaton."""
@@ -121,6 +134,10 @@ class Networks:
             arcs += len(onward)
             pending.extend(onward)
         return len(states), arcs
+
+    def add(self, key: str, network: Network) -> None:
+        """A network that was made elsewhere."""
+        self._builders[key] = lambda: network
 
     def add_template(self, key: str, node: Node, scope: Mapping[str, Call]) -> None:
         """A network that spells a template; ``scope`` says what its names call."""

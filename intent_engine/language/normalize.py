@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["UNCLEAR", "Token", "plain_words", "tokenize"]
+__all__ = ["UNCLEAR", "Token", "plain_words", "tokenize", "without_accents"]
 
 
 class Token(NamedTuple):
@@ -119,6 +119,13 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
                 tokens.append(Token(word, start, end, breaks))
             breaks = False
     return tuple(tokens)
+
+
+def without_accents(word: str) -> str:
+    """A word with plain letters: "jose" of "josé"."""
+    if word.isascii():
+        return word
+    return "".join(letter for letter in unicodedata.normalize("NFKD", word) if not unicodedata.combining(letter))
 
 
 def _composed(text: str) -> tuple[str, list[int]]:

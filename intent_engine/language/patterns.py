@@ -6,8 +6,9 @@ hours by one user's pattern and one long text. Named groups, and the rules of a 
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
@@ -16,6 +17,8 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Sentence
 from intent_engine.language.grammar_parts import Places
+from intent_engine.language.numbers.spelled import in_digits, in_words
+from intent_engine.language.pattern_tree import Part, UnsayableError
 from intent_engine.language.template_tree import Word
 from intent_engine.language.utterance import PhraseSet
 
@@ -23,7 +26,7 @@ if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher
     from intent_engine.language.reading import Reading
 
-__all__ = ["Patterns", "pattern_problems"]
+__all__ = ["Patterns", "pattern_problems", "said_by_patterns"]
 
 
 MAX_LARK_WORDS = 40
@@ -92,6 +95,17 @@ def _lark(text: str) -> _Compiled:
     return _Compiled(parser)
 
 
+def _decimals(words: Sequence[str]) -> list[str]:
+    """Words with "2 point 5" as "2.5"."""
+    found: list[str] = []
+    for word in words:
+        if word.isdigit() and found[-1:] == ["point"] and len(found) > 1 and found[-2].isdigit():
+            found[-2:] = [f"{found[-2]}.{word}"]
+        else:
+            found.append(word)
+    return found
+
+
 def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] | None) -> Iterator[Problem]:
     """What is wrong with the patterns of a grammar.
 
@@ -115,6 +129,20 @@ def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] |
             compiled = _lark(intent.lark)
             if compiled.pattern is None:
                 yield places.problem(("intents", intent.name, "lark"), *compiled.problem, line=compiled.line)
+
+
+def said_by_patterns(grammar: Grammar) -> Iterator[Part]:
+    """What the patterns of a grammar that was checked may be said as, of those of which it can be told."""
+    from intent_engine.language.pattern_lark import lark_tree
+    from intent_engine.language.pattern_regex import regex_tree
+
+    for intent in grammar.intents.values():
+        for text in intent.regex:
+            with contextlib.suppress(UnsayableError):
+                yield regex_tree(text)
+        if intent.lark is not None:
+            with contextlib.suppress(UnsayableError):
+                yield lark_tree(_lark(intent.lark).pattern, grammar.slots)
 
 
 class Patterns:
@@ -154,16 +182,28 @@ class Patterns:
         """The readings of patterns that match all the words.
 
         A pattern with holes (``.*forward.*``) fits "do not go forward" as well. So a word that changes what is meant
-        must be spelled out in the pattern, or allowed by a slot of it.
+        must be spelled out in the pattern, or allowed by a slot of it. Numbers may be said in words where it has
+        digits, and the other way round.
         """
-        text = " ".join(words)
-        changing = self._changing(words)
-        found = [
-            self._reading(intent, sentence, values, words, matcher)
-            for intent, sentence, values in (*self._by_regex(text), *self._by_lark(text))
-            if not changing or changing <= self._spelled_out(sentence)
-        ]
-        return sorted(found, key=lambda reading: (bool(reading.problem), -reading.intent.priority))
+        for said in self._numbers_otherwise(words):
+            text = " ".join(said)
+            changing = self._changing(said)
+            found = [
+                self._reading(intent, sentence, values, said, matcher)
+                for intent, sentence, values in (*self._by_regex(text), *self._by_lark(text))
+                if not changing or changing <= self._spelled_out(sentence)
+            ]
+            if found:
+                return sorted(found, key=lambda reading: (bool(reading.problem), -reading.intent.priority))
+        return []
+
+    def _numbers_otherwise(self, words: list[str]) -> Iterator[list[str]]:
+        """Words as they are; in English also with their numbers in digits, and in words."""
+        yield words
+        if self._grammar.language == "en":
+            for other in (_decimals(in_digits(words)), in_words(words)):
+                if other != words:
+                    yield other
 
     def _changing(self, words: list[str]) -> set[str]:
         """The words of every operator that is said."""

@@ -104,6 +104,11 @@ class SpokenGrammar:
         """What a text means."""
         return self._engine.parse(text, language=self._own(language))
 
+    def is_sentence(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a command, word by word."""
+        meaning = self.parse(" ".join(words), language)
+        return meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+
     def dictated(self, text: str, language: str | None = None) -> tuple[str, ...]:
         """The words before a dictated text; none where nothing is dictated."""
         found = self._engine.dictated(text, language=self._own(language))
@@ -305,7 +310,8 @@ class SpokenGrammar:
         if self.dictated(meaning.text, language):
             return []
         known = self._known(language).in_slots
-        return [word for word in said_in_slots(meaning.slots) if word not in known]
+        unlisted = (word for word in said_in_slots(meaning.slots) if word not in known)
+        return [word for one in unlisted for word in self.words(one, language) if word not in known]
 
     def unusual(self, meaning: Interpretation, language: str | None = None) -> float:
         """nats by which a sentence is less likely for its numbers, before it was heard."""

@@ -23,6 +23,7 @@ def known_words(matcher: Matcher) -> frozenset[str]:
         found.update(words_in(node))
     for slot in grammar.slots.values():
         found |= slot.known
+    found |= matcher.patterns.words
     found.update(word for words in (*grammar.fillers, *grammar.wake, *grammar.operators.sequence) for word in words)
     for name in matcher.locations or ():
         found.update(Utterance.of(name, grammar.language).words)
@@ -32,7 +33,7 @@ def known_words(matcher: Matcher) -> frozenset[str]:
 def known_in_slots(matcher: Matcher) -> frozenset[str]:
     """Words that the value of a slot may have, where they are what a list says: "meter" is a word, but no thing."""
     grammar = matcher.grammar
-    found = set(ARTICLES)
+    found = set(ARTICLES) | matcher.patterns.values
     for slot in grammar.slots.values():
         found |= slot.known
         found.update(word for value, _ in slot.values for word in str(value).split())

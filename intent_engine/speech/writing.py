@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.free_text import ARTICLES
-from intent_engine.language.normalize import TITLES
+from intent_engine.language.normalize import TITLES, without_accents
 from intent_engine.language.numbers.spelled import in_digits
 
 __all__ = ["Names", "spellings", "written"]
@@ -45,7 +45,8 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: numbers in words, and in digits; names small and plain, and with a capital.
+    """Words as they may be spelled: numbers in words, and in digits; names small and plain, and with a capital; in
+    English "José", and "Jose".
 
     Args:
         words: normalised.
@@ -54,7 +55,10 @@ def spellings(words: Sequence[str], language: str | None, names: Names | None = 
     """
     numbers = (tuple(words), _percent(in_digits(words))) if language in (None, "en") else (tuple(words),)
     named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
-    return list(dict.fromkeys((*numbers, *named)))
+    found = dict.fromkeys((*numbers, *named))
+    if language in (None, "en") and not all(map(str.isascii, words)):
+        found |= dict.fromkeys([tuple(map(without_accents, spelled)) for spelled in found])
+    return list(found)
 
 
 def _percent(words: Sequence[str]) -> tuple[str, ...]:

@@ -44,7 +44,7 @@ ENGLISH = {
     "have on": "pick on",
     # A pattern finds the words by itself.
     "see cup": "pick cup",
-    "see the": "rejected",
+    "see the": "incomplete",
     "see a": "pick a",
 }
 
@@ -77,3 +77,17 @@ def test_a_german_thing() -> None:
     engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
     assert done(engine.parse("nimm den")) == "incomplete"
     assert done(engine.parse("nimm das")) == "pick das"
+
+
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [("jose", "josé"), ("José", "josé"), ("zoe", "zoe"), ("zoë", "zoë"), ("ana jose", "ana josé"), ("rose", "rose")],
+)
+def test_a_name_has_the_accents_with_which_it_is_listed(tmp_path, said, name):
+    """Zoë and Zoe are two."""
+    (tmp_path / "g.yaml").write_text(
+        "language: en\nslots: {who: {type: text, known: [José, Zoë, Zoe, Ana]}}\n"
+        "intents: {call: {action: custom, sentences: ['call {who}']}}\n",
+        "utf-8",
+    )
+    assert IntentEngine.from_files(tmp_path / "g.yaml").parse(f"call {said}").slots == {"who": name}

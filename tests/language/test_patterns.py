@@ -75,10 +75,10 @@ def does(engine: IntentEngine) -> Callable[[str], str]:
         ("stroll backward 50 cm", "back 0.5"),
         ("please walk uh forward", "forward 1"),
         ("walk forward six meters", "rejected"),  # the slot's limit
-        ("walk forward two", "rejected"),  # no unit
+        ("walk forward two", "incomplete"),  # no unit
         ("walk sideways", "rejected"),
         ("walk farward", "forward 1"),  # a choice may be misheard
-        ("walk", "rejected"),
+        ("walk", "incomplete"),
         ("visit kitchen", "to kitchen"),
         ("see the tea kitchen", "to tea kitchen"),
         ("visit atlantis", "rejected"),

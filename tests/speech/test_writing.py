@@ -47,6 +47,8 @@ def test_a_name_is_what_the_model_has_only_so_or_the_grammar_writes_so(whisper):
         ("go to the kitchen", ["go to the kitchen"]),
         ("tell anna", ["tell anna", "tell Anna"]),
         ("anna two", ["anna two", "anna 2", "Anna two", "Anna 2"]),
+        ("call josé", ["call josé", "call José", "call jose", "call Jose"]),
+        ("café two", ["café two", "café 2", "cafe two", "cafe 2"]),
     ],
 )
 def test_names_and_numbers_are_spelled_in_all_ways(whisper, words, spelled):
