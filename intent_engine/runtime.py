@@ -24,7 +24,7 @@ from intent_engine.execution.goal import Goal
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.interpretation import Status
 from intent_engine.judgement import Judge
-from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer, Transcript
@@ -148,6 +148,7 @@ class Runtime:
         self._voice.reset()
         self._endpoint.reset()
         self._deaf = False
+        self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         recent: deque[Samples] = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         utterance: SpokenUtterance | None = None
         waiting: list[SpokenUtterance] = []
@@ -157,6 +158,9 @@ class Runtime:
                 if self._closing.is_set():
                     break
                 self._move_clock(frame.time)
+                if not frame.samples.size:  # woken by a decode that has ended
+                    self._collect(frame.time, utterance, waiting)
+                    continue
                 if frame.lost or frame.deaf:
                     self._gap(frame, recent, utterance, waiting)
                     utterance = None

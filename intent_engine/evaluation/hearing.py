@@ -63,7 +63,7 @@ class Listener:
     """Plays recordings to a robot of its own: each to a fresh one, on a virtual clock, as fast as it goes.
 
     The virtual clock stands still while the recogniser decodes. In an act's time it does not: the decode began when it
-    was asked for or the one before had ended, and its result is taken up at the next frame, as in real time.
+    was asked for or the one before had ended, and its result is taken up at once, as that of a live source is.
 
     Args:
         engine: understands.
@@ -193,5 +193,5 @@ class _Notes:
 
     def _decoded(self, transcript: Transcript, asked: float) -> None:
         self._busy = max(asked, self._busy) + transcript.decode_seconds
-        self._ready = _next_frame(self._busy)
+        self._ready = self._busy
         self.hearing.decodes.append(transcript.decode_seconds)

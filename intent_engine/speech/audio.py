@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,7 @@ __all__ = [
     "ReportKind",
     "Resampler",
     "Samples",
+    "Wakeable",
     "clean",
     "in_silence",
     "to_float",
@@ -42,7 +43,7 @@ class Frame:
     """32 ms of sound."""
 
     samples: Samples
-    """``(512,)``, -1 to 1."""
+    """``(512,)``, -1 to 1; or none: somebody woke the source, to look at something else than sound."""
     time: float
     """s, of the end of the frame, since the source began."""
     lost: float = 0.0
@@ -88,6 +89,15 @@ class AudioSource(Protocol):
         ...
 
     def close(self) -> None: ...
+
+
+@runtime_checkable
+class Wakeable(Protocol):
+    """A live source whose reader need not wait for sound."""
+
+    def wake(self) -> None:
+        """Give a frame without sound as soon as there is no other. From any thread."""
+        ...
 
 
 def to_float(samples: npt.NDArray[Any]) -> npt.NDArray[np.floating]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import time
+from collections.abc import Callable
 from concurrent.futures import Future
 
 from intent_engine.speech.audio import Samples
@@ -25,6 +26,8 @@ class DecodeThread:
     def __init__(self, recognizer: Recognizer, patience: float = 10.0) -> None:
         self.recognizer = recognizer
         self.patience = patience
+        self.on_end: Callable[[], object] | None = None
+        """Called in that thread when a decode has ended."""
         self._busy: Future[Transcript] | None = None
         self._began = 0.0
 
@@ -54,6 +57,8 @@ class DecodeThread:
     def begin(self, samples: Samples, *, final: bool) -> Future[Transcript]:
         """Start a decode; the future holds the transcript or what the recogniser raised."""
         future: Future[Transcript] = Future()
+        if (on_end := self.on_end) is not None:
+            future.add_done_callback(lambda _: on_end())
         self._busy = future
         self._began = time.monotonic()
 

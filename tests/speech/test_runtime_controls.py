@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from speech_stage import ROOT, Frames, Says, framed
+from speech_stage import ROOT, Frames, Says, Voiced, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import HeardKind
-from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, Frame
+from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.sources.stream import StreamSource
 
 
@@ -136,3 +138,52 @@ def test_close_from_another_thread_ends_it_and_stops_the_robot(engine, whisper, 
         executor.wait()
         assert executor.idle
     assert robot.pose().x < 2.0
+
+
+class SaysWhenAllowed(Says):
+    """A recogniser that says nothing until it may."""
+
+    def __init__(self, *texts: str) -> None:
+        super().__init__(*texts)
+        self.may = threading.Event()
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+        assert self.may.wait(60)
+        return super().transcribe(samples, final=final)
+
+
+class Taken(StreamSource):
+    """A stream that tells when so many frames were taken."""
+
+    def __init__(self, count: int, told: threading.Event) -> None:
+        super().__init__(SAMPLE_RATE, live=False)
+        self._count = count
+        self._told = told
+
+    def frames(self) -> Iterator[Frame]:
+        for number, frame in enumerate(super().frames(), 1):
+            yield frame
+            if number == self._count:
+                self._told.set()
+
+
+def test_what_is_decoded_is_done_though_no_more_sound_comes(engine):
+    """At the next frame it would be up to 32 ms later."""
+    recognizer, submitted = SaysWhenAllowed("turn left"), threading.Event()
+    source = Taken(90, recognizer.may)
+    with Executor(SimulatedRobot()) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            recognizer,
+            voice=Voiced((0.5, 1.5)),
+            noise_filter=None,
+            on_event=lambda event: submitted.set() if event.kind is HeardKind.SUBMITTED else None,
+        )
+        thread = threading.Thread(target=runtime.run, args=(source,))
+        thread.start()
+        source.push(np.zeros(90 * FRAME_SAMPLES, np.float32))
+        assert submitted.wait(60)
+        runtime.close()
+        thread.join(timeout=60)
+        assert not thread.is_alive()

@@ -122,6 +122,29 @@ def test_a_program_that_pushes_no_more_leaves_it_deaf(time):
     assert [report.kind for report in reports] == [ReportKind.AWAY, ReportKind.BACK]
 
 
+def test_whoever_waits_for_sound_is_woken_once_and_after_what_has_come(time):
+    source = StreamSource(16_000, clock=time)
+    source.push(np.full(1_024, 0.1))
+    source.wake()
+    source.wake()
+    time.later(0.1, lambda: source.push(np.full(512, 0.2)))
+    frames = [(frame.samples.size, frame.time) for frame in itertools.islice(source.frames(), 4)]
+    assert [size for size, _ in frames] == [512, 512, 0, 512]
+    assert [moment for _, moment in frames] == sorted(moment for _, moment in frames)
+
+
+def test_to_be_woken_does_not_make_a_deaf_source_hear(time):
+    reports = []
+    source = StreamSource(16_000, clock=time, on_report=reports.append)
+    source.push(np.zeros(1_600))
+    frames = source.frames()
+    assert any(frame.deaf for frame in itertools.islice(frames, 4))
+    source.wake()
+    assert not next(frames).samples.size
+    assert next(frames).deaf
+    assert [report.kind for report in reports] == [ReportKind.AWAY]
+
+
 def test_without_patience_silence_stands_in(time):
     source = StreamSource(16_000, clock=time, patience=None)
     source.push(np.full(8_000, 0.1))

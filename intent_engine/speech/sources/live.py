@@ -106,6 +106,7 @@ class Inbox:
         self._ended = False
         self._closed = False
         self._failed = False
+        self._woken = False
         self._longest = 0.0
         self._began = self.clock.now()
         self._reported = -REPORT_EVERY
@@ -146,6 +147,12 @@ class Inbox:
         """No more sound comes for now: do not wait for patience to run out."""
         with self._changed:
             self._failed = True
+            self._changed.notify_all()
+
+    def wake(self) -> None:
+        """Let ``frames`` give one without sound, once what waits is taken. From any thread."""
+        with self._changed:
+            self._woken = True
             self._changed.notify_all()
 
     def end(self) -> None:
@@ -209,6 +216,9 @@ class Inbox:
                 continue
             if self._closed:
                 return
+            if self._rouse():
+                yield Frame(np.zeros(0, np.float32), last)
+                continue
             if self._ended:
                 if resampler is not None:
                     silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
@@ -241,17 +251,23 @@ class Inbox:
         """The next block; None when there is none in time, or no more."""
         with self._changed:
             deadline = None if patience is None else self.clock.now() + patience
-            while not (self._blocks or self._closed or self._ended or self._failed):
+            while not (self._blocks or self._closed or self._ended or self._failed or self._woken):
                 if self.clock.wait_until(self._changed, deadline):
                     break
             if not self._blocks:
-                self._failed = False
+                self._failed = self._failed and self._woken
                 return None
             block = self._blocks.popleft()
             self._waiting -= block.seconds
             self._longest = max(self._longest, block.seconds)
             self._changed.notify_all()
             return block
+
+    def _rouse(self) -> bool:
+        """Whether somebody woke the source; once."""
+        with self._changed:
+            woken, self._woken = self._woken, False
+        return woken
 
     def _start(self, block: _Block, last: float) -> float:
         return max(block.arrived - self._began - block.seconds, last)

@@ -73,6 +73,9 @@ class Microphone:
     def close(self) -> None:
         self._inbox.close()
 
+    def wake(self) -> None:
+        self._inbox.wake()
+
     # -- the stream ---------------------------------------------------------------------------------
 
     def _open(self) -> None:

@@ -171,6 +171,9 @@ class PcmSource:
     def close(self) -> None:
         self._inbox.close()
 
+    def wake(self) -> None:
+        self._inbox.wake()
+
     # -- the reading thread --------------------------------------------------------------------------
 
     def _work(self) -> None:

@@ -90,6 +90,9 @@ class StreamSource:
     def close(self) -> None:
         self._inbox.close()
 
+    def wake(self) -> None:
+        self._inbox.wake()
+
 
 def checked_rate(rate: int) -> int:
     """A sample rate that is one.
