@@ -42,6 +42,9 @@ TITLES: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 """English titles, which recognisers write short: "Dr. Miller"."""
 
+_AND: Mapping[str, tuple[str, ...]] = {"en": ("and",), "de": ("und",), "fr": ("et",), "es": ("y",), "it": ("e",)}
+"""What "&" is read as: "R&D", "turn left & stop"."""
+
 _FRACTIONS = {
     character: f" {top}/{bottom}"
     for character, top, bottom in (
@@ -61,7 +64,7 @@ _TOKEN = re.compile(
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
-    r"|(?P<sign>[°º%'’′\"”″/])"
+    r"|(?P<sign>[°º%&'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
 
@@ -155,7 +158,7 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
             word = re.sub(r"['’ʼ`]", "", found)
         return (TITLES.get(word) if language == "en" else None) or CONTRACTIONS.get(word, (word,))
     if kind == "sign":
-        return _sign(found, text, match.start(), before)
+        return _sign(found, text, match.start(), before, language)
     if kind == "mixed":
         whole, top, bottom = re.findall(r"\d+", found)
         number = f"{whole}-{top}/{bottom}"
@@ -184,7 +187,7 @@ def _number(written: str, kind: str | None, language: str) -> str:
     return written.replace("⁄", "/")
 
 
-def _sign(sign: str, text: str, place: int, before: list[Token]) -> tuple[str, ...]:
+def _sign(sign: str, text: str, place: int, before: list[Token], language: str) -> tuple[str, ...]:
     touching = place > 0 and not text[place - 1].isspace()
     after = text[place + 1 : place + 2]
     number_before = touching and bool(before) and before[-1].word[-1].isdigit() and text[place - 1].isdigit()
@@ -192,6 +195,8 @@ def _sign(sign: str, text: str, place: int, before: list[Token]) -> tuple[str, .
         return ("degrees",)
     if sign == "%":
         return ("percent",)
+    if sign == "&":
+        return _AND.get(language, ())
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
         return ("per",) if between else ()

@@ -80,6 +80,8 @@ def said(text: str) -> str:
         ("0.3 m/s", "0.3 m per s"),
         ("2 km/h", "2 km per h"),
         ("50%", "50 percent"),
+        ("R&D", "r and d"),
+        ("turn left & stop", "turn left and stop"),
         ("5'6\"", "5 feet 6 inches"),
         ("5′ 6″", "5 feet 6 inches"),
         ("and/or", "and per or"),
