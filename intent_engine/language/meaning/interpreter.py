@@ -18,6 +18,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
+from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
@@ -211,7 +212,7 @@ class Interpreter:
     def _sighed_in_number(self, said: Utterance) -> bool:
         """ "Two, oh, four meters": not 204."""
         fillers = self.phrases.fillers
-        return fillers.may_stand_in(said.words) and any(
+        return not ZERO.isdisjoint(said.words) and any(
             said.zero_between(place) is False and fillers.at(said.words, place) == 1 for place in range(1, len(said))
         )
 
