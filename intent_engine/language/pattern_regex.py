@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from functools import cache
 from importlib.resources import files
@@ -22,8 +23,17 @@ from intent_engine.language.pattern_tree import (
 
 __all__ = ["regex_tree"]
 
+DEEPEST = 40
+"""Brackets within each other."""
 _ANY = LETTERS | DIGITS | {" "}
-_CLASSES = {"d": DIGITS, "w": LETTERS | DIGITS, "s": frozenset(" "), "S": LETTERS | DIGITS, "D": LETTERS | {" "}}
+_CLASSES = {
+    **dict.fromkeys("tnrfv", frozenset(" ")),
+    "d": DIGITS,
+    "w": LETTERS | DIGITS,
+    "s": frozenset(" "),
+    "S": LETTERS | DIGITS,
+    "D": LETTERS | {" "},
+}
 _NOTHING = frozenset("bBAzZQE")
 """Escapes that stand for no letter."""
 _MEMBER = re.compile(r"\\(.)|(.)-([^\]\\])|(.)", re.DOTALL)
@@ -37,6 +47,8 @@ def regex_tree(text: str) -> Part:
     """
     from lark.exceptions import LarkError
 
+    if _depth(text) > DEEPEST:
+        raise UnsayableError(f"more than {DEEPEST} brackets within each other")
     try:
         return _part(_parser().parse(text.lower() if "(?i" in text else text))
     except (LarkError, RecursionError) as error:
@@ -49,6 +61,11 @@ def _parser() -> Any:
 
     grammar = files("intent_engine.language").joinpath("pattern_regex.lark").read_text("utf-8")
     return Lark(grammar, parser="lalr")
+
+
+def _depth(text: str) -> int:
+    """Brackets within each other, at most."""
+    return max(itertools.accumulate((sign == "(") - (sign == ")") for sign in text), default=0)
 
 
 def _part(node: Any) -> Part:
@@ -79,6 +96,10 @@ def _one(kind: type[OneOf] | type[Row], parts: list[Part]) -> Part:
 def _times(node: Any, signs: list[str]) -> Part:
     letters = _letters(node)
     part: Part = Text("") if letters is not None else _part(node)
+    if letters is None and isinstance(part, OneOf):
+        letters = _alphabet(part)  # "(?:[0-9]|x)+"
+    if letters and all(map(str.isspace, letters)):
+        letters = frozenset(" ")
     for sign in signs:
         least, most = _counts(sign)
         single = letters is not None and (most is None or most > 1 or letters == frozenset(" "))
@@ -87,6 +108,14 @@ def _times(node: Any, signs: list[str]) -> Part:
         part = repeated(part, least, most, letters if single else None)
         letters = None
     return part
+
+
+def _alphabet(part: Part) -> frozenset[str] | None:
+    """The letters of which a part is any one; None: it is more."""
+    if isinstance(part, Text):
+        return frozenset(part.letters) if len(part.letters) == 1 else None
+    found = [_alphabet(one) for one in part.parts] if isinstance(part, OneOf) else [None]
+    return frozenset().union(*(one for one in found if one is not None)) if None not in found else None
 
 
 def _counts(sign: str) -> tuple[int, int | None]:

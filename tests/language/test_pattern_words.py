@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Collection
 from functools import reduce
@@ -94,6 +95,9 @@ def test_every_way_through_its_network_fits_the_pattern(pattern, data):
         (r"gate .", [Words]),
         (r"^go\b( now)?$", []),
         (r"(?i)GO", []),
+        (r"go (?:[0-9]|[ ])+", [Words]),
+        (r"go (?:[0-9])+", [Number]),
+        (r"go(?:[ \t\f\r\n])+now", []),
     ],
 )
 def test_what_a_pattern_leaves_open(pattern, opened):
@@ -101,9 +105,18 @@ def test_what_a_pattern_leaves_open(pattern, opened):
     assert found == opened
 
 
-@pytest.mark.parametrize("pattern", [r"(go", r"a\1", r"\pL", r"(?=go)go", r"(?:go|a{9})", "", r"[a-z]{3} now"])
+@pytest.mark.parametrize(
+    "pattern", [r"(go", r"a\1", r"\pL", r"(?=go)go", r"(?:go|a{9})", "", r"[a-z]{3} now", "(" * 99 + "a" + ")" * 99]
+)
 def test_a_pattern_of_which_nobody_knows_how_it_is_said(pattern):
     with pytest.raises(UnsayableError):
+        network(pattern)
+
+
+@settings(deadline=None)
+@given(st.text("ab(|)[]?*+{2,}\\\\dws.^-<P> ", max_size=30))
+def test_whatever_is_written_it_is_known_or_it_is_not(pattern):
+    with contextlib.suppress(UnsayableError):
         network(pattern)
 
 
@@ -142,6 +155,17 @@ intents:
       count: /\d+/
       colour: "red" | "blue"
       %ignore " "
+  climb:
+    action: custom
+    lark: |
+      %import common.NUMBER
+      %import common.WORD
+      %import common.WS
+      %ignore WS
+      start: ("climb" | "go") way+ metres "meters" | "tell" note
+      way: "up" | "down"
+      metres: NUMBER
+      note: WORD+
   sing:
     action: custom
     lark: |
@@ -170,6 +194,9 @@ def engine(tmp_path_factory) -> IntentEngine:
         "stack two red",
         "stack 4 red on blue on red",
         "sing la la la",
+        "climb up down two meters",
+        "go up 2.5 meters",
+        "tell my friend hello",
         "lights up and then visit the kitchen",
         "do not dance",
     ],
