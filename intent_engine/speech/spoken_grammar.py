@@ -104,10 +104,13 @@ class SpokenGrammar:
         """What a text means."""
         return self._engine.parse(text, language=self._own(language))
 
-    def is_sentence(self, words: Sequence[str], language: str | None = None) -> bool:
-        """Whether words are a command, word by word."""
+    def fits_pattern(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are, as they are, a command of an intent that has patterns: of some it cannot be told what else
+        they have."""
         meaning = self.parse(" ".join(words), language)
-        return meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+        intent = self._known(language).matcher.grammar.intents.get(meaning.intent or "")
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+        return exact and intent is not None and bool(intent.regex or intent.lark)
 
     def dictated(self, text: str, language: str | None = None) -> tuple[str, ...]:
         """The words before a dictated text; none where nothing is dictated."""

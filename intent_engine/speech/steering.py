@@ -258,7 +258,7 @@ class Steering(Clearness):
             return self.grammar.ranked({**texts, **views}, language)
 
         like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
-        if self.grammar.is_sentence(words, language):  # of a pattern of which it cannot be told what else it has
+        if self.grammar.fits_pattern(words, language):
             like.append(tuple(words))
         like += [sentence for sentence in heard.sentences if not begin_of(sentence)]
         if dictated:  # else each text that somebody may have dictated would be another command

@@ -304,3 +304,20 @@ def test_a_word_that_a_slot_without_a_list_takes_is_no_less_likely(people):
     jessica, flurb = ("call", FreeWord("jessica")), ("take", "the", FreeWord("flurb"))
     found = {one.words: one.evidence.unknown for one in people.ranked({jessica: (view,), flurb: (view,)})}
     assert found == {jessica: 0, flurb: 1}
+
+
+@pytest.mark.parametrize(
+    ("words", "fits"),
+    [("code a x", True), ("code a x now", False), ("ring", False), ("stop", False), ("and the clockwise", False)],
+)
+def test_words_as_they_are_fit_a_pattern_of_which_nobody_knows_what_else_it_has(tmp_path, words, fits):
+    (tmp_path / "g.yaml").write_text(
+        "language: en\nintents:\n"
+        "  code: {action: custom, regex: 'code [a-z](?: [a-z]{3}| [a-z])'}\n"
+        "  ring: {action: custom, sentences: [ring, clockwise]}\n"
+        "  stop: {action: stop, sentences: [stop]}\n",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "g.yaml")
+    assert not engine.matcher().patterns.networks
+    assert SpokenGrammar(engine).fits_pattern(words.split()) is fits
