@@ -63,6 +63,7 @@ _TOKEN = re.compile(
     r"|(?P<grouped>\d{1,3}(?:,\d{3})+(?:\.\d+)?(?!\d))"
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
+    r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
     r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
     r"|(?P<sign>[°º%&'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
@@ -152,6 +153,8 @@ def _composed(text: str) -> tuple[str, list[int]]:
 
 def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token], language: str) -> tuple[str, ...]:
     found = match.group()
+    if kind == "letters":  # "T.V.", "U.S.B"
+        return (found.replace(".", ""),)
     if kind == "word":
         word = found
         if not found.isalpha():
