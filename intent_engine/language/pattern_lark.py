@@ -12,6 +12,8 @@ __all__ = ["lark_tree"]
 
 MOST_WITHIN = 2
 """Times that a rule may stand within itself. What is deeper is heard without the grammar's help."""
+MOST_ROWS = 5_000
+"""Alternatives that are looked at, of rules that stand within each other."""
 
 
 def lark_tree(parser: Any, slots: Collection[str]) -> Part:
@@ -27,6 +29,10 @@ def lark_tree(parser: Any, slots: Collection[str]) -> Part:
     return _Rules(parser, slots).of("start", ())
 
 
+class _TooManyError(UnsayableError):
+    """Not this alternative, but all of them."""
+
+
 class _Rules:
     def __init__(self, parser: Any, slots: Collection[str]) -> None:
         self._slots = slots
@@ -37,6 +43,7 @@ class _Rules:
         ignored = (self._terminal(str(name)) for name in parser.ignore_tokens)
         self._spaced = any(part == Text(" ") for part in ignored)
         """Whether what the rules have is said with a space between."""
+        self._rows = 0
 
     def of(self, name: str, within: tuple[str, ...]) -> Part:
         """What a rule is said as, within others."""
@@ -57,6 +64,8 @@ class _Rules:
         for way in ways:
             try:
                 found.append(self._row(way, within))
+            except _TooManyError:
+                raise
             except UnsayableError:
                 continue
         if not found:
@@ -64,6 +73,9 @@ class _Rules:
         return OneOf(tuple(found))
 
     def _row(self, symbols: list[Any], within: tuple[str, ...]) -> Part:
+        self._rows += 1
+        if self._rows > MOST_ROWS:
+            raise _TooManyError("too many rules within each other")
         parts: list[Part] = []
         for symbol in symbols:
             if parts:
@@ -77,8 +89,10 @@ class _Rules:
         return Text(" " if self._spaced else "")
 
     def _terminal(self, name: str) -> Part:
-        pattern = self._terminals[name]
-        return Text(pattern.value) if pattern.type == "str" else regex_tree(pattern.value)
+        pattern = self._terminals.get(name)
+        if pattern is None:
+            raise UnsayableError(name)
+        return Text(str(pattern.value).lower()) if pattern.type == "str" else regex_tree(pattern.value)
 
 
 def _is_rule(symbol: Any, name: str) -> bool:

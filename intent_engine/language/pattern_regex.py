@@ -50,7 +50,7 @@ def regex_tree(text: str) -> Part:
     if _depth(text) > DEEPEST:
         raise UnsayableError(f"more than {DEEPEST} brackets within each other")
     try:
-        return _part(_parser().parse(text.lower() if "(?i" in text else text))
+        return _part(_parser().parse(text))
     except (LarkError, RecursionError) as error:
         raise UnsayableError("a kind of pattern that is not known") from error
 
@@ -82,7 +82,7 @@ def _part(node: Any) -> Part:
         case "times":
             return _times(node.children[0], [str(sign) for sign in node.children[1:]])
         case "sign":
-            return Text(str(node.children[0]))
+            return Text(str(node.children[0]).lower())  # as all that is said
         case "nothing":
             return Text("")
     letters = _letters(node)
@@ -154,4 +154,5 @@ def _members(inside: str) -> frozenset[str]:
             found.add(one)
         else:
             found.update(map(chr, range(ord(first), ord(last) + 1)))
-    return frozenset(_ANY - found if others else found)
+    letters = frozenset(map(str.lower, found))
+    return frozenset(_ANY - letters if others else letters)

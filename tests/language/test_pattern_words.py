@@ -10,9 +10,11 @@ from functools import reduce
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from lark import Lark
 
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.language.network import Call, Network, State
+from intent_engine.language.pattern_lark import lark_tree
 from intent_engine.language.pattern_regex import regex_tree
 from intent_engine.language.pattern_tree import Named, Number, UnsayableError, Words, walk
 from intent_engine.language.pattern_words import pattern_network
@@ -95,6 +97,7 @@ def test_every_way_through_its_network_fits_the_pattern(pattern, data):
         (r"gate .", [Words]),
         (r"^go\b( now)?$", []),
         (r"(?i)GO", []),
+        (r"(?i)GO \S+ [A-C]", [Words]),
         (r"go (?:[0-9]|[ ])+", [Words]),
         (r"go (?:[0-9])+", [Number]),
         (r"go(?:[ \t\f\r\n])+now", []),
@@ -120,10 +123,22 @@ def test_whatever_is_written_it_is_known_or_it_is_not(pattern):
         network(pattern)
 
 
+def test_rules_within_each_other_are_not_followed_for_ever():
+    rules = "\n".join(
+        f"r{n}: " + " | ".join(f'"{n}" r{other} r{(other + 1) % 9}' for other in range(9)) for n in range(9)
+    )
+    with pytest.raises(UnsayableError):
+        lark_tree(Lark(f'start: r0 | "x"\n{rules}\n', parser="earley"), ())
+
+
 def test_a_number_is_said_in_words_too():
     ways = pattern_network(regex_tree("gate 204"), lambda _: None, numbers=True)
     for said in ("gate 204", "gate two hundred four", "gate two oh four"):
         assert accepts(ways, said.split()), said
+
+
+def test_what_is_said_has_small_letters():
+    assert accepts(network("(?i)Go (?:Left|[R]ight)"), ["go", "right"])
 
 
 def test_letters_that_go_on_as_a_number_are_no_word():
