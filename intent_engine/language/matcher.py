@@ -387,17 +387,24 @@ class Matcher:
             problem=problem,
         )
 
-    def slot_from_words(self, slot: Slot, label: str, said: list[str]) -> SlotReading:
-        """What a slot holds if it is exactly these words, for patterns that find the words themselves."""
+    def slot_from_words(self, slot: Slot, label: str, said: list[str], start: int = 0) -> SlotReading:
+        """What a slot holds if it is exactly these words, for patterns that find the words themselves.
+
+        Args:
+            slot: the slot.
+            label: name under which its value is given.
+            said: the words.
+            start: place of the first among those of the sentence.
+        """
         end = len(said)
         if slot.type in ("choice", "boolean", "location"):
             reading = self._name(slot, label, said, 0, end)
         elif slot.type in FREE_KINDS and not self.grammar.operators.closed.isdisjoint(set(said) - slot.allow):
             problem = f"{' '.join(said)!r} holds a word that changes what is meant"
-            return SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
+            reading = SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
         else:
             reading = self._slot(slot, label, said, 0, end, None, False)
-        return reading
+        return replace(reading, start=start, end=start + end)
 
     def index(self, slot: Slot) -> NameIndex:
         """The fuzzy index of a location or choice slot, made at first use."""

@@ -11,10 +11,11 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar, Intent, Sentence
 from intent_engine.language.grammar_parts import Places
 from intent_engine.language.numbers.spelled import in_digits, in_words
@@ -33,6 +34,10 @@ MAX_LARK_WORDS = 40
 """Words that a Lark grammar is tried on: an ambiguous one costs the cube of the length."""
 PROBES = ("", "qwx", "qwx vbn", "qwx vbn zrt", "vbn zrt plk qwx djf")
 """What nobody says. A pattern that fits one of these fits everything, and a robot would act on any noise."""
+
+
+_Span: TypeAlias = tuple[int, int]
+"""Where what a slot holds begins in a text, and where it ends."""
 
 
 @dataclass(frozen=True)
@@ -188,11 +193,11 @@ class Patterns:
         for said in self._numbers_otherwise(words):
             text = " ".join(said)
             changing = self._changing(said)
-            found = [
+            readings = [
                 self._reading(intent, sentence, values, said, matcher)
                 for intent, sentence, values in (*self._by_regex(text), *self._by_lark(text))
-                if not changing or changing <= self._spelled_out(sentence)
             ]
+            found = [reading for reading in readings if changing <= self._meant(reading)]
             if found:
                 return sorted(found, key=lambda reading: (bool(reading.problem), -reading.intent.priority))
         return []
@@ -205,28 +210,34 @@ class Patterns:
                 if other != words:
                     yield other
 
-    def _changing(self, words: list[str]) -> set[str]:
-        """The words of every operator that is said."""
+    def _changing(self, words: list[str]) -> set[int]:
+        """The places of the words of every operator that is said."""
         if not self._operators.may_stand_in(words):
             return set()
         found = ((at, self._operators.at(words, at)) for at in range(len(words)))
-        return {word for at, length in found for word in words[at : at + length]}
+        return {place for at, length in found for place in range(at, at + length)}
 
-    def _spelled_out(self, sentence: Sentence) -> set[str]:
-        written = set(re.findall(r"[^\W\d_]+", sentence.text))
-        return written.union(*(slot.allow for name, slot in self._grammar.slots.items() if name in written))
+    def _meant(self, reading: Reading) -> set[int]:
+        """The places of words that a pattern spells out, that a slot of it allows, or that stand in what is exactly a
+        quantity or a name: "two and a half meters"."""
+        written = set(re.findall(r"[^\W\d_]+", reading.sentence.text))
+        written.update(*(slot.allow for name, slot in self._grammar.slots.items() if name in written))
+        within = {
+            place
+            for slot in reading.slots
+            if slot.slot.type not in FREE_KINDS and slot.status == "exact"
+            for place in range(slot.start, slot.end)
+        }
+        return within | {place for place, word in enumerate(reading.words) if word in written}
 
-    def _by_regex(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, str]]]:
+    def _by_regex(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, _Span]]]:
         for intent, sentence, pattern in self._regexes:
             match = pattern.fullmatch(text)
             if match is not None:
-                yield (
-                    intent,
-                    sentence,
-                    {name: value for name, value in match.groupdict().items() if value is not None},
-                )
+                spans = {name: match.span(number) for name, number in pattern.groupindex.items()}
+                yield intent, sentence, {name: span for name, span in spans.items() if span[0] >= 0}
 
-    def _by_lark(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, str]]]:
+    def _by_lark(self, text: str) -> Iterator[tuple[Intent, Sentence, Mapping[str, _Span]]]:
         from lark.exceptions import LarkError
 
         for intent, sentence, parser in self._larks if text.count(" ") < MAX_LARK_WORDS else ():
@@ -238,14 +249,14 @@ class Patterns:
             for node in tree.iter_subtrees():
                 name = str(node.data)
                 if name in self._grammar.slots and not node.meta.empty:
-                    values[name] = text[node.meta.start_pos : node.meta.end_pos].strip()
+                    values[name] = node.meta.start_pos, node.meta.end_pos
             yield intent, sentence, values
 
     def _reading(
         self,
         intent: Intent,
         sentence: Sentence,
-        values: Mapping[str, str],
+        values: Mapping[str, _Span],
         words: list[str],
         matcher: Matcher,
     ) -> Reading:
@@ -253,11 +264,14 @@ class Patterns:
 
         slots = []
         free = 0
-        for name, said in values.items():
+        text = " ".join(words)
+        for name, (begin, end) in values.items():
             slot = self._grammar.slots.get(name)
             if slot is None:
                 continue
-            if slot.type in ("text", "object"):
-                free += len(said.split())
-            slots.append(matcher.slot_from_words(slot, name, said.split()))
+            said = text[begin:end].split()
+            place = text.count(" ", 0, begin + len(text[begin:end]) - len(text[begin:end].lstrip()))
+            if slot.type in FREE_KINDS:
+                free += len(said)
+            slots.append(matcher.slot_from_words(slot, name, said, place))
         return Reading(intent, sentence, tuple(slots), tuple(words), 0, free)

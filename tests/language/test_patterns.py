@@ -74,6 +74,10 @@ def does(engine: IntentEngine) -> Callable[[str], str]:
         ("walk ahead two meters", "forward 2"),
         ("stroll backward 50 cm", "back 0.5"),
         ("please walk uh forward", "forward 1"),
+        ("walk forward two and a half meters", "forward 2.5"),  # an "and" that joins no commands
+        ("walk ahead a meter and a half", "forward 1.5"),
+        ("walk forward two and a half meters and visit the hall", "forward 2.5, to hall"),
+        ("walk forward and dance", "forward 1, loose"),
         ("walk forward six meters", "rejected"),  # the slot's limit
         ("walk forward two", "incomplete"),  # no unit
         ("walk sideways", "rejected"),
@@ -185,3 +189,27 @@ def test_a_regular_expression_is_linear(engine: IntentEngine, tmp_path: Path) ->
     path = tmp_path / "hard.yaml"
     path.write_text('language: en\nintents:\n  a: {action: {type: custom, name: a}, regex: "go (?:a+ ?)+b"}\n')
     assert not IntentEngine.from_files(path).parse("go " + "a" * 1500).actions
+
+
+@pytest.mark.parametrize(
+    ("text", "heard"),
+    [("visit the kichen", "the kichen"), ("café kichen", "kichen"), ("walk farward", "farward"), ("dig kichen", "kichen")],
+)
+def test_what_was_heard_otherwise_is_told_with_its_own_words(tmp_path, text, heard):
+    (tmp_path / "g.yaml").write_text(
+        GRAMMAR
+        + """
+  cafe: {action: {type: custom, name: cafe}, regex: "café (?P<place>.+)"}
+  dig:
+    action: {type: custom, name: dig}
+    lark: |
+      start: "dig " place
+      place: /[a-z ]+/
+""",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "g.yaml", locations={"kitchen": (1.0, 2.0), "hall": (0.0, 0.0)})
+    found = engine.parse(text)
+    assert found.reason.startswith(f"heard {heard!r} as")
+    (slot,) = found.slots.values()
+    assert slot in ("kitchen", "forward")
