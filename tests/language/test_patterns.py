@@ -193,7 +193,12 @@ def test_a_regular_expression_is_linear(engine: IntentEngine, tmp_path: Path) ->
 
 @pytest.mark.parametrize(
     ("text", "heard"),
-    [("visit the kichen", "the kichen"), ("café kichen", "kichen"), ("walk farward", "farward"), ("dig kichen", "kichen")],
+    [
+        ("visit the kichen", "the kichen"),
+        ("café kichen", "kichen"),
+        ("walk farward", "farward"),
+        ("dig kichen", "kichen"),
+    ],
 )
 def test_what_was_heard_otherwise_is_told_with_its_own_words(tmp_path, text, heard):
     (tmp_path / "g.yaml").write_text(
