@@ -49,7 +49,7 @@ from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.weighing import begun_otherwise, doubted
+from intent_engine.speech.weighing import begun_otherwise, crossed, doubted
 from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
@@ -304,7 +304,10 @@ class SecondOpinion:
         think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.weighing.doubted`."""
         opinions = (first, second)
         readings = doubted(self._grammar, opinions, self._each, far=far)
-        return begun_otherwise(self._grammar, readings, opinions, self._each) if far else readings
+        if not far:
+            return readings
+        readings = begun_otherwise(self._grammar, readings, opinions, self._each)
+        return crossed(self._grammar, readings, opinions, self._each)
 
     def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
         """The same asked of two models, side by side."""

@@ -4,7 +4,7 @@ beside the likeliest, of which none of them may have thought.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from typing import Any, Protocol
 
@@ -13,11 +13,13 @@ from intent_engine.speech.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.opinion import Opinion, Reading
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 
-__all__ = ["Each", "begun_otherwise", "doubted"]
+__all__ = ["Each", "begun_otherwise", "crossed", "doubted"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a
 mocha" was found at last, and nobody looked for "an iced mocha"."""
+MOST_CROSSED = 6
+"""Sentences, likeliest first, of which the likeliest is crossed with the others."""
 WORTH_DOUBT = 0.1
 """Confidence from which they are: of less nothing comes."""
 
@@ -72,6 +74,39 @@ def begun_otherwise(
     begun = dict.fromkeys(chain.from_iterable(each(lambda one: one.begun(best), opinions)))
     others = [words for words in begun if words not in known and begins_like(words, best, left_out)]
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
+
+
+def crossed(
+    grammar: SpokenGrammar, readings: Sequence[Reading], opinions: Sequence[Opinion], each: Each = map
+) -> list[Reading]:
+    """Sentences, likeliest first; where the likeliest leaves out what was heard before it or after it, with such as go
+    over from it to another or the other way round, at a word that both have, and leave out nothing: "make me a mocha"
+    and "a mocha with milk" are "make me a mocha with milk".
+
+    Args:
+        grammar, opinions, each: as for :func:`doubted`.
+        readings: what that gave.
+    """
+    language = opinions[0].transcript.language
+    heard = [one.heard for one in opinions]
+    if not readings or not grammar.left_out(readings[0].words, heard, language):
+        return list(readings)
+    known = dict.fromkeys(one.words for one in readings)
+    ways = (way for other in readings[1:MOST_CROSSED] for way in _crossings(readings[0].words, other.words))
+    others = [
+        words
+        for words in dict.fromkeys(ways)
+        if words not in known and grammar.possible(words, (), language) and not grammar.left_out(words, heard, language)
+    ]
+    return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
+
+
+def _crossings(one: tuple[str, ...], other: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """Two sentences, each with the end of the other from a word on that both have."""
+    for place, word in enumerate(one):
+        for at in (at for at, its in enumerate(other) if its == word):
+            yield (*one[:place], *other[at:])
+            yield (*other[:at], *one[place:])
 
 
 def _compared(

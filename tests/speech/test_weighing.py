@@ -14,7 +14,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.speech.evidence import View, letters_apart
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
-from intent_engine.speech.weighing import ROUNDS, begun_otherwise, doubted
+from intent_engine.speech.weighing import ROUNDS, begun_otherwise, crossed, doubted
 
 DRINKS = ("espresso", "latte", "mocha", "iced mocha", "coffee", "iced coffee", "americano")
 
@@ -119,3 +119,35 @@ def test_a_beginning_that_one_thought_of_is_asked_of_both(orders):
         assert begun_otherwise(orders, known, opinions)[0].words == long  # type: ignore[arg-type]
     first.begins = [short]
     assert begun_otherwise(orders, known, [first, second]) == known  # type: ignore[arg-type]
+
+
+@dataclass
+class Finds(Scripted):
+    """One that finds a sentence as likely as its words are like those heard."""
+
+    def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
+        apart = {words: letters_apart(words, self.heard) for words in sentences}
+        return [View(-1.0 - apart[words] / 2, -1.0, apart[words]) for words in sentences]
+
+
+@pytest.mark.parametrize(
+    ("likeliest", "other", "found"),
+    [
+        # Each has what the other leaves out.
+        ("make me a large mocha", "a large mocha with brown sugar", "make me a large mocha with brown sugar"),
+        ("a large mocha with brown sugar", "make me a large mocha", "make me a large mocha with brown sugar"),
+        # What is nothing of the grammar, or leaves out something all the same, is not looked at.
+        ("make me a large mocha", "brew a latte", "make me a large mocha"),
+        # Nor is anything else, where nothing is left out.
+        ("make me a large mocha with brown sugar", "brew a large latte", "make me a large mocha with brown sugar"),
+    ],
+)
+def test_where_the_likeliest_leaves_something_out_it_is_crossed_with_others(orders, likeliest, other, found):
+    heard = ("make", "me", "a", "large", "mocha", "with", "brown", "sugar")
+    opinions = [Finds((), {}, {}, heard), Finds((), {}, {}, heard)]
+    known = [tuple(likeliest.split()), tuple(other.split())]
+    views = {words: View(-20.0 * place, 0.0, 0.0) for place, words in enumerate(known)}
+    readings = orders.ranked({words: (view, view) for words, view in views.items()})
+    assert " ".join(readings[0].words) == likeliest
+    best, *_ = crossed(orders, readings, opinions)  # type: ignore[arg-type]
+    assert " ".join(best.words) == found
