@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cache, cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -14,14 +13,13 @@ from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
-from intent_engine.language.names import NameIndex
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.slot_values import NamesOf, SlotValues
 from intent_engine.language.spacing import Spacing
-from intent_engine.language.spellings import spellings
 from intent_engine.language.spoken_patterns import SpokenPatterns
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import Choice, Node, Reference, Word, references
@@ -33,8 +31,6 @@ __all__ = ["Matcher"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
-MAX_SPELLINGS = 64
-"""Ways of saying one choice value that are compared with misheard words."""
 NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
 """How a negated command begins in speech, besides the negation itself."""
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
@@ -54,9 +50,8 @@ class Matcher:
         self.sentences: list[tuple[Intent, Sentence]] = [
             (intent, sentence) for intent in grammar.intents.values() for sentence in intent.sentences
         ]
-        self._indexes: dict[str, NameIndex] = {}
-        self._index_lock = threading.Lock()
         self._free = FreeText(grammar)
+        self.values = SlotValues(grammar, locations, self._free)
         self._add_networks()
         self.patterns = SpokenPatterns(grammar, self.networks, self._call)
         self.strict = self._automaton(self._root(), loose=False)
@@ -228,7 +223,7 @@ class Matcher:
             self.networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
         elif slot.type == "location":
             respell = number_otherwise if self.grammar.language == "en" else None
-            self.networks.add_names(key, _NamesOf(self.locations, slot.tags), respell)
+            self.networks.add_names(key, NamesOf(self.locations, slot.tags), respell)
 
     def _spoken(self, node: Node) -> Node:
         """A template of the file with its numbers in digits and in words, where those are known."""
@@ -292,7 +287,7 @@ class Matcher:
                     slot = self.grammar.slots[name]
                     if slot.type in FREE_KINDS:
                         free += position - start
-                    slots.append(self._slot(slot, label, heard, start, position, value, loosely))
+                    slots.append(self.values.read(slot, label, heard, start, position, value, loosely))
             elif kind == "alike":
                 # Stands before the end of the slot that holds the word.
                 if heard is words:
@@ -326,105 +321,6 @@ class Matcher:
             word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)
         )
 
-    def _slot(
-        self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
-    ) -> SlotReading:
-        if slot.type in QUANTITY_KINDS:
-            return self._quantity(slot, label, words[start:end], start, end)
-        if slot.type in FREE_KINDS:
-            return self._text(slot, label, words, start, end)
-        if not loosely:
-            return SlotReading(label, slot, start, end, value)
-        return self._name(slot, label, words[start:end], start, end)
-
-    def _text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
-        said = words[start:end]
-        problem = self._free.problem(slot, words, start, end)
-        status = "unknown"
-        if not problem and self._free.is_unfinished(slot, said, start):
-            problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
-        if problem:
-            return SlotReading(label, slot, start, end, None, 0.0, (), status, problem)
-        return SlotReading(label, slot, start, end, self._free.thing(slot, said))
-
-    def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
-        value = quantities.evaluate(said, slot.type, self.grammar.language, slot.unit)
-        problem = ""
-        status = "exact"
-        if value is None:
-            article = "an" if slot.type[0] in "aeiou" else "a"
-            problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
-            status = "unknown"
-        elif isinstance(value, float):
-            limit = None
-            if slot.minimum is not None and value < slot.minimum:
-                limit = f"less than the smallest, {slot.minimum:g}"
-            elif slot.maximum is not None and value > slot.maximum:
-                limit = f"more than the largest, {slot.maximum:g}"
-            if limit:
-                problem = f"{slot.name} of {value:g} is {limit} (SI units, slot {slot.name!r})"
-                status = "limit"
-        return SlotReading(label, slot, start, end, value, problem=problem, status=status)
-
-    def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
-        match = self.index(slot).resolve(said)
-        words = " ".join(said)
-        problem = ""
-        if match.status == "unknown":
-            what = "place" if slot.type == "location" else slot.name
-            problem = f"no {what} is called {words!r}"
-        elif match.status == "ambiguous":
-            problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"
-        return SlotReading(
-            label,
-            slot,
-            start,
-            end,
-            match.name if not problem else None,
-            score=match.score if not problem else 0.0,
-            rivals=tuple(match.candidates),
-            status=match.status,
-            problem=problem,
-        )
-
-    def slot_from_words(self, slot: Slot, label: str, said: list[str], start: int = 0) -> SlotReading:
-        """What a slot holds if it is exactly these words, for patterns that find the words themselves.
-
-        Args:
-            slot: the slot.
-            label: name under which its value is given.
-            said: the words.
-            start: place of the first among those of the sentence.
-        """
-        end = len(said)
-        if slot.type in ("choice", "boolean", "location"):
-            reading = self._name(slot, label, said, 0, end)
-        elif slot.type in FREE_KINDS and not self.grammar.operators.closed.isdisjoint(set(said) - slot.allow):
-            problem = f"{' '.join(said)!r} holds a word that changes what is meant"
-            reading = SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
-        else:
-            reading = self._slot(slot, label, said, 0, end, None, False)
-        return replace(reading, start=start, end=start + end)
-
-    def index(self, slot: Slot) -> NameIndex:
-        """The fuzzy index of a location or choice slot, made at first use."""
-        if slot.type == "location" and not slot.tags and self.locations is not None:
-            return self.locations.index
-        with self._index_lock:
-            index = self._indexes.get(slot.name)
-            if index is None:
-                index = self._indexes[slot.name] = NameIndex(list(self._spellings(slot)))
-            return index
-
-    def _spellings(self, slot: Slot) -> Iterator[tuple[str, str]]:
-        if slot.type == "location":
-            for words, name in _NamesOf(self.locations, slot.tags):
-                yield " ".join(words), name
-            return
-        for value, node in slot.values:
-            for words in spellings(node, self.grammar.phrases, MAX_SPELLINGS):
-                yield " ".join(words), value
-
 
 @cache
 def spoken_trees(language: str) -> Mapping[str, Node]:
@@ -434,27 +330,3 @@ def spoken_trees(language: str) -> Mapping[str, Node]:
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:
     return (bool(reading.problem), -reading.intent.priority, reading.free_words, reading.alikes)
-
-
-@dataclass(frozen=True)
-class _NamesOf(Sequence[tuple[tuple[str, ...], str]]):
-    """The names of a map, listed only when the walk first comes to a place."""
-
-    locations: LocationMap | None
-    tags: frozenset[str]
-
-    def __iter__(self) -> Iterator[tuple[tuple[str, ...], str]]:
-        if self.locations is None:
-            return
-        for words, name in self.locations.names():
-            if self.tags:
-                place = self.locations.get(name)
-                if place is None or not self.tags & set(place.tags):
-                    continue
-            yield words, name
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-    def __getitem__(self, index: Any) -> Any:
-        return list(self)[index]

@@ -53,6 +53,8 @@ class _Letters:
         """Where each state leads without a letter,"""
         self.steps: list[list[tuple[str | Call, int]]] = []
         """and with one, or with words of a kind."""
+        self.anything: set[Call] = set()
+        """Of these such as may be any words."""
         self.begin, self.end = self._state(), self._state()
 
     def _state(self) -> int:
@@ -71,6 +73,8 @@ class _Letters:
             case Number() | Words() | Named():
                 call = self._enter(part)
                 if call is not None:
+                    if isinstance(part, Words):
+                        self.anything.add(call)
                     self.steps[start].append((call, end))
                 elif isinstance(part, Named):
                     self.lay(part.part, start, end)
@@ -171,7 +175,7 @@ class _Spaces:
                 raise UnsayableError("too many words")
 
     def _step(self, place: State, call: Call, after: frozenset[int]) -> None:
-        if place is self._start and call.mark is None and call.network.startswith("free:"):
+        if place is self._start and call in self._letters.anything:
             return  # else whatever anybody says would be the beginning of ".* dance"
         onward = self._letters.onward(after)
         if self._letters.end in after:

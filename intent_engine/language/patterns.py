@@ -273,5 +273,5 @@ class Patterns:
             place = text.count(" ", 0, begin + len(text[begin:end]) - len(text[begin:end].lstrip()))
             if slot.type in FREE_KINDS:
                 free += len(said)
-            slots.append(matcher.slot_from_words(slot, name, said, place))
+            slots.append(matcher.values.from_words(slot, name, said, place))
         return Reading(intent, sentence, tuple(slots), tuple(words), 0, free)

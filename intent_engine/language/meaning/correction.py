@@ -170,4 +170,4 @@ class Corrections:
         if slot.slot.type in QUANTITY_KINDS:
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
-        return self._matcher.slot_from_words(slot.slot, slot.label, meant).status == "exact"
+        return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"

@@ -1,0 +1,157 @@
+"""What a slot holds: the value of the words that were said for it, or why they have none."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.language import quantities
+from intent_engine.language.free_text import FREE_KINDS, FreeText
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
+from intent_engine.language.names import NameIndex
+from intent_engine.language.reading import SlotReading
+from intent_engine.language.spellings import spellings
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["NamesOf", "SlotValues"]
+
+MAX_SPELLINGS = 64
+"""Ways of saying one choice value that are compared with misheard words."""
+
+
+class SlotValues:
+    """The values of one grammar's slots and one map. Thread-safe."""
+
+    def __init__(self, grammar: Grammar, locations: LocationMap | None, free: FreeText) -> None:
+        self._grammar = grammar
+        self._locations = locations
+        self._free = free
+        self._indexes: dict[str, NameIndex] = {}
+        self._index_lock = threading.Lock()
+
+    def read(
+        self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
+    ) -> SlotReading:
+        if slot.type in QUANTITY_KINDS:
+            return self._quantity(slot, label, words[start:end], start, end)
+        if slot.type in FREE_KINDS:
+            return self._text(slot, label, words, start, end)
+        if not loosely:
+            return SlotReading(label, slot, start, end, value)
+        return self._name(slot, label, words[start:end], start, end)
+
+    def _text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
+        said = words[start:end]
+        problem = self._free.problem(slot, words, start, end)
+        status = "unknown"
+        if not problem and self._free.is_unfinished(slot, said, start):
+            problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
+        if problem:
+            return SlotReading(label, slot, start, end, None, 0.0, (), status, problem)
+        return SlotReading(label, slot, start, end, self._free.thing(slot, said))
+
+    def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
+        problem = ""
+        status = "exact"
+        if value is None:
+            article = "an" if slot.type[0] in "aeiou" else "a"
+            problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
+            status = "unknown"
+        elif isinstance(value, float):
+            limit = None
+            if slot.minimum is not None and value < slot.minimum:
+                limit = f"less than the smallest, {slot.minimum:g}"
+            elif slot.maximum is not None and value > slot.maximum:
+                limit = f"more than the largest, {slot.maximum:g}"
+            if limit:
+                problem = f"{slot.name} of {value:g} is {limit} (SI units, slot {slot.name!r})"
+                status = "limit"
+        return SlotReading(label, slot, start, end, value, problem=problem, status=status)
+
+    def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        match = self.index(slot).resolve(said)
+        words = " ".join(said)
+        problem = ""
+        if match.status == "unknown":
+            what = "place" if slot.type == "location" else slot.name
+            problem = f"no {what} is called {words!r}"
+        elif match.status == "ambiguous":
+            problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"
+        return SlotReading(
+            label,
+            slot,
+            start,
+            end,
+            match.name if not problem else None,
+            score=match.score if not problem else 0.0,
+            rivals=tuple(match.candidates),
+            status=match.status,
+            problem=problem,
+        )
+
+    def from_words(self, slot: Slot, label: str, said: list[str], start: int = 0) -> SlotReading:
+        """What a slot holds if it is exactly these words, for patterns that find the words themselves.
+
+        Args:
+            slot: the slot.
+            label: name under which its value is given.
+            said: the words.
+            start: place of the first among those of the sentence.
+        """
+        end = len(said)
+        if slot.type in ("choice", "boolean", "location"):
+            reading = self._name(slot, label, said, 0, end)
+        elif slot.type in FREE_KINDS and not self._grammar.operators.closed.isdisjoint(set(said) - slot.allow):
+            problem = f"{' '.join(said)!r} holds a word that changes what is meant"
+            reading = SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
+        else:
+            reading = self.read(slot, label, said, 0, end, None, False)
+        return replace(reading, start=start, end=start + end)
+
+    def index(self, slot: Slot) -> NameIndex:
+        """The fuzzy index of a location or choice slot, made at first use."""
+        if slot.type == "location" and not slot.tags and self._locations is not None:
+            return self._locations.index
+        with self._index_lock:
+            index = self._indexes.get(slot.name)
+            if index is None:
+                index = self._indexes[slot.name] = NameIndex(list(self._spellings(slot)))
+            return index
+
+    def _spellings(self, slot: Slot) -> Iterator[tuple[str, str]]:
+        if slot.type == "location":
+            for words, name in NamesOf(self._locations, slot.tags):
+                yield " ".join(words), name
+            return
+        for value, node in slot.values:
+            for words in spellings(node, self._grammar.phrases, MAX_SPELLINGS):
+                yield " ".join(words), value
+
+
+@dataclass(frozen=True)
+class NamesOf(Sequence[tuple[tuple[str, ...], str]]):
+    """The names of a map, listed only when the walk first comes to a place."""
+
+    locations: LocationMap | None
+    tags: frozenset[str]
+
+    def __iter__(self) -> Iterator[tuple[tuple[str, ...], str]]:
+        if self.locations is None:
+            return
+        for words, name in self.locations.names():
+            if self.tags:
+                place = self.locations.get(name)
+                if place is None or not self.tags & set(place.tags):
+                    continue
+            yield words, name
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def __getitem__(self, index: Any) -> Any:
+        return list(self)[index]
