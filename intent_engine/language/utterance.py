@@ -135,15 +135,16 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
-    def zero_between(self, position: int) -> bool | None:
-        """Whether an "oh" between two numbers is a digit, as in "two oh four", and not a sigh: "two, oh, four". None:
-        none stands here."""
+    def zero_between(self, position: int) -> bool:
+        """Whether an "oh" stands between two numbers: a digit, as in "two oh four", or a sigh: "two, oh, four"."""
         around = self.words[position - 1 : position + 2] if position else []
         if len(around) < 3 or around[1] not in ZERO:
-            return None
-        if not all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2]):
-            return None
-        return not any(self.breaks[position : position + 2])
+            return False
+        return all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2])
+
+    def paused_beside(self, position: int) -> bool:
+        """Whether there is a pause before a word or after it."""
+        return any(self.breaks[position : position + 2])
 
     def without(self, phrases: PhraseSet, but: PhraseSet | None = None, openers: Openers | None = None) -> Utterance:
         """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no"), or
@@ -163,7 +164,7 @@ class Utterance:
             length = phrases.at(self.words, position)
             if length and openers is not None and openers.misplaced(self, position, length, words):
                 length = 0
-            if length == 1 and self.zero_between(position):
+            if length == 1 and self.zero_between(position) and not self.paused_beside(position):
                 length = 0
             whole = but.at(self.words, position) if but is not None else 0
             if whole > max(length, 1):

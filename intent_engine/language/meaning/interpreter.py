@@ -213,7 +213,8 @@ class Interpreter:
         """ "Two, oh, four meters": not 204."""
         fillers = self.phrases.fillers
         return not ZERO.isdisjoint(said.words) and any(
-            said.zero_between(place) is False and fillers.at(said.words, place) == 1 for place in range(1, len(said))
+            said.zero_between(place) and said.paused_beside(place) and fillers.at(said.words, place) == 1
+            for place in range(1, len(said))
         )
 
     # -- results ------------------------------------------------------------------------------------------------
