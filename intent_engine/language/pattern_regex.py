@@ -11,13 +11,13 @@ from typing import Any
 from intent_engine.language.pattern_tree import (
     DIGITS,
     LETTERS,
+    Letters,
     Named,
     OneOf,
     Part,
     Row,
     Text,
     UnsayableError,
-    of_letters,
     repeated,
 )
 
@@ -85,8 +85,7 @@ def _part(node: Any) -> Part:
             return Text(str(node.children[0]).lower())  # as all that is said
         case "nothing":
             return Text("")
-    letters = _letters(node)
-    return Text("") if not letters else of_letters(letters) if len(letters) > 1 else Text(*letters)
+    return _letters(node)
 
 
 def _one(kind: type[OneOf] | type[Row], parts: list[Part]) -> Part:
@@ -94,28 +93,10 @@ def _one(kind: type[OneOf] | type[Row], parts: list[Part]) -> Part:
 
 
 def _times(node: Any, signs: list[str]) -> Part:
-    letters = _letters(node)
-    part: Part = Text("") if letters is not None else _part(node)
-    if letters is None and isinstance(part, OneOf):
-        letters = _alphabet(part)  # "(?:[0-9]|x)+"
-    if letters and all(map(str.isspace, letters)):
-        letters = frozenset(" ")
+    part = _part(node)
     for sign in signs:
-        least, most = _counts(sign)
-        single = letters is not None and (most is None or most > 1 or letters == frozenset(" "))
-        if letters is not None and not single:
-            part = of_letters(letters)
-        part = repeated(part, least, most, letters if single else None)
-        letters = None
+        part = repeated(part, *_counts(sign))
     return part
-
-
-def _alphabet(part: Part) -> frozenset[str] | None:
-    """The letters of which a part is any one; None: it is more."""
-    if isinstance(part, Text):
-        return frozenset(part.letters) if len(part.letters) == 1 else None
-    found = [_alphabet(one) for one in part.parts] if isinstance(part, OneOf) else [None]
-    return frozenset().union(*(one for one in found if one is not None)) if None not in found else None
 
 
 def _counts(sign: str) -> tuple[int, int | None]:
@@ -125,14 +106,14 @@ def _counts(sign: str) -> tuple[int, int | None]:
     return int(least), int(most) if most else None if "," in sign else int(least)
 
 
-def _letters(node: Any) -> frozenset[str] | None:
-    """Which letters one may be; none: it stands for no letter; None: it is no single letter."""
+def _letters(node: Any) -> Part:
+    """Any one of the letters of a class; nothing, where it stands for no letter."""
     kind = str(node.data)
     if kind == "anything":
-        return frozenset(_ANY)
-    if kind == "escape":
-        return _escaped(str(node.children[0])[1])
-    return _members(str(node.children[0])[1:-1]) if kind == "letters" else None
+        return Letters(_ANY)
+    sign = str(node.children[0])
+    found = _escaped(sign[1]) if kind == "escape" else _members(sign[1:-1])
+    return Letters(found) if found else Text("")
 
 
 def _escaped(sign: str) -> frozenset[str]:
@@ -154,5 +135,5 @@ def _members(inside: str) -> frozenset[str]:
             found.add(one)
         else:
             found.update(map(chr, range(ord(first), ord(last) + 1)))
-    letters = frozenset(map(str.lower, found))
-    return frozenset(_ANY - letters if others else letters)
+    letters = frozenset(" " if letter.isspace() else letter.lower() for letter in found)
+    return _ANY - letters if others else letters

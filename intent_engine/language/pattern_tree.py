@@ -9,6 +9,7 @@ from typing import TypeAlias
 __all__ = [
     "DIGITS",
     "LETTERS",
+    "Letters",
     "Named",
     "Number",
     "OneOf",
@@ -18,7 +19,7 @@ __all__ = [
     "Text",
     "UnsayableError",
     "Words",
-    "of_letters",
+    "leaves_open",
     "repeated",
     "walk",
 ]
@@ -39,6 +40,19 @@ class UnsayableError(ValueError):
 class Text:
     letters: str
     """As they are said, a space between two words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Letters:
+    """Any one letter."""
+
+    letters: frozenset[str]
+    """Of these."""
+
+    @property
+    def many(self) -> bool:
+        """Whether they are too many to be tried one by one: then they are as good as any word."""
+        return len(self.letters) > MOST_CHOICES
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +93,7 @@ class Repeat:
     """None: as often as one likes."""
 
 
-Part: TypeAlias = Text | Number | Words | Named | Row | OneOf | Repeat
+Part: TypeAlias = Text | Letters | Number | Words | Named | Row | OneOf | Repeat
 
 
 def walk(part: Part) -> Iterator[Part]:
@@ -92,32 +106,53 @@ def walk(part: Part) -> Iterator[Part]:
         yield from walk(part.part)
 
 
-def of_letters(letters: frozenset[str]) -> Part:
-    """Any one of some letters; of very many, any word."""
-    if len(letters) > MOST_CHOICES:
-        return Words(single=True)
-    return OneOf(tuple(map(Text, sorted(letters))))
+def leaves_open(part: Part) -> bool:
+    """Whether any words may stand somewhere in a part."""
+    return any(isinstance(one, Words) or (isinstance(one, Letters) and one.many) for one in walk(part))
 
 
-def repeated(part: Part, least: int, most: int | None, letters: frozenset[str] | None = None) -> Part:
-    """A part several times.
+def repeated(part: Part, least: int, most: int | None) -> Part:
+    """A part several times; of several letters any number, word, or words.
 
     Args:
-        part: the part; any, if letters are given.
-        least, most: how often; ``most`` None: as often as one likes.
-        letters: if it is any one of these. Many letters are a number, a word, or several.
+        part: the part.
+        least: how often.
+        most: how often; None: as often as one likes.
+
+    Raises:
+        UnsayableError: it is too often to be tried.
     """
+    letters = _alphabet(part)
     found: Part
-    if part == Text(" ") or letters == frozenset(" "):
+    if letters == frozenset(" "):
         found = Text(" ")  # what is heard has one between two words
-    elif letters is not None and letters & DIGITS and letters <= DIGITS | frozenset(".,"):
+    elif most == 1 or letters is None or len(letters) == 1:
+        return _times(part, least, most)
+    elif letters & DIGITS and letters <= DIGITS | frozenset(".,"):
         found = Number()
-    elif letters is not None and (most is None or most > MOST_TIMES):
+    elif most is None or most > MOST_TIMES:
         several = " " in letters
         space = (Repeat(Text(" "), 0, 1),) if several else ()  # of ".*forward" the space is one of these letters
         found = Row((*space, Words(single=not several), *space))
     else:
-        if most is not None and most > MOST_TIMES:
-            raise UnsayableError(f"{most} times the same")
-        return Repeat(part if letters is None else of_letters(letters), least, most)
-    return found if least else OneOf((found, Text("")))
+        return _times(part, least, most)
+    return found if least else Repeat(found, 0, 1)
+
+
+def _times(part: Part, least: int, most: int | None) -> Part:
+    if most is not None and most > MOST_TIMES:
+        raise UnsayableError(f"{most} times the same")
+    return Repeat(part, least, most)
+
+
+def _alphabet(part: Part) -> frozenset[str] | None:
+    """The letters of which a part is any one: "[0-9]", "(?:a|[b-d])"; None: it is more."""
+    match part:
+        case Letters(letters):
+            return letters
+        case Text(letters) if len(letters) == 1:
+            return frozenset(letters)
+        case OneOf(parts):
+            found = [_alphabet(one) for one in parts]
+            return frozenset().union(*filter(None, found)) if None not in found else None
+    return None

@@ -11,7 +11,18 @@ from typing import TypeAlias
 
 from intent_engine.language.network import Call, Edge, Network, State
 from intent_engine.language.numbers.spelled import number_otherwise
-from intent_engine.language.pattern_tree import Named, Number, OneOf, Part, Repeat, Row, Text, UnsayableError, Words
+from intent_engine.language.pattern_tree import (
+    Letters,
+    Named,
+    Number,
+    OneOf,
+    Part,
+    Repeat,
+    Row,
+    Text,
+    UnsayableError,
+    Words,
+)
 
 __all__ = ["Enter", "pattern_network"]
 
@@ -39,12 +50,12 @@ def pattern_network(part: Part, enter: Enter, *, numbers: bool) -> Network:
     Raises:
         UnsayableError: it has too many words, or none.
     """
-    letters = _Letters(enter)
+    letters = _LetterWays(enter)
     letters.lay(part, letters.begin, letters.end)
     return _Spaces(letters, numbers=numbers).network()
 
 
-class _Letters:
+class _LetterWays:
     """An automaton of letters."""
 
     def __init__(self, enter: Enter) -> None:
@@ -70,6 +81,11 @@ class _Letters:
                     self.steps[start].append((letter, after))
                     start = after
                 self.freely[start].append(end)
+            case Letters(letters) if not part.many:
+                for letter in sorted(letters):
+                    self.steps[start].append((letter, end))
+            case Letters():
+                self.lay(Words(single=True), start, end)
             case Number() | Words() | Named():
                 call = self._enter(part)
                 if call is not None:
@@ -126,7 +142,7 @@ class _Letters:
 class _Spaces:
     """The same from word to word."""
 
-    def __init__(self, letters: _Letters, *, numbers: bool) -> None:
+    def __init__(self, letters: _LetterWays, *, numbers: bool) -> None:
         self._letters = letters
         self._numbers = numbers
         self._places: dict[frozenset[int], State] = {}

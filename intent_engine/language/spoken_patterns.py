@@ -12,7 +12,7 @@ from functools import cached_property
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.network import Call, Network, Networks
-from intent_engine.language.pattern_tree import Named, Number, Part, UnsayableError, Words, walk
+from intent_engine.language.pattern_tree import Named, Number, Part, UnsayableError, Words, leaves_open, walk
 from intent_engine.language.pattern_words import pattern_network
 from intent_engine.language.patterns import said_by_patterns
 from intent_engine.language.template import parse_template
@@ -73,7 +73,7 @@ class SpokenPatterns:
         if isinstance(part, Number):
             return Call("quantity:number")
         slot = self._grammar.slots.get(part.name)
-        if slot is None or not any(isinstance(inner, Words) for inner in walk(part.part)):
+        if slot is None or not leaves_open(part.part):
             return None
         call = self._call(slot, part.name)
         if slot.type not in ("choice", "location"):

@@ -16,7 +16,7 @@ from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.language.network import Call, Network, State
 from intent_engine.language.pattern_lark import lark_tree
 from intent_engine.language.pattern_regex import regex_tree
-from intent_engine.language.pattern_tree import Named, Number, UnsayableError, Words, walk
+from intent_engine.language.pattern_tree import Named, Number, UnsayableError, Words, leaves_open, walk
 from intent_engine.language.pattern_words import pattern_network
 
 WORDS = st.sampled_from(["go", "lights?", "turn(?:ing)?", "[ab]c", r"x\.?", "(?P<side>left|right)", "r{1,2}ed"])
@@ -94,7 +94,7 @@ def test_every_way_through_its_network_fits_the_pattern(pattern, data):
         (r"\w+ left", [Words]),
         (r"[^ab]+", [Words]),
         (r"gate [a-c]", []),
-        (r"gate .", [Words]),
+        (r"gate .", []),
         (r"^go\b( now)?$", []),
         (r"(?i)GO", []),
         (r"(?i)GO \S+ [A-C]", [Words]),
@@ -106,6 +106,13 @@ def test_every_way_through_its_network_fits_the_pattern(pattern, data):
 def test_what_a_pattern_leaves_open(pattern, opened):
     found = [type(part) for part in walk(regex_tree(pattern)) if isinstance(part, Number | Words | Named)]
     assert found == opened
+
+
+@pytest.mark.parametrize(
+    ("pattern", "opened"), [("gate .", True), ("gate [a-c]", False), (r"go \d+", False), ("x .*", True)]
+)
+def test_whether_a_pattern_leaves_any_words_open(pattern, opened):
+    assert leaves_open(regex_tree(pattern)) is opened
 
 
 @pytest.mark.parametrize(
