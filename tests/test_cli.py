@@ -126,6 +126,16 @@ class Held:
         for _ in range(1000):  # Python looks for signals between instructions: here, where it drops what is raised.
             pass
 
+class Again(threading.Timer):
+    # While it is started, which takes a while on a busy machine, another signal comes.
+    def start(self):
+        super().start()
+        {meanwhile}
+        for _ in range(1000):
+            pass
+
+threading.Timer = Again
+
 @verb
 def drive():
     held = Held()
@@ -145,9 +155,12 @@ except BaseException as end:
 
 
 @pytest.mark.parametrize(("number", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
-def test_a_signal_in_a_destructor_is_not_lost(number, code):
+@pytest.mark.parametrize(
+    "meanwhile", ["pass", "signal.raise_signal(signal.SIGINT)", "signal.raise_signal(signal.SIGTERM)"]
+)
+def test_a_signal_in_a_destructor_is_not_lost(number, code, meanwhile):
     done = subprocess.run(
-        [sys.executable, "-c", DESTROYED.format(signal=number)],
+        [sys.executable, "-c", DESTROYED.format(signal=number, meanwhile=meanwhile)],
         capture_output=True,
         text=True,
         timeout=100,

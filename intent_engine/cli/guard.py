@@ -115,7 +115,7 @@ def _signals_raise() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    raised_at, interrupted = -math.inf, False
+    raised_at, interrupted, dropping = -math.inf, False, False
     told_before = sys.unraisablehook
 
     def interrupt(signum: int, frame: object) -> None:
@@ -127,14 +127,26 @@ def _signals_raise() -> Iterator[None]:
 
     def once_more(lost: UnraisableHookArgs) -> None:
         """Python drops what is raised in a destructor; a robot that was to be stopped would drive on."""
-        nonlocal raised_at
+        nonlocal dropping
         if not issubclass(lost.exc_type, KeyboardInterrupt | _Terminated):
             told_before(lost)
             return
-        raised_at = -math.inf
         number = signal.SIGINT if issubclass(lost.exc_type, KeyboardInterrupt) else signal.SIGTERM
-        # From another thread, a little later: raised in here it would be dropped again.
-        threading.Timer(AGAIN, _signal_main_thread, [number]).start()
+        dropping = True
+        try:
+            # From another thread, a little later: raised in here it would be dropped again, and so it would be of
+            # another signal that comes meanwhile, which changes nothing as long as this one was raised just now.
+            threading.Timer(AGAIN, raise_again, [number]).start()
+        finally:
+            dropping = False
+
+    def raise_again(number: int) -> None:
+        nonlocal raised_at
+        if dropping:
+            threading.Timer(AGAIN, raise_again, [number]).start()
+            return
+        raised_at = -math.inf
+        _signal_main_thread(number)
 
     # Who started this program with SIGINT ignored (a shell does, with "&") wants it ignored.
     numbers = [number for number in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(number) is not signal.SIG_IGN]
