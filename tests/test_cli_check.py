@@ -47,6 +47,42 @@ def test_the_exit_code_is_the_answer(intent_engine, grammar, text, options, code
     assert (done.returncode, done.stderr) == (code, "")
 
 
+PLACES = """\
+language: en
+slots: {place: {type: location}}
+intents:
+  go:
+    action: {type: navigate, location: '{goal}'}
+    sentences: ['go to [the] {place:goal}']
+    examples:
+      - go to the lab: {goal: lab}
+      - go to the hall: {goal: hall}
+      - go to the lab and go to the shed: {steps: [{goal: lab}, {goal: shed}]}
+      - go to the moon: rejected
+"""
+
+
+def test_examples_of_places_that_the_map_has_not_are_not_tried(intent_engine, grammar):
+    path, places = grammar(PLACES), grammar("locations: {lab: {x: 1, y: 2}, yard: {x: 3, y: 2}}\n", "map.yaml")
+    done = intent_engine("check", "--notes", "--locations", places, path)
+    assert done.returncode == 0
+    assert "0 errors, 0 warnings, 2 examples of other places not tried" in done.stdout
+    assert f"note: {path}:9:9: the example 'go to the hall' was not tried: no place" in done.stdout
+    tested = intent_engine("test", "--locations", places, path)
+    assert (tested.returncode, tested.stdout.strip()) == (0, "4 examples: 2 passed, 0 failed, 2 not tried")
+    assert "places that the map has not: hall, shed;" in tested.stderr
+
+
+def test_a_slip_in_the_name_of_a_place_is_no_other_place(intent_engine, grammar):
+    path, places = (
+        grammar(PLACES.replace("goal: hall", "goal: halll")),
+        grammar("locations: {lab: {x: 1, y: 2}, hall: {x: 3, y: 2}, shed: {x: 3, y: 4}}\n", "map.yaml"),
+    )
+    done = intent_engine("check", "--locations", places, path)
+    assert done.returncode == 1
+    assert "slots.goal should be halll, is hall" in done.stdout
+
+
 def test_a_grammar_may_be_named_as_other_verbs_take_it(intent_engine, grammar):
     paths = [grammar(FINE), grammar(DOUBTFUL, "h.yaml")]
     by_option = intent_engine("check", paths[0], "--grammar", paths[1])

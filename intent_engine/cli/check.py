@@ -18,6 +18,7 @@ from intent_engine.resources import default_locations, find
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.checker import Figures, Finding, Report
+    from intent_engine.testing.examples import Case
 
 __all__ = ["check"]
 
@@ -48,9 +49,11 @@ def check(
     names = [*(grammars or ()), *(named or ())] or ["en"]
     maps = [find("locations", name) for name in locations] if locations else [default_locations()]
     count: Counter[str] = Counter()
+    untried = 0
     for group in [names] if together else [[name] for name in names]:
         found, reports = _checked([find("grammars", name) for name in group], maps)
         count.update(finding.level for finding in found)
+        untried += sum((finding.topic, finding.level) == ("example", "note") for finding in found)
         if as_json:
             json_line(_record(group, found, reports))
         else:
@@ -58,7 +61,8 @@ def check(
     failed = count["error"] + (count["warning"] if strict else 0)
     if not as_json:
         rest = f"; --notes tells {_many(count['note'], 'note')}" if count["note"] and not notes else ""
-        summary = f"{_many(count['error'], 'error')}, {_many(count['warning'], 'warning')}{rest}"
+        left = f", {_many(untried, 'example')} of other places not tried" if untried else ""
+        summary = f"{_many(count['error'], 'error')}, {_many(count['warning'], 'warning')}{left}{rest}"
         say(summary, "red" if failed else "yellow" if count["warning"] else "green")
     return EXIT_NOT_ACCEPTED if failed else 0
 
@@ -74,28 +78,35 @@ def _checked(paths: Sequence[Path], maps: Sequence[Path]) -> tuple[list[Finding]
             reports = [check_grammar(grammar, engine.locations) for grammar in engine.grammars]
     except ConfigError as error:
         return [Finding("error", "file", problem) for problem in error.problems], []
-    failed = [Finding("error", "example", problem) for problem in _examples(engine)]
-    found = dict.fromkeys([*failed, *(finding for report in reports for finding in report.findings)])
-    return list(found), reports
+    found = dict.fromkeys([*_examples(engine), *(finding for report in reports for finding in report.findings)])
+    return sorted(found, key=lambda finding: [*_STYLES].index(finding.level)), reports
 
 
-def _examples(engine: IntentEngine) -> Iterator[Problem]:
-    """Examples of the grammar that are understood otherwise."""
+def _examples(engine: IntentEngine) -> Iterator[Finding]:
+    """Examples of the grammar that are understood otherwise, and those that are of another map."""
+    from intent_engine.language.checker import Finding
     from intent_engine.testing.examples import grammar_cases, run_case
 
     for case in grammar_cases(engine):
         outcome = run_case(engine, case)
-        if not outcome.passed:
+        if outcome.missing:
+            named = " or ".join(map(repr, outcome.missing))
+            message = f"the example {case.text!r} was not tried: no place of the map is called {named}"
+            yield Finding("note", "example", _problem(case, message, "give the map that it is written for"))
+        elif outcome.failed:
             differences = "; ".join(
                 f"{row.part} should be {row.expected}, is {row.found}" for row in outcome.differences
             )
             message = f"the example {case.text!r} fails: {differences}"
             hint = "change the example or the sentences; parse --explain shows how it is understood"
-            place = case.place
-            if place is None:
-                yield Problem(message, hint=hint)
-            else:
-                yield Problem(message, place.file, place.line, place.column, place.source, hint)
+            yield Finding("error", "example", _problem(case, message, hint))
+
+
+def _problem(case: Case, message: str, hint: str) -> Problem:
+    place = case.place
+    if place is None:
+        return Problem(message, hint=hint)
+    return Problem(message, place.file, place.line, place.column, place.source, hint)
 
 
 def _record(names: Sequence[str], found: Sequence[Finding], reports: Sequence[Report]) -> dict[str, Any]:

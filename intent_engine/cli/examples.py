@@ -34,7 +34,8 @@ def run_examples(
     maps = [find("locations", name) for name in locations or ()]
     loaded = [load_examples(find("grammars", name), maps) for name in files or ["en"]]
     outcomes = [(run_case(examples.engine, case), examples.file) for examples in loaded for case in examples.cases]
-    failed = [(outcome, file) for outcome, file in outcomes if not outcome.passed]
+    failed = [(outcome, file) for outcome, file in outcomes if outcome.failed]
+    missing = sorted({name for outcome, _ in outcomes for name in outcome.missing})
     if as_json:
         for outcome, file in outcomes:
             json_line(_record(outcome, file))
@@ -43,7 +44,12 @@ def run_examples(
             rows = [row for outcome, file in failed for row in _rows(outcome, file)]
             table("", ("where", "sentence", "part", "expected", "found"), rows)
         style = "red" if failed else "green"
-        say(f"{len(outcomes)} examples: {len(outcomes) - len(failed)} passed, {len(failed)} failed", style)
+        passed = sum(outcome.passed for outcome, _ in outcomes)
+        left = len(outcomes) - passed - len(failed)
+        rest = f", {left} not tried" if left else ""
+        say(f"{len(outcomes)} examples: {passed} passed, {len(failed)} failed{rest}", style)
+    if missing:
+        note(f"not tried are examples of places that the map has not: {', '.join(missing)}; --locations names another")
     if not outcomes:
         note("there are none: write examples: below the sentences of an intent")
     return EXIT_NOT_ACCEPTED if failed else 0
@@ -68,6 +74,7 @@ def _record(outcome: Outcome, file: Path) -> dict[str, object]:
         "line": place.line if place is not None else None,
         "text": outcome.case.text,
         "passed": outcome.passed,
+        "missing": list(outcome.missing),
         "differences": [
             {"part": row.part, "expected": row.expected, "found": row.found} for row in outcome.differences
         ],

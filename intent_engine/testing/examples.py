@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import resources
@@ -17,11 +17,13 @@ from typing import Any
 from intent_engine.actions import Action, from_json
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
+from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.schema_problems import schema_problems
+from intent_engine.language.template_tree import references
 from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, differences
@@ -48,6 +50,8 @@ class Case:
     """States that the robot is in."""
     language: str | None = None
     place: Place | None = None
+    needs: tuple[str, ...] = ()
+    """Names of places that an example of a grammar speaks of. In a map that has them not, it cannot be tried."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +70,16 @@ class Outcome:
     case: Case
     found: Interpretation
     differences: tuple[Difference, ...]
+    missing: tuple[str, ...] = ()
+    """Places that the map has not, so that nothing was compared: the grammar's examples are of another map."""
 
     @property
     def passed(self) -> bool:
-        return not self.differences
+        return not self.differences and not self.missing
+
+    @property
+    def failed(self) -> bool:
+        return bool(self.differences)
 
 
 def is_test_file(path: Path) -> bool:
@@ -104,6 +114,9 @@ def grammar_cases(engine: IntentEngine) -> list[Case]:
 def run_case(engine: IntentEngine, case: Case) -> Outcome:
     """Parse a case's text and compare."""
     found = engine.parse(case.text, state=case.state, language=case.language)
+    missing = tuple(name for name in case.needs if _of_another_map(name, engine.locations or ()))
+    if missing:
+        return Outcome(case, found, (), missing)
     expected = Interpretation(
         case.text,
         case.status,
@@ -112,6 +125,11 @@ def run_case(engine: IntentEngine, case: Case) -> Outcome:
         found.actions if case.actions is None and case.status is Status.ACCEPTED else case.actions or (),
     )
     return Outcome(case, found, differences(expected, found))
+
+
+def _of_another_map(name: str, places: Collection[str]) -> bool:
+    """Whether a map has no such place; one that is nearly called so is a slip of who wrote the example."""
+    return name not in places and did_you_mean(name, places) is None
 
 
 def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
@@ -134,6 +152,7 @@ def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, A
 
 
 def _examples(grammar: Grammar) -> Iterator[Case]:
+    labels = _location_labels(grammar)
     for intent in grammar.intents.values():
         for example in intent.examples:
             case = Case(
@@ -142,7 +161,28 @@ def _examples(grammar: Grammar) -> Iterator[Case]:
             if isinstance(example.expected, str):
                 yield replace(case, status=Status(example.expected))
             else:
-                yield replace(case, intent=intent.name, slots=example.expected)
+                needs = tuple(_places(example.expected, labels))
+                yield replace(case, intent=intent.name, slots=example.expected, needs=needs)
+
+
+def _location_labels(grammar: Grammar) -> frozenset[str]:
+    """Under which names slots of places are given."""
+    kinds = {name for name, slot in grammar.slots.items() if slot.type == "location"}
+    sentences = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+    said = (one for node in (*sentences, *grammar.phrases.values()) for one in references(node))
+    return frozenset(kinds | {one.label for one in said if one.name in kinds})
+
+
+def _places(expected: Any, labels: frozenset[str], label: str = "") -> Iterator[str]:
+    """The names of places in the slots of an example, those of its steps too."""
+    if isinstance(expected, Mapping):
+        for key, value in expected.items():
+            yield from _places(value, labels, str(key))
+    elif isinstance(expected, Sequence) and not isinstance(expected, str):
+        for value in expected:
+            yield from _places(value, labels, label)
+    elif label in labels and isinstance(expected, str):
+        yield expected
 
 
 # -- test files -----------------------------------------------------------------------------------------------

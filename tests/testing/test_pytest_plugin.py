@@ -112,7 +112,9 @@ def test_the_map_of_the_settings(folder):
         "utf-8",
     )
     (folder.path / "map.yaml").write_text("locations: {bay 1: {x: 1.0, y: 2.0, yaw: 0.0}}\n", "utf-8")
-    folder.runpytest("go.yaml").assert_outcomes(failed=1)
+    result = folder.runpytest("go.yaml", "-rs")
+    result.assert_outcomes(skipped=1)
+    result.stdout.fnmatch_lines(["*no place of the map is called 'bay 1'; the ini option intent_locations*"])
     folder.makeini("[pytest]\nintent_locations = map.yaml\n")
     folder.runpytest("go.yaml").assert_outcomes(passed=1)
 
