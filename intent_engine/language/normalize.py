@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["UNCLEAR", "Token", "plain_words", "tokenize", "without_accents"]
+__all__ = ["AFTER_ELIDED", "ELIDED", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents"]
 
 
 class Token(NamedTuple):
@@ -53,6 +53,10 @@ _FRACTIONS = {
     )
 }  # fmt: skip
 
+ELIDED = "(?:[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|un|dov|com|tutt|mezz)"
+"""French, Italian and Catalan words that lose a vowel before another: "l'entrée", "dell'ufficio" are two words each."""
+AFTER_ELIDED = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
+_APART = re.compile(rf"(?<!\S)({ELIDED.replace('|un|', '|')}) (?={AFTER_ELIDED})")
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
 _TOKEN = re.compile(
     r"(?P<number>(?:(?<![\w.,])|^)(?:[-−]|^[-−]\s+)(?=\d|\.\d))?"
@@ -64,6 +68,7 @@ _TOKEN = re.compile(
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
+    rf"|(?P<elided>{ELIDED}(?=['’ʼ`]{AFTER_ELIDED}))"
     r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
     r"|(?P<sign>[°º%&'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
@@ -125,6 +130,11 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
     return tuple(tokens)
 
 
+def elided(text: str, language: str | None) -> str:
+    """Normalised words as French, Italian and Catalan are written: "à l'entrée" of "à l entrée"."""
+    return _APART.sub(r"\1'", text) if language in ("fr", "it", "ca") else text
+
+
 def without_accents(word: str) -> str:
     """A word with plain letters: "jose" of "josé"."""
     if word.isascii():
@@ -155,6 +165,8 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
     found = match.group()
     if kind == "letters":  # "T.V.", "U.S.B"
         return (found.replace(".", ""),)
+    if kind == "elided":
+        return (found,)
     if kind == "word":
         word = found
         if not found.isalpha():

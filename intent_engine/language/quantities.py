@@ -131,7 +131,7 @@ def _unit_factor(unit: str, kind: str, table: Units) -> float | None:
 def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float, int, str] | None:
     """The unit that stands at a place, longest first: (factor, after, key)."""
     known = table.by_kind.get(kind, {})
-    for length in (3, 2, 1):
+    for length in (4, 3, 2, 1):
         spoken = tuple(words[at : at + length])
         if len(spoken) == length and spoken in known:
             if _another_word(spoken, words[at - 1] if at else "", "".join(words[at + 1 : at + 2])):

@@ -11,6 +11,7 @@ from intent_engine.language import quantities
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
+from intent_engine.language.numbers import foreign
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
 
@@ -75,6 +76,8 @@ class SlotValues:
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         match = self.index(slot).resolve(said)
+        if match.status == "unknown" and self._grammar.language != "en":  # English numbers are known to the index
+            match = self.index(slot).resolve(foreign.in_digits(said, self._grammar.language))
         words = " ".join(said)
         problem = ""
         if match.status == "unknown":

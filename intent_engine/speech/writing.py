@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.free_text import ARTICLES
-from intent_engine.language.normalize import TITLES, without_accents
+from intent_engine.language.normalize import TITLES, elided, without_accents
 from intent_engine.language.numbers.spelled import in_digits
 
 __all__ = ["Names", "spellings", "written"]
@@ -40,7 +40,8 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
         language: of the words.
         sentence: whether they begin one.
     """
-    text = " ".join(_WRITTEN.get(word, word) for word in words) if language in (None, "en") else " ".join(words)
+    english = language in (None, "en")
+    text = " ".join(_WRITTEN.get(word, word) for word in words) if english else elided(" ".join(words), language)
     return text[:1].upper() + text[1:] if sentence else text
 
 

@@ -44,3 +44,9 @@ def plain_word(text: str) -> str:
 def test_each_is_the_same_word_small(texts, sentences):
     for small, large in as_written(texts, sentences=sentences).items():
         assert plain_word(large) == small != large
+
+
+def test_a_word_that_lost_a_vowel_is_no_part_of_the_next():
+    assert as_written(["L'Atelier", "salle d’Eau", "d'Artagnan's"]) == {
+        "atelier": "Atelier", "eau": "Eau", "artagnans": "Artagnan's",
+    }  # fmt: skip

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from intent_engine.language.normalize import CONTRACTIONS, TITLES, plain_words, tokenize
+from intent_engine.language.normalize import CONTRACTIONS, TITLES, elided, plain_words, tokenize
 
 
 def said(text: str) -> str:
@@ -30,6 +30,13 @@ def said(text: str) -> str:
         ("shouldn't", "should not"),
         ("ain't", "is not"),
         ("E-Stop", "e stop"),
+        ("va à l'entrée", "va à l entrée"),
+        ("Va à L’Hôtel, n’avance pas", "va à l hôtel n avance pas"),
+        ("jusqu'à l'aéroport d'ici", "jusqu à l aéroport d ici"),
+        ("dell'ufficio, dov'è?", "dell ufficio dov è"),
+        ("s'il n'y a pas", "s il n y a pas"),
+        ("aujourd'hui", "aujourdhui"),
+        ("rock'n'roll at five o'clock, d'you hear", "rocknroll at five oclock dyou hear"),
         ("ten-meters", "ten meters"),
         ("twenty-five", "twenty five"),
         ("to the “kitchen”", "to the kitchen"),
@@ -182,3 +189,19 @@ def test_the_short_way_and_the_long_way_are_the_same(text: str) -> None:
 def test_a_long_text_is_taken_apart_in_one_go(unit: str) -> None:
     """A pattern that looked back or ahead over the rest of the text would not come to an end here."""
     assert len(tokenize(unit * 100_000)) <= 200_000
+
+
+@pytest.mark.parametrize(
+    ("words", "language", "written"),
+    [
+        ("va à l entrée de l hôtel", "fr", "va à l'entrée de l'hôtel"),
+        ("l entrée", "fr", "l'entrée"),
+        ("salle l b", "fr", "salle l b"),
+        ("vai all ufficio un altro", "it", "vai all'ufficio un altro"),
+        ("room l is a room", "en", "room l is a room"),
+    ],
+)
+def test_words_that_lost_a_vowel_are_written_with_the_next(words, language, written):
+    assert elided(words, language) == written
+    if language != "en":
+        assert said(written) == words

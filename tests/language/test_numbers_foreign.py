@@ -65,6 +65,7 @@ SAID = {
         ("demi-tour", "angle", math.pi),
         ("trois quarts d'heure", "duration", 2700),
         ("une minute et demie", "duration", 90),
+        ("un quart d'heure", "duration", 900),
         ("dix kilomètres à l'heure", "speed", 10 * KMH),
         ("deux mètres par seconde", "speed", 2),
     ],
@@ -115,6 +116,22 @@ def words(text: str) -> list[str]:
 @pytest.mark.parametrize(("language", "said", "kind", "value"), ROWS)
 def test_a_quantity_of_another_language(language: str, said: str, kind: str, value: float) -> None:
     assert evaluate(words(said), kind, language) == pytest.approx(value)
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "name"),
+    [
+        ("de", "halle drei", "halle 3"),
+        ("de", "raum zweihundertvier", "raum 204"),
+        ("de", "raum zwei null vier", "raum 2 0 4"),
+        ("fr", "bureau vingt et un", "bureau 21"),
+        ("es", "sala doce b", "sala 12 b"),
+        ("de", "die große halle", "die große halle"),
+        ("de", "anderthalb meter", "anderthalb meter"),
+    ],
+)
+def test_the_numbers_of_a_name_in_digits(language: str, said: str, name: str) -> None:
+    assert " ".join(foreign.in_digits(said.split(), language)) == name
 
 
 NOTHING = [("de", "und"), ("de", "Meter"), ("fr", "et"), ("es", "y"), ("it", "e"), ("de", "minus"), ("de", "komma")]

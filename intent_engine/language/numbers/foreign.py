@@ -8,7 +8,7 @@ from functools import lru_cache
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.units import units
 
-__all__ = ["TEMPLATES", "fraction", "is_number_word", "number", "numbers_at", "ordinal"]
+__all__ = ["TEMPLATES", "fraction", "in_digits", "is_number_word", "number", "numbers_at", "ordinal"]
 
 LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
 """What text2num knows, besides English."""
@@ -84,6 +84,20 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
         value = _value(words, at, end, language)
         if value is not None:
             yield value, end
+
+
+def in_digits(words: Sequence[str], language: str) -> tuple[str, ...]:
+    """Words with the whole numbers among them in digits, as maps have them: "halle drei" is "halle 3"."""
+    found: list[str] = []
+    at = 0
+    while at < len(words):
+        value, end = next(numbers_at(words, at, language), (-1.0, at + 1))
+        if _whole(words[at : at + 1], language) == 0:
+            value, end = 0.0, at + 1  # text2num has 4 for "null vier"
+        whole = value >= 0 and value.is_integer()
+        found.append(str(int(value)) if whole else words[at])
+        at = end if whole else at + 1
+    return tuple(found)
 
 
 def _value(words: Sequence[str], at: int, end: int, language: str) -> float | None:

@@ -1,0 +1,59 @@
+"""French: words that lose a vowel before another, and numbers in names."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+
+GRAMMAR = """
+language: fr
+fillers: [s'il te plaît]
+slots:
+  lieu: location
+  distance: {type: distance, max: 20 m}
+  chose: object
+intents:
+  avancer:
+    action: {type: move, direction: forward, distance: "{distance}"}
+    sentences: ["avance (de|d') {distance}"]
+  aller:
+    action: {type: navigate, location: "{lieu}"}
+    sentences: ["va (à la|au|à l'|dans la) {lieu}"]
+  prendre:
+    action: {type: pick, object: "{chose}"}
+    sentences: ["prends (le|la|l') {chose}"]
+"""
+PLACES = {"Entrée": (1.0, 2.0), "salle d'eau": (3.0, 4.0), "Bureau 12": (5.0, 6.0)}
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory) -> IntentEngine:
+    path = tmp_path_factory.mktemp("french") / "fr.yaml"
+    path.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(path, locations=PLACES)
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("va à l'entrée", {"lieu": "Entrée"}),
+        ("Va à l’Entrée, s’il te plaît.", {"lieu": "Entrée"}),
+        ("va dans la salle d'eau", {"lieu": "salle d'eau"}),
+        ("va au bureau douze", {"lieu": "Bureau 12"}),
+        ("avance d'un mètre et demi", {"distance": 1.5}),
+        ("prends l'assiette", {"chose": "assiette"}),
+    ],
+)
+def test_elided_words(engine, said, slots):
+    found = engine.parse(said)
+    assert (found.status, dict(found.slots)) == (Status.ACCEPTED, slots)
+
+
+@pytest.mark.parametrize(
+    "said", ["n'avance pas d'un mètre", "n'avance plus d'un mètre", "j'avance d'un mètre", "va au bureau treize",
+             "je voudrais qu'il prenne l'assiette", "prends l'assiette qu'il veut"],
+)  # fmt: skip
+def test_what_is_no_command(engine, said):
+    assert engine.parse(said).actions == ()
