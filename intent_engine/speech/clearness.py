@@ -13,7 +13,7 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.numbers.spelled import in_digits
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.narration import NARRATING, SUBJECTS
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.scoring import Rows, Scoring
@@ -53,6 +53,9 @@ class Clearness(Scoring):
 
     def as_written(self, language: str | None = None) -> Mapping[str, str]:
         return self.grammar.as_written(language)
+
+    def calls(self, language: str | None = None) -> PhraseSet:
+        return self.grammar.wake(language).phrases
 
     def clearness(
         self,

@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.loops import goes_round
 from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
@@ -47,6 +48,7 @@ def total(row: npt.NDArray[np.float32]) -> float:
 
 
 _NONE: Mapping[str, str] = MappingProxyType({})
+_NOTHING = PhraseSet(())
 
 
 class Scoring(ABC):
@@ -142,12 +144,16 @@ class Scoring(ABC):
         """The words that it may write with a capital."""
         kept = self.tokenizer(language), self.as_written(language)
         if self._names is None or self._names[0] is not kept[0] or self._names[1] is not kept[1]:
-            self._names = (*kept, Names(*kept))
+            self._names = (*kept, Names(*kept, self.calls(language)))
         return self._names[2]
 
     def as_written(self, language: str | None = None) -> Mapping[str, str]:
         """Words that are known with a capital or an apostrophe, by the same small and plain."""
         return _NONE
+
+    def calls(self, language: str | None = None) -> PhraseSet:
+        """By which words the robot is called."""
+        return _NOTHING
 
     def word_scores(self, encoded: Encoded, text: str, language: str | None = None) -> list[tuple[str, float]]:
         """Each word of a text with the mean log probability of its pieces."""

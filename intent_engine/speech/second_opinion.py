@@ -240,11 +240,11 @@ class SecondOpinion:
         """What two models heard in the same sound, as one; and the letters by which it differs from the words that the
         nearer of them heard.
 
-        Where one heard that something shall not be done, nothing shall.
+        Where one heard that something shall not be done, nothing shall; if that was for the robot.
         """
         heard = first.transcript
         for one in (first, second):
-            if self._meaning(one.transcript).refuses and self._heard_to_be_refused(one):
+            if self._addressed(one) and self._meaning(one.transcript).refuses and self._heard_to_be_refused(one):
                 return one.transcript, 0.0
         if (dictated := dictated_to_both(first, second, AGREED)) is not None:
             words = (*first.dictated, DICTATED)
@@ -269,6 +269,11 @@ class SecondOpinion:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
             return heard, math.inf
         return both, min(letters_apart(as_heard(best.words, one.heard), one.heard) for one in (first, second))
+
+    def _addressed(self, one: Opinion) -> bool:
+        """Whether what a model heard is for the robot."""
+        language = one.transcript.language
+        return self._grammar.wake(language).addressed(self._grammar.words(one.transcript.text, language))
 
     def _heard_to_be_refused(self, one: Opinion) -> bool:
         """Whether a model heard a word with which nothing is done, or all that it heard is refused; and did not only

@@ -32,6 +32,7 @@ from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
+from intent_engine.speech.wake_words import UNADDRESSED, WakeWords
 
 __all__ = ["FORBIDDING", "SpokenGrammar"]
 
@@ -76,6 +77,7 @@ class _Known:
     """and their words, which a sentence that is corrected has besides."""
     negations: PhraseSet
     """"Not", "never","""
+    wake: WakeWords
     empty: PhraseSet
     """What says nothing: "please","""
     leading: PhraseSet
@@ -198,19 +200,30 @@ class SpokenGrammar:
         """Whether a sentence asks for something else."""
         return self.parse(" ".join(words), language).actions != meaning.actions
 
+    def wake(self, language: str | None = None) -> WakeWords:
+        """Its wake words."""
+        return self._known(language).wake
+
+    def woken(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """A command without a wake word as it would be with one: see :meth:`WakeWords.before`."""
+        return list(self.wake(language).before(words, lambda rest: self.parse(" ".join(rest), language).actions))
+
     def acted_on(self, confidence: float, language: str | None = None) -> bool:
         """Whether a sentence that is so sure may be acted on. (A stop is, from less, and however unclear.)"""
         return confidence >= self._known(language).least
 
     def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
-        don't"), and in place of that. None of what is no command, of a stop, and of other languages than English."""
+        don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow. None of
+        what is no command, of a stop, and of other languages than English."""
         meaning = self.parse(" ".join(words), language)
         if language not in (None, "en") or not meaning.actions or meaning.stops:
             return []
-        lead = self.lead(words, language)
+        called = self.wake(language).after(words)
+        lead = called or self.lead(words, language)
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
-        return [(*kept, *no, *rest) for kept in dict.fromkeys(((), begin)) for no in FORBIDDING]
+        begins = {begin} if called else {(): None, begin: None}
+        return [(*kept, *no, *rest) for kept in begins for no in FORBIDDING]
 
     def said_otherwise(
         self, sentences: Sequence[tuple[str, ...]], language: str | None = None
@@ -218,8 +231,12 @@ class SpokenGrammar:
         """The next sentences that mean what the first means, of which a "don't" may have been said as well: those that
         begin with a verb, since nobody says "don't a mocha"."""
         best, *others = sentences
-        meaning = self.parse(" ".join(best), language)
-        same = (one for one in others if not begin_of(one) and not self.means_else(one, meaning, language))
+        meaning, addressed = self.parse(" ".join(best), language), self.wake(language).addressed
+        same = (
+            one
+            for one in others
+            if not (begin_of(one) or self.means_else(one, meaning, language)) and addressed(one) == addressed(best)
+        )
         in_slots = self._known(language).in_slots
         return [one for one in itertools.islice(same, OTHERWISE) if one[self.lead(one, language)] not in in_slots]
 
@@ -252,7 +269,7 @@ class SpokenGrammar:
         if begin_of(words) or self.parse(" ".join(words), language).stops:
             return ()
         begin = self.begin_left_out(words, heard, language)
-        if not begin and language in (None, "en"):
+        if not begin and not self.wake(language).after(words) and language in (None, "en"):
             begin = told(words, heard, min((self.lead(one, language) for one in heard), default=0))
         end = end_left_out(words, heard)
         return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
@@ -333,8 +350,9 @@ class SpokenGrammar:
             meaning = self.parse(" ".join(words), language)
             count = max(view.words for view in seen) or word_count(words)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
-            rank -= self.unusual(meaning, language)
-            rows.append((rank, words, seen, unknown, meaning.actions))
+            addressed = self.wake(language).addressed(words)
+            rank -= self.unusual(meaning, language) + UNADDRESSED * (not addressed)
+            rows.append((rank, words, seen, unknown, meaning.actions if addressed else ()))
         rows.sort(key=lambda row: (-row[0], row[1]))
         readings = []
         for place, (rank, words, seen, unknown, actions) in enumerate(rows):
@@ -374,6 +392,7 @@ class SpokenGrammar:
                 PhraseSet(corrections),
                 frozenset(word for words in corrections for word in words),
                 PhraseSet(grammar.operators.negation),
+                WakeWords(grammar),
                 PhraseSet(grammar.fillers),
                 PhraseSet((*grammar.fillers, *grammar.operators.opening)),
                 known_in_slots(matcher),

@@ -127,7 +127,8 @@ class Steering(Clearness):
         heard = Transcript(free, mean, free, language=language)
         meaning = self.grammar.parse(free, language)
         words = self.grammar.words(free, language)
-        refused = self.refused(encoded, free, meaning, language)
+        addressed = self.grammar.wake(language).addressed(words)  # "no, but" may have been a wake word
+        refused = addressed and self.refused(encoded, free, meaning, language)
         if not free or (refused and not self._may_be_dictated(words, language)):
             return Opinion(self, samples, encoded, heard, settled=True)
         exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE

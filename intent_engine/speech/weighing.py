@@ -33,8 +33,8 @@ class Each(Protocol):
 def doubted(
     grammar: SpokenGrammar, opinions: Sequence[Opinion], each: Each = map, *, far: bool = False
 ) -> list[Reading]:
-    """The sentences that one of several models thought of, and commands that differ in one word from the likeliest,
-    with what all think of them, likeliest first.
+    """The sentences that one of several models thought of, and commands that differ in one word from the likeliest, or
+    in a wake word before it, with what all think of them, likeliest first.
 
     Args:
         grammar: whose sentences.
@@ -47,7 +47,8 @@ def doubted(
     for _ in range(ROUNDS):
         if not readings or readings[0].evidence.confidence < WORTH_DOUBT:
             break
-        beside = dict.fromkeys(_beside(readings[0].words, opinions, each, far))
+        woken = grammar.woken(readings[0].words, opinions[0].transcript.language)
+        beside = dict.fromkeys((*woken, *_beside(readings[0].words, opinions, each, far)))
         others = [words for words in beside if words not in sentences]
         if not others:
             break

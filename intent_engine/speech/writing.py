@@ -9,6 +9,7 @@ from typing import Any
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.normalize import TITLES, elided, without_accents
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["Names", "spellings", "written"]
 
@@ -47,7 +48,7 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
     """Words as they may be spelled: numbers in words, and in digits; names small and plain, and with a capital; in
-    English "José", and "Jose".
+    English "José", and "Jose"; a wake word without a comma after it, and with one.
 
     Args:
         words: normalised.
@@ -59,6 +60,8 @@ def spellings(words: Sequence[str], language: str | None, names: Names | None = 
     found = dict.fromkeys((*numbers, *named))
     if language in (None, "en") and not all(map(str.isascii, words)):
         found |= dict.fromkeys([tuple(map(without_accents, spelled)) for spelled in found])
+    if names is not None and (count := names.calls.at(words, 0)):
+        found |= dict.fromkeys([(*one[: count - 1], f"{one[count - 1]},", *one[count:]) for one in found])
     return list(found)
 
 
@@ -83,9 +86,11 @@ class Names:
     Args:
         tokenizer: of the model.
         known: words with a capital or an apostrophe, by the same small and plain.
+        calls: by which the robot is called, with a comma: "Robot, turn left".
     """
 
-    def __init__(self, tokenizer: Any, known: Mapping[str, str] | None = None) -> None:
+    def __init__(self, tokenizer: Any, known: Mapping[str, str] | None = None, calls: PhraseSet | None = None) -> None:
+        self.calls = calls if calls is not None else PhraseSet(())
         self._tokenizer = tokenizer
         self._large = {**(known or {}), **_TITLES}
 
