@@ -7,6 +7,7 @@ Sensors, MIT licence, https://arxiv.org/abs/2410.15608.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -40,6 +41,14 @@ PIECES_PER_SECOND = 7
 """More than anybody speaks (its authors take 6.5 words); bounds a decode that runs away."""
 RETRY_MARGIN = 0.5
 """s of silence after the speech with which it is tried again."""
+
+SURELY_NOTHING = math.log(0.93)
+"""Log probability of no word at all, from which nothing was said. It is asked about nothing but what a voice detector
+took for speech, and yet ends 6 of 100 commands of synthetic voices that tiny.en was in doubt of before the first word,
+clean and at 10 dB, with 0.2 to 0.9; of 75 pieces of kitchen noise all but one, with 0.96 and more."""
+
+WORD_SECONDS = 1.25
+"""s of sound up to which it may be a single word, of which what it hears with some effort is worth nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +148,10 @@ class MoonshineRecognizer:
         pieces: Beginning = ()
         rows: dict[Beginning, _Floats] = {}
         for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
-            row = rows[pieces] = tree.chances([pieces])[pieces]
+            row = tree.chances([pieces])[pieces]
+            if not pieces and encoded.seconds > WORD_SECONDS:
+                row = _something(row)
+            rows[pieces] = row
             piece = int(row.argmax())
             if piece == END:
                 break
@@ -159,6 +171,17 @@ class MoonshineRecognizer:
     def close(self) -> None:
         """Let go of what is known of sounds; nothing else is held."""
         self._trees.clear()
+
+
+def _something(row: _Floats) -> _Floats:
+    """How likely every first piece is, ``(pieces,)`` log probabilities, given that anything was said at all; unchanged,
+    where surely nothing was."""
+    nothing = float(row[END])
+    if nothing >= SURELY_NOTHING:
+        return row
+    said: _Floats = row - np.float32(np.log1p(-np.exp(nothing)))
+    said[END] = -np.inf
+    return said
 
 
 class ScoringMoonshine(MoonshineRecognizer, Scoring):

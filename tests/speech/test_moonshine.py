@@ -71,6 +71,29 @@ def test_what_it_heard_is_likelier_than_what_it_did_not(moonshine, spoken):
     assert mean > -0.6
 
 
+@pytest.mark.parametrize(
+    ("nothing", "seconds", "heard"),
+    [(0.6, 2.0, True), (0.9, 2.0, True), (0.95, 2.0, False), (0.999, 2.0, False), (0.2, 1.0, True), (0.6, 1.0, False)],
+)
+def test_something_was_said_unless_it_is_sure_of_nothing(moonshine, monkeypatch, nothing, seconds, heard):
+    """It ends some commands before their first word, which a voice detector and another model heard. (Single words it
+    would only guess.)"""
+    words = moonshine.tokenizer().encode(" stop")
+
+    class Scripted:
+        def chances(self, beginnings):
+            (beginning,) = beginnings
+            row = np.full(moonshine.model.decoder.small.shape[0], -20.0, np.float32)
+            row[END] = np.log(nothing) if not beginning else -20.0
+            row[(*words, END)[len(beginning)]] = np.log(1 - nothing) if not beginning else -0.01
+            return {beginning: row}
+
+    monkeypatch.setattr(moonshine, "_tree", lambda _: Scripted())
+    text, mean, _ = moonshine.greedy(Encoded(np.zeros((1, 1, 1), np.float32), seconds))
+    assert text.strip() == ("stop" if heard else "")
+    assert mean > -0.15 or not heard  # of words, as if nobody had thought of nothing
+
+
 def test_a_sentence_is_as_likely_with_a_full_stop_as_without(moonshine, spoken):
     encoded = moonshine.encode(spoken)
     plain, stopped = moonshine.score(encoded, ["Go forward two meters", "Go forward two meters."])
