@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import cache, cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
+from intent_engine.language.adjacent_numbers import is_number, numbers_apart
 from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
-from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slot_values import NamesOf, SlotValues
@@ -35,7 +34,6 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 """How a negated command begins in speech, besides the negation itself."""
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
-_COUNTED = frozenset(QUANTITY_KINDS)
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
@@ -111,7 +109,7 @@ class Matcher:
             words = short
         rest = self.ahead(words) - {Continuation.NOTHING}
         last, language = (words[-1] if words else ""), self.grammar.language
-        if rest and (last in NUMBER_WORDS or quantities.is_numeral(last) or quantities.is_number_word(last, language)):
+        if rest and (last in NUMBER_WORDS or is_number(last, language)):
             return False  # "one hundred" may go on to "and twenty"
         return rest <= {Continuation.MANNER}
 
@@ -295,31 +293,12 @@ class Matcher:
                 heard[position - 1] = mark[1]
                 alikes += 1
         if len(slots) > 1:
-            slots = self._numbers_apart(slots, heard)
+            slots = numbers_apart(slots, heard, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
-
-    def _numbers_apart(self, slots: list[SlotReading], words: list[str]) -> list[SlotReading]:
-        """A number is never cut in two: "right seventy five dps" is no angle of seventy and a speed of five, and "four
-        meters and half a meter per second" are no four and a half meters at one meter per second."""
-        for place, (slot, after) in enumerate(pairwise(slots)):
-            if slot.end != after.start or slot.problem or not {slot.slot.type, after.slot.type} <= _COUNTED:
-                continue
-            if self._is_cut(words[slot.end - 1], words[after.start]):
-                problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
-                slots[place] = replace(slot, value=None, status="unknown", problem=problem)
-        return slots
-
-    def _is_cut(self, last: str, first: str) -> bool:
-        """Whether the last word of one quantity and the first of the next could be of one number."""
-        part_of = self.grammar.language == "en" and last in HALVES and first in ("a", "an")
-        return part_of or (self.is_number(last) and self.is_number(first))
 
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""
-        language = self.grammar.language
-        return quantities.is_numeral(word) or (
-            word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)
-        )
+        return is_number(word, self.grammar.language)
 
 
 @cache

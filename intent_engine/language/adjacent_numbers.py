@@ -1,0 +1,78 @@
+"""Two quantities one after the other: where one ends is in nothing but the words of their numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from intent_engine.language import quantities
+from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
+from intent_engine.language.reading import SlotReading
+
+__all__ = ["is_number", "numbers_apart"]
+
+_COUNTED = frozenset(QUANTITY_KINDS)
+
+
+def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: str) -> list[SlotReading]:
+    """Slots of one sentence, of which none holds a part of a number: "right seventy five dps" is no angle of seventy
+    and a speed of five, and "four meters and half a meter per second" are no four and a half meters at one meter per
+    second. What could be one number or two has no value.
+
+    Args:
+        slots: as they were read, in order.
+        words: of the sentence.
+        language: of the words.
+    """
+    found = list(slots)
+    for place, (slot, after) in enumerate(pairwise(slots)):
+        if slot.end != after.start or slot.problem or not {slot.slot.type, after.slot.type} <= _COUNTED:
+            continue
+        if _is_cut(words[slot.end - 1], words[after.start], language) and not _surely_two(slot, after, words, language):
+            problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
+            found[place] = replace(slot, value=None, status="unknown", problem=problem)
+    return found
+
+
+def is_number(word: str, language: str) -> bool:
+    """Whether a word is a numeral or a word of a number."""
+    return quantities.is_numeral(word) or (
+        word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)
+    )
+
+
+def _is_cut(last: str, first: str, language: str) -> bool:
+    """Whether the last word of one quantity and the first of the next could be of one number."""
+    part_of = language == "en" and last in HALVES and first in ("a", "an")
+    return part_of or (is_number(last, language) and is_number(first, language))
+
+
+def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], language: str) -> bool:
+    """Whether the number words around the end of a quantity are two numbers, and can only be cut there: "ten fifteen"
+    is none, and "six thirty" is more than an hour can be; but 100 and 200 may be 102 and 100."""
+    if words[slot.end - 1] in HALVES:
+        return False
+    start, end = slot.end - 1, after.start + 1
+    while start > slot.start and is_number(words[start - 1], language):
+        start -= 1
+    while end < after.end and is_number(words[end], language):
+        end += 1
+    if _may_hold(slot, words[start:end], language):
+        return False
+    cuts = (
+        cut
+        for cut in range(start + 1, end)
+        if _may_hold(slot, words[start:cut], language) and _may_hold(after, words[cut:end], language)
+    )
+    return list(cuts) == [slot.end]
+
+
+def _may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
+    """Whether words are one number, of which a slot that has no unit can be as much."""
+    value = quantities.evaluate(words, "number", language)
+    if not isinstance(value, float) or slot.slot.type != "number":
+        return isinstance(value, float)
+    least, most = slot.slot.minimum, slot.slot.maximum
+    return (least is None or value >= least) and (most is None or value <= most)

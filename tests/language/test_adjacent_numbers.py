@@ -1,0 +1,72 @@
+"""Two quantities one after the other."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language.numbers.spelled import in_words
+
+GRAMMAR = """
+language: en
+slots:
+  hour: {type: number, min: 1, max: 12}
+  minute: {type: number, min: 0, max: 59}
+  x: number
+  y: number
+intents:
+  alarm:
+    action: {type: custom, name: alarm}
+    sentences: ["wake me at {hour} [{minute}] [am|pm]"]
+  point:
+    action: {type: custom, name: point}
+    sentences: ["point at {x} {y}"]
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory) -> IntentEngine:
+    path = tmp_path_factory.mktemp("numbers") / "g.yaml"
+    path.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(path)
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("wake me at six thirty am", {"hour": 6, "minute": 30}),
+        ("wake me at ten fifteen", {"hour": 10, "minute": 15}),
+        ("wake me at 6:30 a.m.", {"hour": 6, "minute": 30}),
+        ("wake me at twelve fifty five", {"hour": 12, "minute": 55}),
+        ("point at three four", {"x": 3, "y": 4}),
+        ("point at twenty five six", {"x": 25, "y": 6}),
+    ],
+)
+def test_what_can_only_be_two_numbers(engine, said, slots):
+    found = engine.parse(said)
+    assert (found.status, dict(found.slots)) == (Status.ACCEPTED, slots)
+
+
+@pytest.mark.parametrize(
+    "said", ["twenty five", "two fifty", "one hundred five", "one hundred two hundred", "two thousand five hundred"]
+)
+def test_what_could_be_one_number_or_two_is_asked_back(engine, said):
+    found = engine.parse(f"point at {said}")
+    assert (found.status, found.actions) == (Status.REJECTED, ())
+    assert "could be one number or two" in found.reason
+
+
+@given(st.integers(1, 12), st.integers(10, 59))
+def test_any_time_of_day(engine, hour, minute):
+    words = " ".join(in_words([str(hour), str(minute)]))
+    assert dict(engine.parse(f"wake me at {words}").slots) == {"hour": hour, "minute": minute}
+
+
+@given(st.integers(0, 9999), st.integers(0, 9999))
+def test_two_numbers_are_never_other_two(engine, x, y):
+    words = " ".join(in_words([str(x), str(y)]))
+    found = engine.parse(f"point at {words}")
+    assert found.status is not Status.ACCEPTED or dict(found.slots) == {"x": x, "y": y}
