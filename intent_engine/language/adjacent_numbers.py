@@ -75,4 +75,6 @@ def _may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
     if not isinstance(value, float) or slot.slot.type != "number":
         return isinstance(value, float)
     least, most = slot.slot.minimum, slot.slot.maximum
+    if slot.slot.whole and not value.is_integer():
+        return False
     return (least is None or value >= least) and (most is None or value <= most)

@@ -83,6 +83,8 @@ class Slot:
     """SI, inclusive."""
     usual_step: float | None = None
     """SI: people say its multiples. Another number that sounds like one must be heard far more clearly; None: any."""
+    whole: bool = False
+    """Number: whether it counts something, so that nothing between two whole numbers is one."""
     values: tuple[tuple[Any, Node], ...] = ()
     """Choice: value and the template that spells it."""
     max_words: int = 4

@@ -19,6 +19,7 @@ __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "usual_step")),
+    "number": ("unit", "min", "max", "usual_step", "whole"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -187,6 +188,7 @@ class PartReader:
             minimum=low,
             maximum=high,
             usual_step=step,
+            whole=spec.get("whole", False),
             values=values,
             max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
             dictation=spec.get("dictation", False),

@@ -99,6 +99,8 @@ def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
             return f"{value:g} is less than the smallest {slot.name}, {slot.minimum:g} (SI units)", "change it or min:"
         if slot.maximum is not None and value > slot.maximum:
             return f"{value:g} is more than the largest {slot.name}, {slot.maximum:g} (SI units)", "change it or max:"
+        if slot.whole and value != int(value):
+            return f"{value:g} is no whole number, as {slot.name} must be", "change it or whole:"
     return None
 
 

@@ -65,7 +65,9 @@ class SlotValues:
             status = "unknown"
         elif isinstance(value, float):
             limit = None
-            if slot.minimum is not None and value < slot.minimum:
+            if slot.whole and not value.is_integer():
+                problem, status = f"{slot.name} of {value:g} is no whole number (slot {slot.name!r})", "limit"
+            elif slot.minimum is not None and value < slot.minimum:
                 limit = f"less than the smallest, {slot.minimum:g}"
             elif slot.maximum is not None and value > slot.maximum:
                 limit = f"more than the largest, {slot.maximum:g}"

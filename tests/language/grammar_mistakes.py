@@ -121,6 +121,8 @@ MISTAKES: dict[str, str | bytes] = {
     "a limit in the wrong unit": slot("{type: distance, min: 5 kg}"),
     "a limit in words that are no number": slot("{type: duration, max: long}"),
     "a usual step of nothing": slot("{type: angle, usual_step: 0 deg}"),
+    "half of what is counted": slot("{type: number, whole: true}") + "    defaults: {it: 2.5}\n",
+    "a distance that is whole": slot("{type: distance, whole: true}"),
     "a usual step for words": slot("{type: text, usual_step: 5}"),
     "a usual step in the wrong unit": slot("{type: angle, usual_step: 5 m}"),
     "a unit of something else": slot("{type: angle, unit: m}"),

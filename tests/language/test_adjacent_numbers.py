@@ -13,7 +13,7 @@ from intent_engine.language.numbers.spelled import in_words
 GRAMMAR = """
 language: en
 slots:
-  hour: {type: number, min: 1, max: 12}
+  hour: {type: number, min: 1, max: 12, whole: true}
   minute: {type: number, min: 0, max: 59}
   x: number
   y: number
@@ -57,6 +57,14 @@ def test_what_could_be_one_number_or_two_is_asked_back(engine, said):
     found = engine.parse(f"point at {said}")
     assert (found.status, found.actions) == (Status.REJECTED, ())
     assert "could be one number or two" in found.reason
+
+
+@pytest.mark.parametrize("said", ["6.30", "6.5", "six and a half", "six point five"])
+def test_a_slot_that_counts_takes_whole_numbers(engine, said):
+    found = engine.parse(f"wake me at {said}")
+    assert (found.status, found.actions) == (Status.REJECTED, ())
+    assert "is no whole number (slot 'hour')" in found.reason
+    assert engine.parse("wake me at 6.0").slots == {"hour": 6.0}
 
 
 @given(st.integers(1, 12), st.integers(10, 59))

@@ -18,6 +18,7 @@ phrases:
   put: (put|lay) [it] [right]
 slots:
   n: {type: number, min: 1, max: 1000}
+  pieces: {type: number, min: 1, max: 9, whole: true}
   nth: {type: ordinal}
   length: {type: distance, unit: m}
   span: {type: distance}
@@ -35,7 +36,7 @@ slots:
 intents:
   measure:
     action: {type: custom, name: measure}
-    sentences: ["count {n}", "choose the {nth} one", "measure {length}", "stretch {span}"]
+    sentences: ["count {n}", "stack {pieces} high", "choose the {nth} one", "measure {length}", "stretch {span}"]
   adjust:
     action: {type: custom, name: adjust}
     sentences: ["bend {bend}", "linger {wait}", "pace {pace}", "whirl {spin}", "fill {part}", "lamp {lamp}"]
