@@ -115,7 +115,7 @@ def test_every_value_has_its_source(engine):
     ]
     (slots,) = engine.explain("go to the kitchn").slots
     assert (slots[0].how, slots[0].rivals[0][0]) == ("fuzzy", "kitchen")
-    assert engine.explain("love").slots[0][0].how == "unknown"
+    assert engine.explain("turn love").slots[0][0].how == "unknown"
 
 
 def test_what_points_back_is_told(engine):

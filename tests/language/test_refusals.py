@@ -31,6 +31,11 @@ def test_a_value_that_no_list_has_is_told_as_one_of_that_list(text, reason):
     assert reason in found.reason
 
 
+@pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus"])
+def test_what_is_no_value_and_nothing_else_is_no_command(text):
+    assert shipped().parse(text).reason == "not a command of this grammar"
+
+
 @pytest.mark.parametrize("whole", ["{}, and then turn left", "turn left and then {}", "turn left, {} and turn right"])
 @pytest.mark.parametrize(
     ("part", "reason"),

@@ -127,7 +127,7 @@ class Commands:
                 and reading.score > best.score - 0.08
             ]
             return self._choose([best, *(reading for reading in level if reading is not best)], state)
-        wrong = [reading for reading in readings if reading.problem]
+        wrong = [reading for reading in readings if reading.problem and not _only_unknown(reading)]
         return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
 
     @step(Kind.CHOICE)
@@ -206,6 +206,11 @@ def _problem_clause(reading: Reading) -> Clause:
     slot = next(slot for slot in reading.slots if slot.problem)
     names = tuple(name for name, _ in slot.rivals[:3])
     return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=slot.status == "ambiguous")
+
+
+def _only_unknown(reading: Reading) -> bool:
+    """Whether all that was said is the name of nothing: "jump" is no direction that is missing."""
+    return any(slot.status == "unknown" and slot.end - slot.start == len(reading.words) for slot in reading.slots)
 
 
 def _problem_rank(reading: Reading) -> tuple[int, int, float]:
