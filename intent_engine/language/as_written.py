@@ -6,11 +6,13 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from intent_engine.language.normalize import AFTER_ELIDED, ELIDED
+from intent_engine.language.normalize import AFTER_ELIDED, ELIDED, NAMED
 
 __all__ = ["as_written", "texts_in"]
 
-_WORD = re.compile(rf"{ELIDED}['’](?={AFTER_ELIDED})|(?P<word>[^\W\d_]+(?:['’][^\W\d_]+)*)", re.IGNORECASE)
+_WORD = re.compile(
+    rf"(?!(?-i:{NAMED})){ELIDED}['’](?={AFTER_ELIDED})|(?P<word>[^\W\d_]+(?:['’][^\W\d_]+)*)", re.IGNORECASE
+)
 _REFERENCE = re.compile(r"{[^{}]*}")
 """Phrase or slot in a template."""
 

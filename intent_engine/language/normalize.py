@@ -10,7 +10,17 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["AFTER_ELIDED", "ELIDED", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents"]
+__all__ = [
+    "AFTER_ELIDED",
+    "ELIDED",
+    "NAMED",
+    "UNCLEAR",
+    "Token",
+    "elided",
+    "plain_words",
+    "tokenize",
+    "without_accents",
+]
 
 
 class Token(NamedTuple):
@@ -55,6 +65,11 @@ _FRACTIONS = {
 
 ELIDED = "(?:[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|un|dov|com|tutt|mezz)"
 """French, Italian and Catalan words that lose a vowel before another: "l'entrée", "dell'ufficio" are two words each."""
+NAMED = "D['’`](?=[A-Z])"
+"""But "D'Angelo" is one word,"""
+_NAMED = re.compile(rf"(?<!\w){NAMED}")
+_APOSTROPHE = "‛"
+"""with this apostrophe, which stands in words only."""
 AFTER_ELIDED = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
 _APART = re.compile(rf"(?<!\S)({ELIDED.replace('|un|', '|')}) (?={AFTER_ELIDED})")
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
@@ -68,11 +83,13 @@ _TOKEN = re.compile(
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
-    rf"|(?P<elided>{ELIDED}(?=['’ʼ`]{AFTER_ELIDED}))"
-    r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
+    rf"|(?P<elided>{ELIDED}(?=['’`]{AFTER_ELIDED}))"
+    r"|(?P<word>[^\W\d_]+(?:['’ʼ`‛][^\W\d_]+)*)"
     r"|(?P<sign>[°º%&'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
+
+_NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`‛"))
 
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
 _READ_AS: Mapping[tuple[str, str], str] = {
@@ -108,6 +125,7 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
     source, places = text, None
     if not text.isascii():
         source, places = _composed(text)
+    source = _NAMED.sub("D" + _APOSTROPHE, source)
     lowered = source.lower()
     if len(lowered) != len(source):  # a few letters grow when lowered ("İ"); places would shift
         lowered = "".join(c.lower() if len(c.lower()) == 1 else c for c in source)
@@ -168,9 +186,7 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
     if kind == "elided":
         return (found,)
     if kind == "word":
-        word = found
-        if not found.isalpha():
-            word = re.sub(r"['’ʼ`]", "", found)
+        word = found.translate(_NO_APOSTROPHES)
         return (TITLES.get(word) if language == "en" else None) or CONTRACTIONS.get(word, (word,))
     if kind == "sign":
         return _sign(found, text, match.start(), before, language)
