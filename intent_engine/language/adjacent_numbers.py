@@ -11,7 +11,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.reading import SlotReading
 
-__all__ = ["is_number", "numbers_apart"]
+__all__ = ["is_number", "may_hold", "numbers_apart"]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
 
@@ -59,17 +59,17 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
         start -= 1
     while end < after.end and is_number(words[end], language):
         end += 1
-    if _may_hold(slot, words[start:end], language):
+    if may_hold(slot, words[start:end], language):
         return False
     cuts = (
         cut
         for cut in range(start + 1, end)
-        if _may_hold(slot, words[start:cut], language) and _may_hold(after, words[cut:end], language)
+        if may_hold(slot, words[start:cut], language) and may_hold(after, words[cut:end], language)
     )
     return list(cuts) == [slot.end]
 
 
-def _may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
+def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
     """Whether words are one number, of which a slot that has no unit can be as much."""
     value = quantities.evaluate(words, "number", language)
     if not isinstance(value, float) or slot.slot.type != "number":

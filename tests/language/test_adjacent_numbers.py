@@ -17,7 +17,9 @@ slots:
   minute: {type: number, min: 0, max: 59}
   x: number
   y: number
+  n: {type: number, whole: true}
 intents:
+  count: {action: {type: custom, name: count}, sentences: ["count to {n}"]}
   alarm:
     action: {type: custom, name: alarm}
     sentences: ["wake me at {hour} [{minute}] [am|pm]"]
@@ -59,7 +61,20 @@ def test_what_could_be_one_number_or_two_is_asked_back(engine, said):
     assert "could be one number or two" in found.reason
 
 
-@pytest.mark.parametrize("said", ["6.30", "6.5", "six and a half", "six point five"])
+@given(st.integers(1, 12), st.integers(0, 59), st.sampled_from(["{}.{:02}", "{}:{:02}", "{}{:02}", "{} {:02}"]))
+def test_any_time_of_day_in_figures(engine, hour, minute, figures):
+    found = engine.parse(f"wake me at {figures.format(hour, minute)} am")
+    assert {"minute": 0, **found.slots} == {"hour": hour, "minute": minute}  # "1.00" is an hour alone
+
+
+@pytest.mark.parametrize(
+    "said", ["wake me at 6.75", "wake me at 1365", "point at 630", "count to 6.30", "wake me at 25.30"]
+)
+def test_figures_that_are_no_two_numbers_are_one(engine, said):
+    assert engine.parse(said).actions == ()
+
+
+@pytest.mark.parametrize("said", ["6.5", "six and a half", "six point five", "six point three"])
 def test_a_slot_that_counts_takes_whole_numbers(engine, said):
     found = engine.parse(f"wake me at {said}")
     assert (found.status, found.actions) == (Status.REJECTED, ())

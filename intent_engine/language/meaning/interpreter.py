@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.command import Clause, Commands, slot_values
 from intent_engine.language.meaning.compound import Compounds
@@ -172,8 +173,20 @@ class Interpreter:
         return written if written is not None else self._not_understood(text, core, state, clause or single)
 
     def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """The same words, written together or apart as the grammar has them, if they are a command so."""
-        other = self.matcher.spacing.otherwise(core)
+        """The same words, written together or apart as the grammar has them, or with figures of two numbers apart, if
+        they are a command so."""
+        written = self._understood_as(text, core, self.matcher.spacing.otherwise(core), state)
+        if written is None:
+            written = self._understood_as(text, core, figures_apart(core), state)
+            readings = [part.reading for part in written[1] if part.reading is not None] if written is not None else []
+            if not are_apart(core, readings, self._language):
+                return None
+        return written
+
+    def _understood_as(
+        self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
+    ) -> Understood | None:
+        """What was said as it is written otherwise, if it is a command so."""
         if other is None:
             return None
         found, parts = self._meant(text, other, state, spoken=False)
