@@ -350,7 +350,7 @@ class SpokenGrammar:
             meaning = self.parse(" ".join(words), language)
             count = max(view.words for view in seen) or word_count(words)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
-            addressed = self.wake(language).addressed(words)
+            addressed = meaning.stops or self.wake(language).addressed(words)  # a stop needs no wake word
             rank -= self.unusual(meaning, language) + UNADDRESSED * (not addressed)
             rows.append((rank, words, seen, unknown, meaning.actions if addressed else ()))
         rows.sort(key=lambda row: (-row[0], row[1]))

@@ -101,6 +101,15 @@ def test_what_is_not_for_the_robot_is_another_meaning_and_less_likely(called):
     assert 0 < second.behind == first.evidence.margin
 
 
+def test_a_stop_is_as_likely_without_a_wake_word(called, plain):
+    views = {one: [View(-2.0, -1.0, 0.0, words=3)] for one in (("stop",), ("nurse", "bot", "turn", "left"))}
+    views[("stop",)] = [View(-1.9, -1.0, 0.0, words=3)]
+    for grammar in (called, plain):
+        first, second = grammar.ranked(views)
+        assert first.words == ("stop",)
+        assert second.behind == pytest.approx(0.1)
+
+
 class _Pieces:
     def encode(self, text: str) -> list[int]:
         return [0] * len(text)
