@@ -106,12 +106,12 @@ def test_a_stop_needs_no_wake_word(go_forward):
 
 def test_a_wake_word_stays_after_a_reload(tmp_path):
     grammar = tmp_path / "go.yaml"
-    grammar.write_text("language: en\nintents:\n  stop: {action: stop, sentences: [hold it]}\n", "utf-8")
+    grammar.write_text("language: en\nintents:\n  wave: {action: custom, sentences: [wave]}\n", "utf-8")
     engine = IntentEngine.from_files(grammar, wake=["Robbie the robot"])
     engine.reload()
-    assert not engine.parse("hold it", spoken=True).actions
-    assert engine.parse("robbie the robot hold it", spoken=True).actions
-    assert engine.parse("hold it").actions, "who types is meant to"
+    assert not engine.parse("wave", spoken=True).actions
+    assert engine.parse("robbie the robot wave", spoken=True).actions
+    assert engine.parse("wave").actions, "who types is meant to"
 
 
 def test_close_from_another_thread_ends_it_and_stops_the_robot(engine, whisper, go_forward):

@@ -126,3 +126,24 @@ def test_a_comma_may_follow_a_wake_word(called):
 def test_a_grammar_of_no_wake_words_knows_none(plain):
     assert isinstance(plain.wake(), WakeWords)
     assert plain.wake().phrases.at(["robot"], 0) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "stops"),
+    [
+        ("stop", True),
+        ("stop turning left", True),
+        ("please stop rolling", True),
+        ("nurse bot stop rolling", True),
+        ("turn left", False),
+        ("do not stop", False),
+        ("she told him to stop rolling", False),
+        ("turn left and stop rolling", False),
+    ],
+)
+def test_no_sentence_that_stops_needs_the_wake_word(text, stops):
+    maps = ROOT / "locations" / "home.yaml"
+    engine = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=maps, wake=WAKE)
+    found = engine.parse(text, spoken=True)
+    assert found.stops is stops
+    assert stops or not found.actions

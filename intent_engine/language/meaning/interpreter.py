@@ -112,6 +112,9 @@ class Interpreter:
         if phrases.wake:
             woken = self._awake(said)
             if woken is None and spoken:
+                understood = self._meant(text, said, state, spoken=False)
+                if understood[0].actions and all(isinstance(action, Stop) for action in understood[0].actions):
+                    return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
         clause = self._commands.exact(said.words, state) if not self._sighed_in_number(said) else None
