@@ -6,13 +6,11 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from intent_engine.language.normalize import AFTER_ELIDED, ELIDED, NAMED
+from intent_engine.language.normalize import ELISION
 
 __all__ = ["as_written", "texts_in"]
 
-_WORD = re.compile(
-    rf"(?!(?-i:{NAMED})){ELIDED}['’](?={AFTER_ELIDED})|(?P<word>[^\W\d_]+(?:['’][^\W\d_]+)*)", re.IGNORECASE
-)
+_WORD = re.compile(r"[^\W\d_]+(?:['’][^\W\d_]+)*")
 _REFERENCE = re.compile(r"{[^{}]*}")
 """Phrase or slot in a template."""
 
@@ -26,8 +24,8 @@ def as_written(texts: Iterable[str], *, sentences: bool = False) -> dict[str, st
     """
     found: dict[str, str] = {}
     for text in texts:
-        for match in _WORD.finditer(_REFERENCE.sub(" ", text)):
-            word = (match["word"] or "").replace("’", "'")
+        for match in _WORD.finditer(ELISION.sub(" ", _REFERENCE.sub(" ", text))):
+            word = match[0].replace("’", "'")
             if sentences and match.start() == 0:
                 word = word.lower()
             plain = word.lower().replace("'", "")

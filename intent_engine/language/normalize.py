@@ -10,17 +10,7 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = [
-    "AFTER_ELIDED",
-    "ELIDED",
-    "NAMED",
-    "UNCLEAR",
-    "Token",
-    "elided",
-    "plain_words",
-    "tokenize",
-    "without_accents",
-]
+__all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents"]
 
 
 class Token(NamedTuple):
@@ -63,15 +53,12 @@ _FRACTIONS = {
     )
 }  # fmt: skip
 
-ELIDED = "(?:[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|un|dov|com|tutt|mezz)"
+_ELIDED = "[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|dov|com|tutt|mezz"
 """French, Italian and Catalan words that lose a vowel before another: "l'entrée", "dell'ufficio" are two words each."""
-NAMED = "D['’`](?=[A-Z])"
-"""But "D'Angelo" is one word,"""
-_NAMED = re.compile(rf"(?<!\w){NAMED}")
-_APOSTROPHE = "‛"
-"""with this apostrophe, which stands in words only."""
-AFTER_ELIDED = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
-_APART = re.compile(rf"(?<!\S)({ELIDED.replace('|un|', '|')}) (?={AFTER_ELIDED})")
+_VOWEL = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
+ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’ʼ`](?={_VOWEL})", re.IGNORECASE)
+"""Such a word and its apostrophe. "D'Angelo" is one word."""
+_APART = re.compile(rf"(?<!\S)({_ELIDED}) (?={_VOWEL})")
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
 _TOKEN = re.compile(
     r"(?P<number>(?:(?<![\w.,])|^)(?:[-−]|^[-−]\s+)(?=\d|\.\d))?"
@@ -83,13 +70,12 @@ _TOKEN = re.compile(
     r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
-    rf"|(?P<elided>{ELIDED}(?=['’`]{AFTER_ELIDED}))"
-    r"|(?P<word>[^\W\d_]+(?:['’ʼ`‛][^\W\d_]+)*)"
+    r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
     r"|(?P<sign>[°º%&'’′\"”″/])"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
 
-_NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`‛"))
+_NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
 _READ_AS: Mapping[tuple[str, str], str] = {
@@ -125,7 +111,7 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
     source, places = text, None
     if not text.isascii():
         source, places = _composed(text)
-    source = _NAMED.sub("D" + _APOSTROPHE, source)
+    source = ELISION.sub(r"\1 ", source)
     lowered = source.lower()
     if len(lowered) != len(source):  # a few letters grow when lowered ("İ"); places would shift
         lowered = "".join(c.lower() if len(c.lower()) == 1 else c for c in source)
@@ -183,8 +169,6 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
     found = match.group()
     if kind == "letters":  # "T.V.", "U.S.B"
         return (found.replace(".", ""),)
-    if kind == "elided":
-        return (found,)
     if kind == "word":
         word = found.translate(_NO_APOSTROPHES)
         return (TITLES.get(word) if language == "en" else None) or CONTRACTIONS.get(word, (word,))

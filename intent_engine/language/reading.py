@@ -55,8 +55,9 @@ class Reading:
 
     @property
     def heard_exactly(self) -> int:
-        """Words that are not only like a name. Sound-alikes count: nobody can tell them apart by ear."""
-        compared = sum(slot.end - slot.start for slot in self.slots if slot.status == "fuzzy")
+        """Words that are not only like a name, or the name of nothing. Sound-alikes count: nobody can tell them apart by
+        ear."""
+        compared = sum(slot.end - slot.start for slot in self.slots if slot.status in ("fuzzy", "unknown"))
         return len(self.words) - compared
 
     @property

@@ -115,7 +115,7 @@ class Commands:
         readings = [one for one in self.matcher.read(words, loose=True) if not self.holds_command(one)]
         if not readings:
             return None
-        # Something must have been heard as it is: "lft" alone is nothing.
+        # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
@@ -127,7 +127,7 @@ class Commands:
                 and reading.score > best.score - 0.08
             ]
             return self._choose([best, *(reading for reading in level if reading is not best)], state)
-        wrong = [reading for reading in readings if reading.problem and not _only_unknown(reading)]
+        wrong = [reading for reading in readings if reading.problem and reading.heard_exactly]
         return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
 
     @step(Kind.CHOICE)
@@ -206,11 +206,6 @@ def _problem_clause(reading: Reading) -> Clause:
     slot = next(slot for slot in reading.slots if slot.problem)
     names = tuple(name for name, _ in slot.rivals[:3])
     return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=slot.status == "ambiguous")
-
-
-def _only_unknown(reading: Reading) -> bool:
-    """Whether all that was said is the name of nothing: "jump" is no direction that is missing."""
-    return any(slot.status == "unknown" and slot.end - slot.start == len(reading.words) for slot in reading.slots)
 
 
 def _problem_rank(reading: Reading) -> tuple[int, int, float]:
