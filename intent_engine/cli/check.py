@@ -12,13 +12,12 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Json, Locations
 from intent_engine.cli.terminal import json_line, say, working
-from intent_engine.errors import ConfigError, Problem
+from intent_engine.errors import ConfigError
 from intent_engine.resources import default_locations, find
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.checker import Figures, Finding, Report
-    from intent_engine.testing.examples import Case
 
 __all__ = ["check"]
 
@@ -85,6 +84,7 @@ def _checked(paths: Sequence[Path], maps: Sequence[Path]) -> tuple[list[Finding]
 def _examples(engine: IntentEngine) -> Iterator[Finding]:
     """Examples of the grammar that are understood otherwise, and those that are of another map."""
     from intent_engine.language.checker import Finding
+    from intent_engine.language.grammar import problem_at
     from intent_engine.testing.examples import grammar_cases, run_case
 
     for case in grammar_cases(engine):
@@ -92,21 +92,14 @@ def _examples(engine: IntentEngine) -> Iterator[Finding]:
         if outcome.missing:
             named = " or ".join(map(repr, outcome.missing))
             message = f"the example {case.text!r} was not tried: no place of the map is called {named}"
-            yield Finding("note", "example", _problem(case, message, "give the map that it is written for"))
+            yield Finding("note", "example", problem_at(case.place, message, "give the map that it is written for"))
         elif outcome.failed:
             differences = "; ".join(
                 f"{row.part} should be {row.expected}, is {row.found}" for row in outcome.differences
             )
             message = f"the example {case.text!r} fails: {differences}"
             hint = "change the example or the sentences; parse --explain shows how it is understood"
-            yield Finding("error", "example", _problem(case, message, hint))
-
-
-def _problem(case: Case, message: str, hint: str) -> Problem:
-    place = case.place
-    if place is None:
-        return Problem(message, hint=hint)
-    return Problem(message, place.file, place.line, place.column, place.source, hint)
+            yield Finding("error", "example", problem_at(case.place, message, hint))
 
 
 def _record(names: Sequence[str], found: Sequence[Finding], reports: Sequence[Report]) -> dict[str, Any]:

@@ -72,9 +72,4 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
     """Whether words are one number, of which a slot that has no unit can be as much."""
     value = quantities.evaluate(words, "number", language)
-    if not isinstance(value, float) or slot.slot.type != "number":
-        return isinstance(value, float)
-    least, most = slot.slot.minimum, slot.slot.maximum
-    if slot.slot.whole and not value.is_integer():
-        return False
-    return (least is None or value >= least) and (most is None or value <= most)
+    return isinstance(value, float) and (slot.slot.type != "number" or slot.slot.beyond(value) is None)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.errors import Problem
 from intent_engine.interpretation import Status
 from intent_engine.language.exploration import Exploration, Meeting, explore
-from intent_engine.language.grammar import Grammar, Intent, Place, Sentence
+from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, problem_at
 from intent_engine.language.grammar_figures import Size, grammar_size
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
@@ -170,9 +170,9 @@ class _Meetings:
             f"{_at(first.sentence.place, other.sentence.place)}: the robot would ask"
         )
         if self._far_fetched(first) or self._far_fetched(other):
-            return Finding("note", "ambiguous", _problem(other.sentence.place, message))
+            return Finding("note", "ambiguous", problem_at(other.sentence.place, message))
         hint = "let one of them need another word, or give one intent a priority"
-        return Finding("warning", "ambiguous", _problem(other.sentence.place, message, hint))
+        return Finding("warning", "ambiguous", problem_at(other.sentence.place, message, hint))
 
     def _far_fetched(self, reading: Reading) -> bool:
         """Whether free text in it is made of the words of sentences: "put down on down"."""
@@ -189,7 +189,7 @@ class _Meetings:
             f"{words!r} is also a sentence of {first.intent.name!r}"
             f"{_at(first.sentence.place, other.sentence.place)}, which wins: {_reason(first, other)}"
         )
-        return Finding("note", "overlap", _problem(other.sentence.place, message))
+        return Finding("note", "overlap", problem_at(other.sentence.place, message))
 
     def _never(self) -> Iterator[Finding]:
         """Sentences that no words mean."""
@@ -205,12 +205,12 @@ class _Meetings:
             words = " ".join(meeting.words)
             if first.intent is intent and dict(first.sentence.fixed) == dict(sentence.fixed):
                 message = f"all that this sentence says, others of {intent.name!r} say: {words!r} is one before{where}"
-                yield Finding("note", "shadowed", _problem(sentence.place, message, "it can be removed"))
+                yield Finding("note", "shadowed", problem_at(sentence.place, message, "it can be removed"))
                 return
             message = f"this sentence is never understood: {words!r} is one of {first.intent.name!r}{where}"
             if self.walk.complete:
                 yield Finding(
-                    "warning", "shadowed", _problem(sentence.place, message, "reword one, or give a priority")
+                    "warning", "shadowed", problem_at(sentence.place, message, "reword one, or give a priority")
                 )
         elif self.walk.complete:
             message = "nothing that anybody says is this sentence"
@@ -218,7 +218,7 @@ class _Meetings:
                 hint = "a place is asked for, and there is no map"
             else:
                 hint = "a list in it is empty, or no place of the map has the tags that it asks for"
-            yield Finding("warning", "unreachable", _problem(sentence.place, message, hint))
+            yield Finding("warning", "unreachable", problem_at(sentence.place, message, hint))
 
 
 def _rank(reading: Reading) -> tuple[int, int, int]:
@@ -247,12 +247,6 @@ def _at(place: Place | None, seen_from: Place | None) -> str:
         return ""
     same = seen_from is not None and seen_from.file == place.file
     return f" (line {place.line})" if same else f" ({place.file}:{place.line})"
-
-
-def _problem(place: Place | None, message: str, hint: str | None = None) -> Problem:
-    if place is None:
-        return Problem(message, hint=hint)
-    return Problem(message, place.file, place.line, place.column, place.source, hint)
 
 
 # -- names that sound alike -----------------------------------------------------------------------------------
@@ -311,4 +305,4 @@ def _alike_values(grammar: Grammar) -> Iterator[Problem]:
                 f"slot {slot.name!r}: {' '.join(one)!r} ({name}) and {' '.join(other)!r} ({rival}) sound alike: "
                 "either may be heard for the other"
             )
-            yield _problem(slot.place, message, "reword one, or give the slot fuzzy: false")
+            yield problem_at(slot.place, message, "reword one, or give the slot fuzzy: false")

@@ -23,6 +23,7 @@ __all__ = [
     "Place",
     "Sentence",
     "Slot",
+    "problem_at",
 ]
 
 QUANTITY_KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
@@ -68,6 +69,13 @@ class Place:
     """The line."""
 
 
+def problem_at(place: Place | None, message: str, hint: str | None = None) -> Problem:
+    """A problem of what stands at a place; None: it is in no file."""
+    if place is None:
+        return Problem(message, hint=hint)
+    return Problem(message, place.file, place.line, place.column, place.source, hint)
+
+
 @dataclass(frozen=True, slots=True)
 class Slot:
     """A hole in a sentence."""
@@ -102,6 +110,16 @@ class Slot:
     fuzzy: bool = True
     """Choice and location: whether misspelled and misheard values are resolved."""
     place: Place | None = None
+
+    def beyond(self, value: float) -> tuple[str, str] | None:
+        """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5"); None: it is."""
+        if self.whole and not float(value).is_integer():
+            return "whole", "no whole number"
+        if self.minimum is not None and value < self.minimum:
+            return "min", f"less than the smallest, {self.minimum:g}"
+        if self.maximum is not None and value > self.maximum:
+            return "max", f"more than the largest, {self.maximum:g}"
+        return None
 
 
 @dataclass(frozen=True, slots=True)

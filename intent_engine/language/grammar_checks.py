@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot
+from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot, problem_at
 from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
@@ -61,12 +61,6 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
         warnings += _denials(grammar, draft)
         warnings += _neighbours(grammar, draft)
     return problems, warnings
-
-
-def _problem(place: Place | None, message: str, hint: str | None = None) -> Problem:
-    if place is None:
-        return Problem(message, hint=hint)
-    return Problem(message, place.file, place.line, place.column, place.source, hint)
 
 
 # -- the whole ------------------------------------------------------------------------------------------------
@@ -180,7 +174,7 @@ def _written_problem(draft: Draft, slot: Slot, node: Node, message: str, hint: s
         options = written.node.items if isinstance(written.node, Choice) else ()
         if written.kind == "slot" and written.name == slot.name and node in (written.node, *options):
             found = written
-    return found.problem(message, hint) if found is not None else _problem(slot.place, message, hint)
+    return found.problem(message, hint) if found is not None else problem_at(slot.place, message, hint)
 
 
 def _silent(draft: Draft, shapes: Shapes) -> Iterator[Problem]:
@@ -219,10 +213,10 @@ def _twice(grammar: Grammar, warnings: list[Problem]) -> Iterator[Problem]:
             where = _where(earlier.place, sentence.place)
             if other.name == intent.name and dict(earlier.fixed) == dict(sentence.fixed):
                 message = f"the same sentence stands already at {where}"
-                warnings.append(_problem(sentence.place, message, "remove one of them"))
+                warnings.append(problem_at(sentence.place, message, "remove one of them"))
             elif (other.requires, other.excludes) == (intent.requires, intent.excludes):
                 message = f"the same sentence is already in intent {other.name!r} ({where}); it can never be reached"
-                yield _problem(sentence.place, message, "remove one of them")
+                yield problem_at(sentence.place, message, "remove one of them")
 
 
 def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Problem]:
@@ -236,7 +230,7 @@ def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Prob
                 hint = (
                     "name fewer phrases that may be empty one after another; long lists of names belong into a map file"
                 )
-                yield _problem(sentence.place, message, hint)
+                yield problem_at(sentence.place, message, hint)
     if begin > 2 * MAX_WAYS:
         message = f"there are more than {2 * MAX_WAYS:,} ways to begin a sentence"
         yield places.problem(("intents",), message, "make a slot of what many sentences have in common", key=True)
@@ -257,14 +251,14 @@ def _sentences(intent: Intent, places: Places, shapes: Shapes, *, whole: bool, b
         if any(reference.name in broken for reference in references(sentence.template)):
             continue
         if shapes.empty(sentence.template):
-            yield _problem(sentence.place, "every word of this sentence may be left out", "make one necessary")
+            yield problem_at(sentence.place, "every word of this sentence may be left out", "make one necessary")
         elif shapes.free(sentence.template):
             message = "this sentence fits whatever anybody says: it may be nothing but free text"
-            yield _problem(sentence.place, message, "begin it with a word that says what to do")
+            yield problem_at(sentence.place, message, "begin it with a word that says what to do")
         for label, count in shapes.labels(sentence.template).items():
             if count > 1:
                 message = f"slot {label!r} can be said {count} times in one sentence; only one value would be kept"
-                yield _problem(sentence.place, message, f"give one of them another name: {{{label}:other}}")
+                yield problem_at(sentence.place, message, f"give one of them another name: {{{label}:other}}")
 
 
 def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:

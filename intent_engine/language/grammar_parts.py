@@ -9,7 +9,7 @@ from typing import Any, Literal
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language import quantities
-from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot
+from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot, problem_at
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.template_tree import Choice, Node
@@ -61,7 +61,7 @@ class Written:
     def problem(self, message: str, hint: str | None = None, column: int = 0) -> Problem:
         """A problem at a column of the template, from 0."""
         place = self.source.place(self.path, column)
-        return Problem(message, place.file, place.line, place.column, place.source, hint)
+        return problem_at(place, message, hint)
 
 
 @dataclass
@@ -104,7 +104,7 @@ class Places:
         lines = next(source.lines for source in self._sources if source.file == place.file)
         if line and place.source.rstrip()[-1:] in "|>+-" and place.line + line <= len(lines):
             return Problem(message, place.file, place.line + line, None, lines[place.line + line - 1], hint)
-        return Problem(message, place.file, place.line, place.column, place.source, hint)
+        return problem_at(place, message, hint)
 
 
 class PartReader:

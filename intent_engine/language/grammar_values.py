@@ -15,6 +15,7 @@ from intent_engine.language.grammar import (
     Intent,
     Sentence,
     Slot,
+    problem_at,
 )
 from intent_engine.language.grammar_intents import slot_of_parameter, slots_by_label
 from intent_engine.language.grammar_parts import Places
@@ -94,13 +95,8 @@ def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
             names = [str(one) for one in known]
             hint = did_you_mean(str(value), names) or f"one of: {', '.join(names)}"
             return f"{value!r} is no value of slot {slot.name!r}", hint
-    elif slot.type in QUANTITY_KINDS and isinstance(value, (int, float)):
-        if slot.minimum is not None and value < slot.minimum:
-            return f"{value:g} is less than the smallest {slot.name}, {slot.minimum:g} (SI units)", "change it or min:"
-        if slot.maximum is not None and value > slot.maximum:
-            return f"{value:g} is more than the largest {slot.name}, {slot.maximum:g} (SI units)", "change it or max:"
-        if slot.whole and value != int(value):
-            return f"{value:g} is no whole number, as {slot.name} must be", "change it or whole:"
+    elif slot.type in QUANTITY_KINDS and isinstance(value, (int, float)) and (beyond := slot.beyond(value)) is not None:
+        return f"{value:g} is {beyond[1]} (SI units, slot {slot.name!r})", f"change it or {beyond[0]}:"
     return None
 
 
@@ -117,7 +113,7 @@ def _fixed(
             wrong = (f"slot {label!r} is taken by nothing", _near(label, known | (spoken & known)))
         if wrong is not None and sentence.place is not None:
             place = sentence.place
-            yield Problem(wrong[0], place.file, place.line, place.column, place.source, wrong[1])
+            yield problem_at(place, wrong[0], wrong[1])
 
 
 def _slots_of(grammar: Grammar, intent: Intent) -> dict[str, Slot]:
@@ -207,7 +203,7 @@ def _complete(intent: Intent, sentence: Sentence, given: set[str], missing: set[
         hint = f"add {{{label}}} to the sentence, slots: {{{label}: ...}} beside it, or a default"
         place = sentence.place
         if place is not None:
-            yield Problem(message, place.file, place.line, place.column, place.source, hint)
+            yield problem_at(place, message, hint)
 
 
 def _fixed_amiss(action: ActionSpec, sentence: Sentence) -> bool:
@@ -230,4 +226,4 @@ def example_problems(intent: Intent, labels: set[str], places: Places) -> Iterat
                     place = example.place
                     message = f"the example has slot {label!r}, which no sentence of {intent.name!r} has"
                     hint = _near(str(label), labels) if labels else "{} stands for no slots"
-                    yield Problem(message, place.file, place.line, place.column, place.source, hint)
+                    yield problem_at(place, message, hint)

@@ -55,8 +55,8 @@ class Reading:
 
     @property
     def heard_exactly(self) -> int:
-        """Words that are not only like a name, or the name of nothing. Sound-alikes count: nobody can tell them apart by
-        ear."""
+        """Words that are not only like a name, or the name of nothing. Sound-alikes count: by ear nobody
+        can tell them apart."""
         compared = sum(slot.end - slot.start for slot in self.slots if slot.status in ("fuzzy", "unknown"))
         return len(self.words) - compared
 

@@ -63,17 +63,8 @@ class SlotValues:
             article = "an" if slot.type[0] in "aeiou" else "a"
             problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
             status = "unknown"
-        elif isinstance(value, float):
-            limit = None
-            if slot.whole and not value.is_integer():
-                problem, status = f"{slot.name} of {value:g} is no whole number (slot {slot.name!r})", "limit"
-            elif slot.minimum is not None and value < slot.minimum:
-                limit = f"less than the smallest, {slot.minimum:g}"
-            elif slot.maximum is not None and value > slot.maximum:
-                limit = f"more than the largest, {slot.maximum:g}"
-            if limit:
-                problem = f"{slot.name} of {value:g} is {limit} (SI units, slot {slot.name!r})"
-                status = "limit"
+        elif isinstance(value, float) and (beyond := slot.beyond(value)) is not None:
+            problem, status = f"{slot.name} of {value:g} is {beyond[1]} (SI units, slot {slot.name!r})", "limit"
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
