@@ -292,10 +292,8 @@ class Sampler:
         ways = self._said.get(slot.name)
         if ways is None:
             if slot.type in QUANTITY_KINDS:
-                ways = spoken_forms(slot.type, self.grammar.language, slot.unit, slot.minimum, slot.maximum)
-                if slot.whole:
-                    whole = (tuple(one for one in form if float(one.value).is_integer()) for form in ways)
-                    ways = tuple(form for form in whole if form)
+                limits = slot.minimum, slot.maximum
+                ways = spoken_forms(slot.type, self.grammar.language, slot.unit, *limits, whole=slot.whole)
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),

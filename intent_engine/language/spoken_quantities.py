@@ -65,7 +65,7 @@ _WORDS: Mapping[str, Mapping[int, str]] = {
 
 @cache
 def spoken_forms(
-    kind: str, language: str, unit: str | None, minimum: float | None, maximum: float | None
+    kind: str, language: str, unit: str | None, minimum: float | None, maximum: float | None, *, whole: bool = False
 ) -> tuple[tuple[Spoken, ...], ...]:
     """The ways to say a quantity, by form (whole numbers, decimals, fractions, ...), the shortest form first.
 
@@ -75,16 +75,19 @@ def spoken_forms(
         unit: of the slot; a bare number can be said if there is one.
         minimum: SI, inclusive; None: no limit.
         maximum: SI, inclusive; None: no limit.
+        whole: only whole numbers.
     """
     limits = (-math.inf if minimum is None else minimum, math.inf if maximum is None else maximum)
-    forms = (_within(form, limits) for form in _forms(kind, language, unit))
+    forms = (_within(form, limits, whole) for form in _forms(kind, language, unit))
     return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
 
 
-def _within(form: Iterable[_Said], limits: _Limits) -> tuple[Spoken, ...]:
+def _within(form: Iterable[_Said], limits: _Limits, whole: bool) -> tuple[Spoken, ...]:
     found: dict[str, Spoken] = {}
     for text, value in form:
-        if isinstance(value, Relative) or (limits[0] <= value <= limits[1]):
+        if isinstance(value, Relative) or (
+            limits[0] <= value <= limits[1] and (not whole or float(value).is_integer())
+        ):
             found.setdefault(text, Spoken(text, value))
     return tuple(found.values())
 

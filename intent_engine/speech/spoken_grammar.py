@@ -220,7 +220,7 @@ class SpokenGrammar:
         if language not in (None, "en") or not meaning.actions or meaning.stops:
             return []
         called = self.wake(language).after(words)
-        lead = called or self.lead(words, language)
+        lead = called + self.lead(words[called:], language)
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
         begins = {begin} if called else {(): None, begin: None}
         return [(*kept, *no, *rest) for kept in begins for no in FORBIDDING]

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from intent_engine.actions import Action
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["UNADDRESSED", "WakeWords"]
@@ -27,24 +28,21 @@ class WakeWords:
     """The wake words of one grammar; it may have none."""
 
     def __init__(self, grammar: Grammar) -> None:
-        self.phrases = PhraseSet(grammar.wake)
+        self._phrases = Phrases(grammar)
         self._compared = grammar.wake[:COMPARED]
-        self._empty = PhraseSet(grammar.fillers)
+
+    @property
+    def phrases(self) -> PhraseSet:
+        """The wake words."""
+        return self._phrases.wake
 
     def addressed(self, words: Sequence[str]) -> bool:
         """Whether words are for the robot: they begin with a wake word, if there is any."""
         return not self._compared or self.after(words) > 0
 
     def after(self, words: Sequence[str]) -> int:
-        """Where words go on after a wake word at their beginning, and what says nothing; 0: they begin with none."""
-        place, called = 0, False
-        while place < len(words):
-            length = self.phrases.at(words, place)
-            called = called or length > 0
-            if not (length := length or self._empty.at(words, place)):
-                break
-            place += length
-        return place if called else 0
+        """As :meth:`~intent_engine.language.meaning.phrases.Phrases.after_wake`."""
+        return self._phrases.after_wake(words)
 
     def before(
         self, words: Sequence[str], acts: Callable[[Sequence[str]], tuple[Action, ...]]

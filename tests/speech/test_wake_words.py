@@ -36,7 +36,7 @@ def plain() -> SpokenGrammar:
     ("text", "after"),
     [
         ("nurse bot turn left", 2),
-        ("please hey nurse please turn left", 4),
+        ("please hey nurse please turn left", 3),
         ("turn left nurse bot", 0),
         ("nurse turn left", 0),
         ("nurse bot", 2),

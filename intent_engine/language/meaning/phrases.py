@@ -54,16 +54,19 @@ class Phrases:
 
     def awake(self, said: Utterance) -> Utterance | None:
         """What follows the wake word with which the utterance begins; None if it does not."""
+        after = self.after_wake(said.words)
+        return said.part(after, len(said)) if after else None
+
+    def after_wake(self, words: Sequence[str]) -> int:
+        """Where words go on after the wake word with which they begin, past fillers; 0: they begin with none."""
         position = 0
-        while position < len(said):
-            length = self.wake.at(said.words, position)
-            if length:
-                return said.part(position + length, len(said))
-            length = self.fillers.at(said.words, position)
-            if not length:
-                return None
+        while position < len(words):
+            if length := self.wake.at(words, position):
+                return position + length
+            if not (length := self.fillers.at(words, position)):
+                return 0
             position += length
-        return None
+        return 0
 
     def goes_on(self, words: Sequence[str]) -> int:
         """How many words at the beginning only go on from what was said before: "and then", "but"."""
