@@ -68,7 +68,8 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
     matcher = Matcher(grammar, _few(locations, vocabulary(grammar)))
     trees = spoken_trees(grammar.language)
     for kind in QUANTITY_KINDS:
-        if kind in trees:
+        # English ordinals are few words, and none is a numeral: "third", "3rd".
+        if kind in trees and (kind != "ordinal" or grammar.language != "en"):
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
     free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
     automaton = matcher.strict

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -28,6 +29,16 @@ __all__ = [
 
 QUANTITY_KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
 """Slot types whose value is a float in SI units (``ordinal`` and ``number`` have none)."""
+
+_WRITTEN: Mapping[str, tuple[float, str]] = {
+    "distance": (1.0, " m"),
+    "angle": (math.degrees(1.0), "°"),
+    "duration": (1.0, " s"),
+    "speed": (1.0, " m/s"),
+    "angular_speed": (math.degrees(1.0), "°/s"),
+    "percent": (100.0, " %"),
+}
+"""How people write a value in SI units: what it is multiplied by, and the unit."""
 
 SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
 
@@ -112,14 +123,19 @@ class Slot:
     place: Place | None = None
 
     def beyond(self, value: float) -> tuple[str, str] | None:
-        """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5"); None: it is."""
+        """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""
         if self.whole and not float(value).is_integer():
             return "whole", "no whole number"
         if self.minimum is not None and value < self.minimum:
-            return "min", f"less than the smallest, {self.minimum:g}"
+            return "min", f"less than the smallest, {self.written(self.minimum)}"
         if self.maximum is not None and value > self.maximum:
-            return "max", f"more than the largest, {self.maximum:g}"
+            return "max", f"more than the largest, {self.written(self.maximum)}"
         return None
+
+    def written(self, value: float) -> str:
+        """A quantity for people to read, with its unit: "1.2 m", "90°", "40 %"."""
+        factor, unit = _WRITTEN.get(self.type, (1.0, ""))
+        return f"{value * factor:.6g}{unit}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -96,7 +96,7 @@ def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
             hint = did_you_mean(str(value), names) or f"one of: {', '.join(names)}"
             return f"{value!r} is no value of slot {slot.name!r}", hint
     elif slot.type in QUANTITY_KINDS and isinstance(value, (int, float)) and (beyond := slot.beyond(value)) is not None:
-        return f"{value:g} is {beyond[1]} (SI units, slot {slot.name!r})", f"change it or {beyond[0]}:"
+        return f"{slot.written(value)} is {beyond[1]} (slot {slot.name!r})", f"change it or {beyond[0]}:"
     return None
 
 

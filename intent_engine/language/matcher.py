@@ -228,7 +228,7 @@ class Matcher:
         return numbers_either_way(node) if self.grammar.language == "en" else node
 
     def _scope(self, node: Node) -> dict[str, Call]:
-        scope = {}
+        scope = {"#": Call("quantity:number")}  # a numeral in a template of the file may be said in words
         for reference in references(node):
             name, label = reference.name, reference.label
             slot = self.grammar.slots.get(name)

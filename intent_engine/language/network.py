@@ -195,6 +195,8 @@ def connect(node: Node, start: State, end: State, scope: Mapping[str, Call]) -> 
     match node:
         case Word(text):
             start.add(text, end)
+        case WordClass("#") if "#" in scope:
+            start.edges.append(Edge(end, call=scope["#"]))
         case WordClass("#"):
             start.numeral = (*start.numeral, end)
         case WordClass():

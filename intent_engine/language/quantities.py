@@ -108,8 +108,14 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
             return None  # "a quarter" of a turn, or of what? Never 0.25 degrees
         factor = _unit_factor(unit, kind, table)
         if number is not None and factor is not None:
-            value = number * factor
+            value = _tidy(number * factor)
     return value if value is not None and math.isfinite(value) else None
+
+
+def _tidy(value: float) -> float:
+    """The decimal that was said: 35 cm is 0.35 m, where 35 times 0.01 is 0.35000000000000003."""
+    short = float(f"{value:.12g}")
+    return short if abs(short - value) <= 4 * math.ulp(value) else value
 
 
 def _whole(found: Iterator[tuple[float, int]], length: int) -> float | None:
@@ -168,7 +174,7 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
         for value, after in _counts(words, at, language, table):
             rate = _rate(words, after, kind, table, language)
             if rate is not None:
-                yield value * rate[0], rate[1]
+                yield _tidy(value * rate[0]), rate[1]
         return
     if kind == "angle" and language == "en":
         for spoken, angle in _WHOLE_ANGLES.items():
@@ -178,7 +184,7 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
     for value, after, key in _parts(words, at, kind, language, table):
         found.extend(_extended(words, value, after, key, kind, language, table, 0))
     found.sort(key=lambda pair: -pair[1])
-    yield from found
+    yield from ((_tidy(value), after) for value, after in found)
 
 
 def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Iterator[tuple[float, int]]:

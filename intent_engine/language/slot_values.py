@@ -64,7 +64,7 @@ class SlotValues:
             problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
             status = "unknown"
         elif isinstance(value, float) and (beyond := slot.beyond(value)) is not None:
-            problem, status = f"{slot.name} of {value:g} is {beyond[1]} (SI units, slot {slot.name!r})", "limit"
+            problem, status = f"{slot.name} of {slot.written(value)} is {beyond[1]}", "limit"
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:

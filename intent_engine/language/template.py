@@ -1,7 +1,7 @@
 """Sentence templates: text to tree, or what is wrong with the text.
 
 ``(a|b)`` alternatives, ``[a]`` optional, ``(a;b;c)`` any order, ``{name}`` a phrase or slot, ``{name:as}`` a slot
-under another name, ``{#}`` one numeral. The grammar is in ``template.lark``.
+under another name, ``{#}`` one number. The grammar is in ``template.lark``.
 """
 
 from __future__ import annotations

@@ -78,7 +78,7 @@ def test_figures_that_are_no_two_numbers_are_one(engine, said):
 def test_a_slot_that_counts_takes_whole_numbers(engine, said):
     found = engine.parse(f"wake me at {said}")
     assert (found.status, found.actions) == (Status.REJECTED, ())
-    assert "is no whole number (SI units, slot 'hour')" in found.reason
+    assert "is no whole number" in found.reason
     assert engine.parse("wake me at 6.0").slots == {"hour": 6.0}
 
 

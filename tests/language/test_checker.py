@@ -51,6 +51,16 @@ USE = "'see {thing}', 'visit {place}', 'paint it {colour}'"
 """Sentences that use every slot, so that none is called useless."""
 
 
+def test_a_slot_of_every_kind_of_quantity_can_be_said(tmp_path):
+    kinds = ["number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent"]
+    slots = ", ".join(f"{kind}: {{type: {kind}, max: 30}}" for kind in kinds)
+    rows = "".join(
+        f"  {kind}: {{action: custom, sentences: ['see {kind.replace('_', ' ')} {{{kind}}} now']}}\n" for kind in kinds
+    )
+    report = check(tmp_path, f"language: en\nslots: {{{slots}}}\nintents:\n{rows}")
+    assert found(report, "error", "warning") == []
+
+
 def test_two_meanings_of_the_same_words(tmp_path):
     report = check(tmp_path, intents(use=USE, a="'wave [at me]'", b="'(wave|bow) at me'"))
     assert found(report) == [("warning", "ambiguous", 6)]

@@ -238,6 +238,16 @@ def test_nothing_is_near_to_noise(matcher: Matcher) -> None:
     Nearest(matcher).sentences(["a" * 2000] * 50)
 
 
+@pytest.mark.parametrize("number", ["7", "seven", "42", "forty two", "one hundred and one"])
+def test_a_numeral_of_a_template_may_be_said_in_words(tmp_path: Path, number: str) -> None:
+    path = tmp_path / "program.yaml"
+    path.write_text("language: en\nintents:\n  run: {action: custom, sentences: ['run program {#}']}\n")
+    engine = IntentEngine.from_files(path)
+    assert engine.parse(f"run program {number}").intent == "run"
+    assert engine.parse("run program seven seven").intent is None
+    assert engine.parse("run program").intent is None
+
+
 def test_a_grammar_that_can_be_said_in_a_million_ways_has_few_outlines(tmp_path: Path) -> None:
     path = tmp_path / "many.yaml"
     words = " ".join(f"[(a{n}|b{n}|c{n})]" for n in range(12))

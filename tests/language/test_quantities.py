@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+from decimal import Decimal
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
@@ -269,6 +270,20 @@ TAILS = ["", " and a half", " twenty", " 20", " six inches", " and 5 cm", " thir
 
 
 @settings(max_examples=300, deadline=None)
+@given(st.integers(0, 100_000), st.integers(0, 3), st.sampled_from([("cm", 2), ("mm", 3), ("m", 0), ("km", -3)]))
+def test_a_length_is_the_decimal_that_was_said(digits: int, places: int, unit: tuple[str, int]) -> None:
+    name, smaller = unit
+    said = str(Decimal(digits).scaleb(-places))
+    assume("E" not in said)
+    value = Decimal(digits).scaleb(-places - smaller)
+    assert evaluate(words(f"{said} {name}"), "distance") == float(value)
+
+
+@given(st.integers(0, 1000))
+def test_a_percentage_is_the_decimal_that_was_said(hundredths: int) -> None:
+    assert evaluate(words(f"{hundredths} percent"), "percent") == hundredths / 100
+
+
 @given(st.sampled_from(COUNTS), st.sampled_from(UNITS), st.sampled_from(TAILS), st.sampled_from(KINDS))
 def test_a_grammar_hears_every_quantity_that_has_a_value(
     engine: IntentEngine, count: str, unit: tuple[str, str, float], tail: str, kind: str

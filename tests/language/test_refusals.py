@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from meanings import shipped
 
+from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 
 
@@ -36,13 +37,54 @@ def test_what_is_no_value_and_nothing_else_is_no_command(text):
     assert shipped().parse(text).reason == "not a command of this grammar"
 
 
+FARM = """
+language: en
+slots:
+  crop: {type: object, max_words: 2}
+  row: {type: ordinal, max: 30}
+  litres: {type: number, min: 1, max: 500}
+  tilt: {type: angle, max: 90 deg}
+  height: {type: distance, max: 2 m}
+intents:
+  harvest: {action: custom, sentences: ["harvest [the] {crop}", "harvest [the] {row} row"]}
+  water: {action: custom, sentences: ["water [the] {crop}", "water {litres} liters"]}
+  tilt: {action: custom, sentences: ["tilt by {tilt}", "raise the boom to {height}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def farm(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    path = tmp_path_factory.mktemp("farm") / "farm.yaml"
+    path.write_text(FARM)
+    return IntentEngine.from_files(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("harvest the fortieth row", "row of 40 is more than the largest, 30"),
+        ("water six hundred liters", "litres of 600 is more than the largest, 500"),
+        ("tilt by a hundred degrees", "tilt of 100° is more than the largest, 90°"),
+        ("raise the boom to 250 centimeters", "height of 2.5 m is more than the largest, 2 m"),
+    ],
+)
+def test_a_number_beyond_its_limits_is_no_name_of_a_thing(farm, text, reason):
+    found = farm.parse(text)
+    assert (found.status, found.reason) == (Status.REJECTED, reason)
+
+
+def test_a_thing_whose_name_has_a_number_is_a_thing(farm):
+    assert farm.parse("harvest the thirtieth row").slots == {"row": 30.0}
+    assert farm.parse("water six roses").slots == {"crop": "six roses"}
+
+
 @pytest.mark.parametrize("whole", ["{}, and then turn left", "turn left and then {}", "turn left, {} and turn right"])
 @pytest.mark.parametrize(
     ("part", "reason"),
     [
         ("go to the garage", "in 'go to the garage': no place is called 'garage'"),
         ("fly over the moon", "'fly over the moon' is not a command of this grammar"),
-        ("go forward two thousand meters", "in 'go forward two thousand meters': distance of 2000 is more"),
+        ("go forward two thousand meters", "in 'go forward two thousand meters': distance of 2000 m is more"),
     ],
 )
 def test_what_spoils_a_compound_is_told(whole, part, reason):

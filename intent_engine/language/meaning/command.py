@@ -117,6 +117,7 @@ class Commands:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
+        wrong = [reading for reading in readings if reading.problem and reading.heard_exactly]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -126,8 +127,7 @@ class Commands:
                 and reading.free_words == best.free_words
                 and reading.score > best.score - 0.08
             ]
-            return self._choose([best, *(reading for reading in level if reading is not best)], state)
-        wrong = [reading for reading in readings if reading.problem and reading.heard_exactly]
+            return self._choose([best, *(reading for reading in level if reading is not best), *wrong], state)
         return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
 
     @step(Kind.CHOICE)
@@ -136,6 +136,8 @@ class Commands:
         best = readings[0]
         if best.problem:
             return _problem_clause(best)
+        if best.free_words and (beyond := _beyond_limits(best, readings)) is not None:
+            return _problem_clause(beyond)
         allowed = readings
         if len(readings) > 1 or forbidden(best, state):
             allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
@@ -206,6 +208,22 @@ def _problem_clause(reading: Reading) -> Clause:
     slot = next(slot for slot in reading.slots if slot.problem)
     names = tuple(name for name, _ in slot.rivals[:3])
     return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=slot.status == "ambiguous")
+
+
+def _beyond_limits(best: Reading, readings: Sequence[Reading]) -> Reading | None:
+    """A reading that leaves fewer words to free text than the best, and is none for its number alone: who says "the
+    fortieth row" where there are thirty does not mean a thing of that name."""
+    return next(
+        (
+            one
+            for one in readings
+            if one.free_words < best.free_words
+            and one.intent.priority >= best.intent.priority
+            and all(slot.status == "limit" for slot in one.slots if slot.problem)
+            and one.problem
+        ),
+        None,
+    )
 
 
 def _problem_rank(reading: Reading) -> tuple[int, int, float]:
