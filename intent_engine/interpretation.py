@@ -9,7 +9,10 @@ from typing import Any
 
 from intent_engine.actions import Action, Stop, from_json, to_json
 
-__all__ = ["Interpretation", "Status"]
+__all__ = ["BEYOND_LIMITS", "Interpretation", "Status"]
+
+BEYOND_LIMITS = {"whole": "no whole number", "min": "less than the smallest", "max": "more than the largest"}
+"""What is wrong with a number that its slot does not take, by the key of the slot that says so, as reasons have it."""
 
 
 class Status(StrEnum):
@@ -55,6 +58,11 @@ class Interpretation:
     def refuses(self) -> bool:
         """Whether it says that something shall not be done: it was negated, or taken back."""
         return self.reason.startswith(("negated", "cancelled"))
+
+    @property
+    def beyond_limits(self) -> bool:
+        """Whether it would be a command, if one of its numbers were another: its slot takes no such number."""
+        return self.status is Status.REJECTED and any(limit in self.reason for limit in BEYOND_LIMITS.values())
 
     @property
     def corrected(self) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from intent_engine.errors import Problem
+from intent_engine.interpretation import BEYOND_LIMITS
 from intent_engine.language.template_tree import Node
 
 __all__ = [
@@ -125,11 +126,11 @@ class Slot:
     def beyond(self, value: float) -> tuple[str, str] | None:
         """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""
         if self.whole and not float(value).is_integer():
-            return "whole", "no whole number"
+            return "whole", BEYOND_LIMITS["whole"]
         if self.minimum is not None and value < self.minimum:
-            return "min", f"less than the smallest, {self.written(self.minimum)}"
+            return "min", f"{BEYOND_LIMITS['min']}, {self.written(self.minimum)}"
         if self.maximum is not None and value > self.maximum:
-            return "max", f"more than the largest, {self.written(self.maximum)}"
+            return "max", f"{BEYOND_LIMITS['max']}, {self.written(self.maximum)}"
         return None
 
     def written(self, value: float) -> str:

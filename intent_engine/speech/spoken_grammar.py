@@ -53,8 +53,9 @@ FULL_CIRCLE = 2 * math.pi + 0.01
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
 UNUSUAL = 2.0
-"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, and a turn of
-more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
+"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
+limits, and a turn of more than a circle. Of 447 angles that people told a robot one was none
+(docs/decisions/speech-second-opinion.md)."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 
@@ -170,8 +171,9 @@ class SpokenGrammar:
         heard: Collection[str] = (),
     ) -> bool:
         """Whether a sentence may be meant: what would not be accepted was not said, except that something shall not be
-        done; nobody says hardly anything but "oh", "now" and "so", except to stop ("halt" is such a word in German);
-        and who tells a story gives no command.
+        done, and numbers beyond their limits ("gate seventy" is not to be "gate seven"); nobody says hardly anything
+        but "oh", "now" and "so", except to stop ("halt" is such a word in German); and who tells a story gives no
+        command.
 
         Args:
             words: of the sentence.
@@ -183,7 +185,7 @@ class SpokenGrammar:
         meaning = self.parse(" ".join(words), language)
         # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.
         asks = meaning.status is Status.AMBIGUOUS and len(meaning.alternatives) > 1
-        known = meaning.status is Status.ACCEPTED or asks or meaning.refuses
+        known = meaning.status is Status.ACCEPTED or asks or meaning.refuses or meaning.beyond_limits
         return known and (meaning.stops or not self._mostly_noise(words, language))
 
     def corrections(self, language: str | None = None) -> PhraseSet:
@@ -335,7 +337,7 @@ class SpokenGrammar:
 
     def unusual(self, meaning: Interpretation, language: str | None = None) -> float:
         """nats by which a sentence is less likely for its numbers, before it was heard."""
-        return UNUSUAL * (self._known(language).usual.unusual(meaning) + _circles(meaning))
+        return UNUSUAL * (self._known(language).usual.unusual(meaning) + _circles(meaning) + meaning.beyond_limits)
 
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
         """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
