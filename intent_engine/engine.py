@@ -58,6 +58,8 @@ class Prefix:
     settled: bool = False
     """A whole command of which further words could only change the manner, as a speed does: what is to be done is
     said."""
+    resting: bool = False
+    """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
 
 
 @dataclass(frozen=True)
@@ -256,7 +258,8 @@ class IntentEngine:
             )
         status = _status(matcher, reached)
         settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
-        return Prefix(status, next_words(matcher, reached), count, settled)
+        resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
+        return Prefix(status, next_words(matcher, reached), count, settled, resting)
 
 
 class _Parses(Protocol):

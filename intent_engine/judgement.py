@@ -91,13 +91,12 @@ class Judge:
         if meaning.status is Status.ACCEPTED:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE
-            if not prefix.settled:
+            amended = self.continuing and can_be_amended(meaning)
+            if not prefix.settled or (prefix.resting and not amended):
                 waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
-                shorter = self.continuing and can_be_amended(meaning)
-                return meaning, waits[1 - shorter + _hardly_heard(transcript)]
+                return meaning, waits[1 - amended + _hardly_heard(transcript)]
             # "Take up", before a "picture", is like "take off", which nothing can follow.
             over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
-            amended = self.continuing and can_be_amended(meaning)
             return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 

@@ -118,6 +118,26 @@ def test_a_motion_that_cannot_be_put_right_waits_for_its_manner(judge):
     assert judge.outlook(Transcript("turn left ninety degrees", 0.0, "-", confidence=1.0), (), ())[1] is Outlook.SETTLED
 
 
+@pytest.mark.parametrize(
+    ("text", "outlook"),
+    [("sleep for an hour", Outlook.EXTENDABLE), ("sleep for ten minutes", Outlook.SETTLED)],
+)
+def test_who_says_an_hour_may_go_on_after_a_rest(tmp_path, text, outlook):
+    file = tmp_path / "timer.yaml"
+    file.write_text(
+        "slots: {length: duration}\nintents: {timer: {action: custom, sentences: ['sleep for {length}']}}\n"
+    )
+    judge = Judge(IntentEngine.from_files(file), continuing=True)
+    assert judge.outlook(Transcript(text, 0.0, "-", confidence=1.0), (), ())[1] is outlook
+
+
+def test_a_motion_is_not_waited_for_since_it_can_be_put_right(judge):
+    continuing = Judge(judge.engine, continuing=True)
+    heard = Transcript("go forward one meter", 0.0, "-", confidence=1.0)
+    assert continuing.outlook(heard, (), ())[1] is Outlook.COMPLETE
+    assert judge.outlook(heard, (), ())[1] is Outlook.EXTENDABLE
+
+
 @pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])
 def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
     meaning = judge.meaning(Transcript(text, free_text=text, confidence=1.0, unclear=("fifteen",)), (), ())

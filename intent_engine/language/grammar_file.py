@@ -39,6 +39,10 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
 """Words that recognisers write for function words of commands. Names have their own index; these are for the rest."""
 
 
+FILLER = "filler"
+"""Key of the words that are no operators, in the files of operators."""
+
+
 @cache
 def schema() -> dict[str, Any]:
     """The JSON Schema of a grammar file."""
@@ -47,14 +51,24 @@ def schema() -> dict[str, Any]:
     return loaded
 
 
-@cache
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
+    return {key: words for key, words in _language_words(language).items() if key != FILLER}
+
+
+@cache
+def _language_words(language: str) -> Mapping[str, tuple[str, ...]]:
+    """``operators/<language>.yaml``; empty if there is none."""
     file = Path(__file__).parent / "operators" / f"{language}.yaml"
     if not file.is_file():
         return {}
     source = read_yaml(str(file))
     return {key: tuple(str(item) for item in items) for key, items in source.data.items()}
+
+
+def default_fillers(language: str) -> tuple[str, ...]:
+    """What people put around any sentence of a language ("please"), for grammars that say nothing of fillers."""
+    return _language_words(language).get(FILLER, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -164,7 +178,8 @@ class _Builder:
     def __init__(self, language: str, blind: bool) -> None:
         self.language = language
         self.draft = Draft(blind=blind)
-        self.fillers: list[str] = []
+        self.fillers: list[str] | None = None
+        """None: no file says anything of them."""
         self.wake: list[str] = []
         self.phrases: dict[str, Node] = {}
         self.slots: dict[str, Slot] = {}
@@ -193,7 +208,8 @@ class _Builder:
                     self.draft.broken.add(name)
         for section in ("phrases", "slots"):
             self.draft.broken.update(str(path[1]) for path in source.broken if path[:1] == (section,) and len(path) > 1)
-        self.fillers.extend(text for _, _, text in _section(source, "fillers"))
+        if "fillers" in source.data:
+            self.fillers = [*(self.fillers or ()), *(text for _, _, text in _section(source, "fillers"))]
         self.wake.extend(text for _, _, text in _section(source, "wake"))
         for at, key, items in _section(source, "operators"):
             self.operators.setdefault(key, []).extend(text for _, _, text in source.entries(at, items))
@@ -241,7 +257,7 @@ class _Builder:
         }
         grammar = Grammar(
             language=self.language,
-            fillers=tuple(plain_phrase(text) for text in self.fillers),
+            fillers=tuple(map(plain_phrase, default_fillers(self.language) if self.fillers is None else self.fillers)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

@@ -113,6 +113,11 @@ class Matcher:
             return False  # "one hundred" may go on to "and twenty"
         return rest <= {Continuation.MANNER}
 
+    def resting(self, words: Sequence[str]) -> bool:
+        """Whether a whole command ends in a quantity that may go on, and people rest there ("in an hour")."""
+        more = Continuation.MANNER in self.ahead(words)
+        return more and quantities.people_rest_after(words, self.grammar.language)
+
     def _without_filler(self, words: Sequence[str]) -> Sequence[str] | None:
         """Words without the filler at their end; None: there is none."""
         for count in range(min(len(words) - 1, self._longest_filler), 0, -1):

@@ -13,7 +13,7 @@ from functools import cache
 
 from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.units import FACTORS, Units, units
+from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
 __all__ = ["Found", "Relative", "evaluate", "find", "is_number_word", "is_numeral", "templates"]
 
@@ -64,6 +64,19 @@ def is_number_word(word: str, language: str = "en") -> bool:
     if language == "en":
         return word[:1].isdigit() and not is_numeral(word) and english.ordinal([word]) is not None
     return foreign.is_number_word(word, language)
+
+
+def people_rest_after(words: Sequence[str], language: str = "en") -> bool:
+    """Whether words end in a quantity that people like to add to, after a rest: a single unit ("an hour", "and a half")
+    and hours ("two hours", "and twenty minutes")."""
+    table = units(language)
+    found = table.unit_at_end(words) if table is not None else None
+    if table is None or found is None:
+        return False
+    unit, begin = found
+    before = words[begin - 1 : begin]
+    single = table.words.get("one", frozenset()).issuperset(before) or evaluate(before, "number", language) == 1.0
+    return unit == "h" or (begin > 0 and single)
 
 
 def _numbers(language: str) -> _Numbers:
@@ -137,7 +150,7 @@ def _unit_factor(unit: str, kind: str, table: Units) -> float | None:
 def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float, int, str] | None:
     """The unit that stands at a place, longest first: (factor, after, key)."""
     known = table.by_kind.get(kind, {})
-    for length in (4, 3, 2, 1):
+    for length in range(LONGEST, 0, -1):
         spoken = tuple(words[at : at + length])
         if len(spoken) == length and spoken in known:
             if _another_word(spoken, words[at - 1] if at else "", "".join(words[at + 1 : at + 2])):

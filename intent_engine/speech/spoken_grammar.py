@@ -149,8 +149,9 @@ class SpokenGrammar:
         return self._known(language).search
 
     def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
-        """Sentences like the words heard, the likest first, and then those that take something back."""
-        return [*self._like(tuple(heard), language), *self._corrected(heard, language)]
+        """Sentences like the words heard, the likest first; then those that take something back, and those that would
+        be one if their first words were a wake word."""
+        return [*self._like(tuple(heard), language), *self._corrected(heard, language), *self.woken(heard, language)]
 
     def _like(self, heard: tuple[str, ...], language: str | None) -> list[tuple[str, ...]]:
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))

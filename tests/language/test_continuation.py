@@ -72,6 +72,35 @@ def test_a_beginning_that_is_settled_says_the_same_as_the_whole_but_for_the_mann
     assert said.keys() == later.keys()
 
 
+TIMER = """
+language: en
+slots: {length: duration, pace: {type: speed}}
+intents:
+  timer: {action: custom, sentences: ["(sleep|stay) [for] {length} [at {pace}]"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "resting"),
+    [
+        ("sleep for an hour", True),
+        ("please sleep 1 hour", True),
+        ("sleep for two hours", True),
+        ("stay a minute", True),
+        ("sleep for an hour and a half", False),
+        ("sleep for ten minutes", False),
+        ("sleep for an hour and twenty minutes", False),
+        ("sleep for an hour at half speed", False),
+        ("sleep for", False),
+        ("sleep for an", False),
+    ],
+)
+def test_people_rest_after_an_hour_and_go_on_with_a_half(tmp_path: Path, text: str, resting: bool) -> None:
+    file = tmp_path / "timer.yaml"
+    file.write_text(TIMER)
+    assert IntentEngine.from_files(file).prefix(text).resting is resting
+
+
 GRAMMAR = """
 language: en
 slots:

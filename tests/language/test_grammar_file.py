@@ -147,6 +147,26 @@ def test_an_included_file_is_read_first_and_the_one_that_includes_it_wins():
     assert grammar.files == ("base.yaml", "grammar.yaml")
 
 
+@pytest.mark.parametrize(
+    ("language", "sentence", "said"),
+    [
+        ("en", "take off", ["please take off", "uh, take off", "could you take off, please", "hey, take off, thanks"]),
+        ("de", "heb ab", ["bitte heb ab", "äh, heb ab", "kannst du bitte heb ab"]),
+        ("fr", "décolle", ["décolle s'il te plaît", "euh, décolle", "peux-tu décolle", "décolle, merci"]),
+        ("es", "despega", ["por favor despega", "eh, despega", "despega, gracias"]),
+        ("it", "decolla", ["decolla per favore", "ehm, decolla", "decolla, grazie"]),
+    ],
+)
+def test_politeness_needs_no_line(language, sentence, said):
+    text = f"language: {language}\nintents: {{a: {{action: custom, sentences: ['{sentence}']}}}}\n"
+    load(text)
+    engine = IntentEngine.from_files("grammar.yaml")
+    assert [engine.parse(one).intent for one in said] == ["a"] * len(said)
+    load(text + "fillers: []\n")
+    engine = IntentEngine.from_files("grammar.yaml")
+    assert [engine.parse(one).intent for one in said] == [None] * len(said)
+
+
 def test_a_file_that_is_included_twice_is_read_once():
     grammar = load(
         "include: [a.yaml, b.yaml]\nintents:\n" + STOP,

@@ -22,7 +22,7 @@ DATA = Path(__file__).resolve().parents[2] / ".." / "shared" / "data" / "numbers
 DEGREE = math.pi / 180
 FOOT, INCH, MILE, MPH = 0.3048, 0.0254, 1609.344, 0.44704
 KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
-GRAMMAR = "language: en\nslots:\n" + "".join(f"  {kind}: {{type: {kind}}}\n" for kind in KINDS)
+GRAMMAR = "language: en\nfillers: []\nslots:\n" + "".join(f"  {kind}: {{type: {kind}}}\n" for kind in KINDS)
 GRAMMAR += "intents:\n" + "".join(
     f'  {kind}: {{action: {{type: custom, name: x}}, sentences: ["{kind.replace("_", " ")} {{{kind}}}"]}}\n'
     for kind in KINDS

@@ -321,3 +321,32 @@ def test_words_as_they_are_fit_a_pattern_of_which_nobody_knows_what_else_it_has(
     engine = IntentEngine.from_files(tmp_path / "g.yaml")
     assert not engine.matcher().patterns.networks
     assert SpokenGrammar(engine).fits_pattern(words.split()) is fits
+
+
+GATES = """
+language: en
+slots: {gate: {type: number, min: 1, max: 16, whole: true}}
+intents: {bring: {action: custom, sentences: ["bring it to gate {gate}"]}}
+"""
+
+
+@pytest.fixture(scope="module")
+def gates(tmp_path_factory) -> SpokenGrammar:
+    path = tmp_path_factory.mktemp("gates") / "gates.yaml"
+    path.write_text(GATES)
+    return SpokenGrammar(IntentEngine.from_files(path))
+
+
+@pytest.mark.parametrize("number", ["seventy", "twenty", "two and a half", "minus three"])
+def test_a_number_beyond_its_limits_may_have_been_said_and_does_nothing(gates, number):
+    words = ("bring", "it", "to", "gate", *number.split())
+    assert gates.possible(words)
+    alone = (View(-1.0, -1.0, 0.0),)
+    best, *_ = readings = gates.ranked({words: alone, ("bring", "it", "to", "gate", "seven"): (View(-9.0, -1.0, 2.0),)})
+    assert (best.words, best.actions, len(readings)) == (words, (), 2)
+
+
+def test_a_number_within_its_limits_is_likelier(gates):
+    heard = (View(-1.0, -1.0, 0.0),)
+    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
+    assert [one.words for one in gates.ranked({beyond: heard, within: heard})] == [within, beyond]

@@ -88,6 +88,12 @@ def test_what_is_compared_is_for_the_robot_and_means_the_same(called, words):
         assert not asked or actions == asked
 
 
+def test_first_words_that_are_unlike_a_wake_word_may_have_been_one(called, plain):
+    heard = ["but", "he", "turn", "left"]
+    assert tuple(["nurse", "bot", "turn", "left"]) in called.near(heard)
+    assert not [words for words in plain.near(heard) if "nurse" in words]
+
+
 def test_a_command_for_the_robot_is_only_forbidden_to_the_robot(called):
     found = {" ".join(words) for words in called.forbidden(["nurse", "bot", "please", "turn", "left"])}
     assert found == {f"nurse bot please {no} turn left" for no in ("don't", "do not", "never")}

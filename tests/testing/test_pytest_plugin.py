@@ -37,7 +37,7 @@ grammar: wave.yaml
 tests:
   wave:
     - "wave": {}
-    - say: ["greet bob", "greet bob please"]
+    - say: ["greet bob", "greet bob twice"]
       slots: {person: bob}
       actions: [{type: custom, name: wave, slots: {person: bob}}]
   spin:
@@ -59,7 +59,7 @@ def test_test_files_are_collected_by_their_name(folder):
         [
             "wave.intents.yaml::4: wave PASSED*",
             "wave.intents.yaml::5: greet bob PASSED*",
-            "wave.intents.yaml::5: greet bob please FAILED*",
+            "wave.intents.yaml::5: greet bob twice FAILED*",
             "wave.intents.yaml::9: spin 1.5 rad PASSED*",
             "wave.intents.yaml::10: spin right round PASSED*",
         ]
@@ -91,7 +91,7 @@ def test_a_failure_names_its_line_and_shows_the_slots_that_differ(folder):
 
 def test_a_reason_is_told_for_what_was_not_accepted(folder):
     result = folder.runpytest("wave.intents.yaml")
-    result.stdout.fnmatch_lines(["status*accepted*rejected (*'bob please'*)", "reason: *", "nearest: bob, anna"])
+    result.stdout.fnmatch_lines(["status*accepted*rejected (*'bob twice'*)", "reason: *", "nearest: bob, anna"])
 
 
 def test_a_broken_file_is_told_as_the_engine_tells_it(folder):

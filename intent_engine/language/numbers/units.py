@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -36,6 +36,10 @@ RATES: Mapping[str, Mapping[str, float]] = {
 """Rates that are said in one word. Others are a distance or angle "per" or "a" duration."""
 
 
+LONGEST = 4
+"""Words of a unit."""
+
+
 @dataclass(frozen=True)
 class Units:
     """The unit words of one language."""
@@ -46,6 +50,13 @@ class Units:
     """Spoken words -> unit key ("m")."""
     words: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Function words: ``one`` (a, an), ``half``, ``quarter``, ``and``, ``of``, ``per``, ``point``."""
+
+    def unit_at_end(self, words: Sequence[str]) -> tuple[str, int] | None:
+        """The unit that some words end with, the longest, and where it begins; None: they end with no unit."""
+        for begin in range(max(0, len(words) - LONGEST), len(words)):
+            if (unit := self.names.get(tuple(words[begin:]))) is not None:
+                return unit, begin
+        return None
 
     def spoken(self, kind: str) -> str:
         """All words of a kind as one template."""
