@@ -90,7 +90,7 @@ def test_what_is_compared_is_for_the_robot_and_means_the_same(called, words):
 
 def test_first_words_that_are_unlike_a_wake_word_may_have_been_one(called, plain):
     heard = ["but", "he", "turn", "left"]
-    assert tuple(["nurse", "bot", "turn", "left"]) in called.near(heard)
+    assert ("nurse", "bot", "turn", "left") in called.near(heard)
     assert not [words for words in plain.near(heard) if "nurse" in words]
 
 
