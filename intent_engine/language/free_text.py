@@ -9,13 +9,26 @@ from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.utterance import PhraseSet
 
-__all__ = ["ALONE", "ARTICLES", "FREE_KINDS", "UNFINISHED", "FreeText"]
+__all__ = ["ALONE", "ARTICLES", "ARTICLES_IN", "FREE_KINDS", "UNFINISHED", "FreeText"]
 
 FREE_KINDS = frozenset(("text", "object"))
 ARTICLES = frozenset(("the", "a", "an", "my", "our", "your", "some", "this", "that", "those", "these", "another"))
+ARTICLES_IN: Mapping[str, frozenset[str]] = {
+    "en": ARTICLES,
+    "de": frozenset(
+        ("der", "die", "das", "den", "dem", "ein", "eine", "einen", "einem", "einer", "mein", "meine", "meinen")
+    ),
+    "fr": frozenset(("le", "la", "les", "l", "un", "une", "des", "du", "mon", "ma", "mes", "ce", "cette")),
+    "es": frozenset(("el", "la", "los", "las", "un", "una", "unos", "unas", "mi", "mis", "este", "esta")),
+    "it": frozenset(("il", "lo", "la", "i", "gli", "le", "l", "un", "uno", "una", "mio", "mia", "questo", "questa")),
+}
+"""Words before the name of a thing or a place that are no part of it, by language."""
 UNFINISHED: Mapping[str, frozenset[str]] = {
     "en": frozenset(("the", "an", "my", "our", "your", "of")),
     "de": frozenset(("der", "den", "dem", "ein", "einen", "einem", "einer", "mein", "meinen", "dein", "deinen", "vom")),
+    "fr": frozenset(("un", "une", "du", "des", "de", "d", "l", "mon", "ma", "mes", "ton", "ta", "tes", "cette")),
+    "es": frozenset(("el", "un", "una", "unos", "unas", "del", "de", "mi", "mis", "tu", "tus")),
+    "it": frozenset(("il", "l", "gli", "un", "una", "di", "d", "del", "dello", "della", "dei", "mio", "mia", "tuo")),
 }
 """No thing ends so: who says "pick up the" has not said yet what. "box a" has a name; "nimm das" is whole."""
 ALONE: Mapping[str, frozenset[str]] = {
@@ -35,6 +48,7 @@ class FreeText:
         )  # fmt: skip
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._fillers = PhraseSet(grammar.fillers)
+        self._articles = ARTICLES_IN.get(grammar.language, ARTICLES)
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
@@ -59,8 +73,7 @@ class FreeText:
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
 
-    @staticmethod
-    def thing(slot: Slot, said: Sequence[str]) -> str:
+    def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents
         ("jose"). What is dictated is no name."""
         words = list(said)
@@ -68,7 +81,7 @@ class FreeText:
             return " ".join(words)
         if accented := _accented(slot.known):
             words = [accented.get(word, word) for word in words]
-        while len(words) > 1 and words[0] in ARTICLES:
+        while len(words) > 1 and words[0] in self._articles:
             words = words[1:]
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:

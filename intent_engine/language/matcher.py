@@ -59,6 +59,8 @@ class Matcher:
 
     def _automaton(self, root: State, *, loose: bool, traced: bool = True, refusing: bool = False) -> Automaton:
         language = self.grammar.language
+        counted = any(slot.type == "ordinal" for slot in self.grammar.slots.values())
+        is_number_word = quantities.is_ordinal_word if counted else quantities.is_number_word
         return Automaton(
             self.networks,
             root,
@@ -66,7 +68,7 @@ class Matcher:
             traced=traced,
             refusing=refusing,
             is_numeral=quantities.is_numeral,
-            is_number_word=lambda word: quantities.is_number_word(word, language),
+            is_number_word=lambda word: is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
             sound_alikes=self.grammar.sound_alikes,
         )
@@ -226,7 +228,7 @@ class Matcher:
             self.networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
         elif slot.type == "location":
             respell = number_otherwise if self.grammar.language == "en" else None
-            self.networks.add_names(key, NamesOf(self.locations, slot.tags), respell)
+            self.networks.add_names(key, NamesOf(self.locations, slot.tags, self.grammar.language), respell)
 
     def _spoken(self, node: Node) -> Node:
         """A template of the file with its numbers in digits and in words, where those are known."""

@@ -15,7 +15,7 @@ from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
-__all__ = ["Found", "Relative", "evaluate", "find", "is_number_word", "is_numeral", "templates"]
+__all__ = ["Found", "Relative", "evaluate", "find", "is_number_word", "is_numeral", "is_ordinal_word", "templates"]
 
 MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
@@ -59,11 +59,20 @@ _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 
 _Numbers = Callable[[Sequence[str], int], Iterator[tuple[float, int]]]
 
 
+WITHOUT_ONE = frozenset(("es",))
+"""Languages in which one and a half of something needs no "one": "metro y medio", "hora y media"."""
+
+
 def is_number_word(word: str, language: str = "en") -> bool:
     """Whether a word is a number of a language, or part of one. Templates spell out the English ones, but not "3rd"."""
     if language == "en":
         return word[:1].isdigit() and not is_numeral(word) and english.ordinal([word]) is not None
     return foreign.is_number_word(word, language)
+
+
+def is_ordinal_word(word: str, language: str = "en") -> bool:
+    """Whether a word is a number or an ordinal of a language, or part of one."""
+    return is_number_word(word, language) or (language != "en" and foreign.is_ordinal_word(word, language))
 
 
 def people_rest_after(words: Sequence[str], language: str = "en") -> bool:
@@ -196,8 +205,19 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
     found: list[tuple[float, int]] = []
     for value, after, key in _parts(words, at, kind, language, table):
         found.extend(_extended(words, value, after, key, kind, language, table, 0))
+    if language in WITHOUT_ONE and (half := _and_a_half(words, at, kind, language, table)) is not None:
+        found.append(half)
     found.sort(key=lambda pair: -pair[1])
     yield from ((_tidy(value), after) for value, after in found)
+
+
+def _and_a_half(words: Sequence[str], at: int, kind: str, language: str, table: Units) -> tuple[float, int] | None:
+    """ "Metro y medio": one and a half."""
+    unit = _unit(words, at, kind, table)
+    if unit is None or not table.words.get("and", frozenset()).issuperset(words[unit[1] : unit[1] + 1]):
+        return None
+    part = foreign.fraction(words, unit[1] + 1, language)
+    return (unit[0] * (1 + part[0]), part[1]) if part is not None else None
 
 
 def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Iterator[tuple[float, int]]:
@@ -338,6 +358,8 @@ def templates(language: str) -> Mapping[str, str]:
             f"{{count}} {{{kind}_unit}} [{joint} {{fraction}}|[{joint}] {{count}} {{{kind}_unit}} "
             f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}]"
         )
+        if language in WITHOUT_ONE:
+            base[kind] += f"|{{{kind}_unit}} {joint} {{fraction}}"
     if language == "en":
         base["angle"] += "".join(f"|{' '.join(words)}" for words in _WHOLE_ANGLES)
         relative = "|".join(RELATIVE_SPEEDS)

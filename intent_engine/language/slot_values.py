@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
-from intent_engine.language.free_text import FREE_KINDS, FreeText
+from intent_engine.language.free_text import ARTICLES_IN, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
+from intent_engine.language.normalize import elided
 from intent_engine.language.numbers import foreign
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
@@ -53,7 +54,8 @@ class SlotValues:
             problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
         if problem:
             return SlotReading(label, slot, start, end, None, 0.0, (), status, problem)
-        return SlotReading(label, slot, start, end, self._free.thing(slot, said))
+        thing = self._free.thing(slot, said)
+        return SlotReading(label, slot, start, end, elided(thing, self._grammar.language))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
@@ -69,8 +71,8 @@ class SlotValues:
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         match = self.index(slot).resolve(said)
-        if match.status == "unknown" and self._grammar.language != "en":  # English numbers are known to the index
-            match = self.index(slot).resolve(foreign.in_digits(said, self._grammar.language))
+        if match.status == "unknown" and self._grammar.language != "en":  # the index knows English numbers and articles
+            match = self.index(slot).resolve(self._as_named(said))
         words = " ".join(said)
         problem = ""
         if match.status == "unknown":
@@ -89,6 +91,13 @@ class SlotValues:
             status=match.status,
             problem=problem,
         )
+
+    def _as_named(self, said: Sequence[str]) -> tuple[str, ...]:
+        """A name as maps have it: numbers in digits, no article before it."""
+        language = self._grammar.language
+        articles = ARTICLES_IN.get(language, frozenset[str]())
+        first = next((place for place, word in enumerate(said[:-1]) if word not in articles), len(said) - 1)
+        return foreign.in_digits(said[first:], language)
 
     def from_words(self, slot: Slot, label: str, said: list[str], start: int = 0) -> SlotReading:
         """What a slot holds if it is exactly these words, for patterns that find the words themselves.
@@ -121,7 +130,7 @@ class SlotValues:
 
     def _spellings(self, slot: Slot) -> Iterator[tuple[str, str]]:
         if slot.type == "location":
-            for words, name in NamesOf(self._locations, slot.tags):
+            for words, name in NamesOf(self._locations, slot.tags, self._grammar.language):
                 yield " ".join(words), name
             return
         for value, node in slot.values:
@@ -135,8 +144,21 @@ class NamesOf(Sequence[tuple[tuple[str, ...], str]]):
 
     locations: LocationMap | None
     tags: frozenset[str]
+    language: str
+    """Of the grammar: of its articles a name needs none ("Die Halle")."""
 
     def __iter__(self) -> Iterator[tuple[tuple[str, ...], str]]:
+        articles = ARTICLES_IN.get(self.language, frozenset()) if self.language != "en" else frozenset[str]()
+        led: list[tuple[tuple[str, ...], str]] = []
+        for words, name in self._names():
+            yield words, name
+            if len(words) > 1 and words[0] in articles:
+                led.append((words[1:], name))
+        if led:
+            others = {words for words, _ in self._names()}
+            yield from ((words, name) for words, name in led if words not in others)
+
+    def _names(self) -> Iterator[tuple[tuple[str, ...], str]]:
         if self.locations is None:
             return
         for words, name in self.locations.names():

@@ -51,6 +51,35 @@ def test_elided_words(engine, said, slots):
     assert (found.status, dict(found.slots)) == (Status.ACCEPTED, slots)
 
 
+ARTICLES = {
+    "fr": ("va (à|dans) {place}|va à l' {place}", "va à l'atelier", "L'atelier", "prends {thing}", "prends l'assiette"),
+    "de": ("fahr in (die|den) {place}", "fahr in die Halle", "Die Halle", "nimm {thing}", "nimm die Tasse"),
+    "es": ("ve a la {place}", "ve a la sala azul", "La Sala Azul", "coge {thing}", "coge el vaso"),
+    "it": ("vai nella {place}", "vai nella serra", "La Serra", "prendi {thing}", "prendi la tazza"),
+}
+
+
+@pytest.mark.parametrize("language", ARTICLES)
+def test_an_article_is_no_part_of_a_name(tmp_path, language):
+    way, there, place, take, taken = ARTICLES[language]
+    path = tmp_path / f"{language}.yaml"
+    path.write_text(
+        f"language: {language}\nslots: {{place: location, thing: object}}\n"
+        f'intents:\n  go: {{action: {{type: navigate, location: "{{place}}"}}, sentences: ["({way})"]}}\n'
+        f'  take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["{take}"]}}\n',
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(path, locations={place: (1.0, 2.0)})
+    assert engine.parse(there).slots == {"place": place}
+    assert engine.parse(taken).slots == {"thing": taken.replace("'", " ").split()[-1].lower()}
+    both = {place: (1.0, 2.0), there.replace("'", " ").split()[-1]: (3.0, 4.0)}
+    assert IntentEngine.from_files(path, locations=both).parse(there).status is Status.ACCEPTED
+
+
+def test_a_thing_is_called_as_it_is_written(engine):
+    assert engine.parse("prends la bouteille d'eau").slots == {"chose": "bouteille d'eau"}
+
+
 @pytest.mark.parametrize(
     "said", ["n'avance pas d'un mètre", "n'avance plus d'un mètre", "j'avance d'un mètre", "va au bureau treize",
              "je voudrais qu'il prenne l'assiette", "prends l'assiette qu'il veut"],

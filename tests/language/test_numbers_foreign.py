@@ -71,6 +71,9 @@ SAID = {
     ],
     "es": [
         ("veintiún", "number", 21),
+        ("metro y medio", "distance", 1.5),
+        ("hora y media", "duration", 5400),
+        ("minuto y cuarto", "duration", 75),
         ("veintitres", "number", 23),
         ("treinta y cinco", "number", 35),
         ("mil doscientos", "number", 1200),
@@ -89,6 +92,7 @@ SAID = {
     ],
     "it": [
         ("ventuno", "number", 21),
+        ("mezz'ora", "duration", 1800),
         ("milleduecento", "number", 1200),
         ("due milioni", "number", 2e6),
         ("un milione duemiladuecento", "number", 1_002_200),
