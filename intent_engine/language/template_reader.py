@@ -19,7 +19,9 @@ __all__ = ["MAX_ANY_ORDER", "read_template"]
 MAX_ANY_ORDER = 6
 """Parts of an any-order group: the automaton keeps a state for each subset of them."""
 
-_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
+_LETTERS = r"A-Za-z_\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u02af\u0370-\u1fff\u3040-\u30ff\u4e00-\u9fff\uac00-\ud7af"
+"""Also of other languages: a German slot may be called "größe"."""
+_NAME = rf"[{_LETTERS}][{_LETTERS}0-9]*"
 _PIECE = re.compile(
     rf"\s*(?:([^\s()\[\]{{}}|;]+)|([()\[\]|;])|\{{\s*(?:({_NAME})\s*(?::\s*({_NAME})\s*)?|(#(?:word)?)\s*)\}})\s*"
 )

@@ -68,6 +68,13 @@ def test_slots(spec, names, values):
     assert found == [pytest.approx(value) if isinstance(value, float) else value for value in wanted]
 
 
+@pytest.mark.parametrize("name", ["größe", "año", "числo", "côté_2", "距離"])
+def test_names_may_have_letters_of_any_language(name):
+    load(f"slots: {{{name}: number}}\nintents:\n  {name}: {{action: custom, sentences: ['set {{{name}:ü}}']}}\n")
+    found = IntentEngine.from_files("grammar.yaml").parse("set seven")
+    assert (found.intent, dict(found.slots)) == (name, {"ü": 7.0})
+
+
 @pytest.mark.parametrize(
     ("spec", "values"),
     [

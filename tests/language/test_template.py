@@ -72,7 +72,7 @@ def unplaced(node: Node) -> Node:
     return node
 
 
-@given(trees(names=("place", "how_far")))
+@given(trees(names=("place", "größe")))
 def test_a_tree_prints_and_parses_back(tree):
     assert unplaced(parse_template(template_text(tree))) == tree
 
@@ -122,7 +122,7 @@ PIECES = [
 @given(
     st.text(alphabet=st.sampled_from(SIGNS), max_size=30)
     | st.lists(st.sampled_from(PIECES), max_size=12).map("".join)
-    | trees(names=("place", "how_far"), leaves=12).map(template_text)
+    | trees(names=("place", "größe"), leaves=12).map(template_text)
 )
 @example("(a;b|c)")
 @example("(a|b;c)")
