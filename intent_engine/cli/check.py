@@ -126,7 +126,9 @@ def _show(names: Sequence[str], found: Sequence[Finding], reports: Sequence[Repo
 
 def _figures(figures: Figures) -> Iterator[str]:
     size = figures.size
-    yield f"{_many(size.intents, 'intent')}, {_many(size.sentences, 'sentence')}, {_many(size.names, 'name')} of places"
+    patterns = f", {_many(size.patterns, 'pattern')}" if size.patterns else ""
+    said = f"{_many(size.sentences, 'sentence')}{patterns}"
+    yield f"{_many(size.intents, 'intent')}, {said}, {_many(size.names, 'name')} of places"
     ways, spoken = _large(size.ways), _large(size.spoken)
     yield f"{ways} ways to say them, {spoken} with the values of lists and names; at most {size.longest} words"
     yield f"{figures.states:,} states and {figures.arcs:,} arcs, walked as {figures.word_states:,} sets of states"

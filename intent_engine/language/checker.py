@@ -16,6 +16,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.nearest import Nearest
+from intent_engine.language.pattern_checks import pattern_findings
 from intent_engine.language.reading import Reading
 from intent_engine.language.spellings import spellings
 
@@ -36,7 +37,7 @@ class Finding:
     level: str
     """``error``: it cannot be used; ``warning``: it is hardly meant; ``note``: it works, and this is how."""
     topic: str
-    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``alike`` or ``example``."""
+    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``pattern``, ``alike`` or ``example``."""
     problem: Problem
 
     def to_json(self) -> dict[str, Any]:
@@ -98,6 +99,7 @@ def check_grammar(grammar: Grammar, locations: LocationMap | None) -> Report:
     met = _Meetings(walk)
     findings = [Finding("warning", "file", problem) for problem in grammar.warnings]
     findings += met.findings()
+    findings += [Finding(*found) for found in pattern_findings(grammar, locations)]
     findings += [Finding("warning", "alike", problem) for problem in _alike_values(grammar)]
     if locations is not None:
         findings += [Finding("warning", "file", problem) for problem in locations.warnings]

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.normalize import without_accents
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["ALONE", "ARTICLES", "ARTICLES_IN", "FREE_KINDS", "UNFINISHED", "FreeText"]
@@ -81,12 +82,17 @@ class FreeText:
             return " ".join(words)
         if accented := _accented(slot.known):
             words = [accented.get(word, word) for word in words]
-        while len(words) > 1 and words[0] in self._articles:
+        while len(words) > 1 and words[0] in self._articles and not _is_code(words):
             words = words[1:]
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]
         return " ".join(words)
+
+
+def _is_code(words: Sequence[str]) -> bool:
+    """Whether words begin with a letter that is no article: "a 42"."""
+    return len(words[0]) == 1 and is_numeral(words[1])
 
 
 @lru_cache(maxsize=64)

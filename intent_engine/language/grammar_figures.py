@@ -24,6 +24,8 @@ class Size:
     intents: int
     sentences: int
     """Templates."""
+    patterns: int
+    """``regex:`` and ``lark:``; they are not counted below."""
     ways: int
     """Ways to say them, a slot counted once."""
     spoken: int
@@ -44,6 +46,7 @@ def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
     return Size(
         intents=len(grammar.intents),
         sentences=len(sentences),
+        patterns=sum(len(intent.regex) + (intent.lark is not None) for intent in grammar.intents.values()),
         ways=sum(once.ways(sentence.template) for sentence in sentences),
         spoken=sum(each.ways(sentence.template) for sentence in sentences),
         longest=max((lengths.of(sentence.template) for sentence in sentences), default=0),

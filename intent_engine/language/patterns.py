@@ -138,16 +138,27 @@ def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] |
 
 def said_by_patterns(grammar: Grammar) -> Iterator[Part]:
     """What the patterns of a grammar that was checked may be said as, of those of which it can be told."""
+    return (part for _, _, part in parts_of_patterns(grammar))
+
+
+def parts_of_patterns(grammar: Grammar) -> Iterator[tuple[Intent, Sentence, Part]]:
+    """The same, each with its intent and the sentence that stands for it."""
     from intent_engine.language.pattern_lark import lark_tree
     from intent_engine.language.pattern_regex import regex_tree
 
     for intent in grammar.intents.values():
         for text in intent.regex:
             with contextlib.suppress(UnsayableError):
-                yield regex_tree(text)
+                yield intent, _sentence(text, intent), regex_tree(text)
         if intent.lark is not None:
             with contextlib.suppress(UnsayableError):
-                yield lark_tree(_lark(intent.lark).pattern, grammar.slots)
+                part = lark_tree(_lark(intent.lark).pattern, grammar.slots)
+                yield intent, _sentence(intent.lark, intent), part
+
+
+def _sentence(pattern: str, intent: Intent) -> Sentence:
+    """Stands for a pattern where others have a template."""
+    return Sentence(pattern, Word(intent.name))
 
 
 class Patterns:
@@ -159,10 +170,10 @@ class Patterns:
         self._larks: list[tuple[Intent, Sentence, Any]] = []
         for intent in grammar.intents.values():
             for text in intent.regex:
-                self._regexes.append((intent, Sentence(text, Word(text)), self._checked(_regex(text), intent)))
+                self._regexes.append((intent, _sentence(text, intent), self._checked(_regex(text), intent)))
             if intent.lark is not None:
                 lark = self._checked(_lark(intent.lark), intent)
-                self._larks.append((intent, Sentence(intent.lark, Word(intent.name)), lark))
+                self._larks.append((intent, _sentence(intent.lark, intent), lark))
         operators = grammar.operators
         self._operators = PhraseSet(
             (
@@ -201,6 +212,12 @@ class Patterns:
             if found:
                 return sorted(found, key=lambda reading: (bool(reading.problem), -reading.intent.priority))
         return []
+
+    def held(self, intent: str, text: str) -> Iterator[dict[str, str]]:
+        """What the slots of an intent's patterns hold that fit a normalised text as it is."""
+        for owner, _, values in (*self._by_regex(text), *self._by_lark(text)):
+            if owner.name == intent:
+                yield {name: text[begin:end].strip() for name, (begin, end) in values.items()}
 
     def _numbers_otherwise(self, words: list[str]) -> Iterator[list[str]]:
         """Words as they are; in English also with their numbers in digits, and in words."""

@@ -15,7 +15,17 @@ from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
-__all__ = ["Found", "Relative", "evaluate", "find", "is_number_word", "is_numeral", "is_ordinal_word", "templates"]
+__all__ = [
+    "Found",
+    "Relative",
+    "evaluate",
+    "find",
+    "is_number_word",
+    "is_numeral",
+    "is_ordinal_word",
+    "templates",
+    "tidy",
+]
 
 MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
@@ -130,11 +140,11 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
             return None  # "a quarter" of a turn, or of what? Never 0.25 degrees
         factor = _unit_factor(unit, kind, table)
         if number is not None and factor is not None:
-            value = _tidy(number * factor)
+            value = tidy(number * factor)
     return value if value is not None and math.isfinite(value) else None
 
 
-def _tidy(value: float) -> float:
+def tidy(value: float) -> float:
     """The decimal that was said: 35 cm is 0.35 m, where 35 times 0.01 is 0.35000000000000003."""
     short = float(f"{value:.12g}")
     return short if abs(short - value) <= 4 * math.ulp(value) else value
@@ -196,7 +206,7 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
         for value, after in _counts(words, at, language, table):
             rate = _rate(words, after, kind, table, language)
             if rate is not None:
-                yield _tidy(value * rate[0]), rate[1]
+                yield tidy(value * rate[0]), rate[1]
         return
     if kind == "angle" and language == "en":
         for spoken, angle in _WHOLE_ANGLES.items():
@@ -208,7 +218,7 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
     if language in WITHOUT_ONE and (half := _and_a_half(words, at, kind, language, table)) is not None:
         found.append(half)
     found.sort(key=lambda pair: -pair[1])
-    yield from ((_tidy(value), after) for value, after in found)
+    yield from ((tidy(value), after) for value, after in found)
 
 
 def _and_a_half(words: Sequence[str], at: int, kind: str, language: str, table: Units) -> tuple[float, int] | None:

@@ -11,17 +11,18 @@ to go on, number 0 is always the shortest.
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
 from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
 __all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample"]
-
-T = TypeVar("T")
 
 MAX_TRIES = 200
 """Sentences tried for one that makes an action (a speed so low that nothing moves makes none)."""
@@ -48,36 +47,6 @@ STAND_INS = ("blick", "dax", "wug", "zorp")
 _DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
 
 
-class Choices(Protocol):
-    """Where a sampler's decisions come from."""
-
-    def below(self, count: int) -> int:
-        """A whole number from 0 to ``count - 1``; 0 is the shortest way to go on."""
-        ...
-
-
-class RandomChoices:
-    """Decisions of a seeded generator: the same seed gives the same sentences."""
-
-    def __init__(self, seed: int) -> None:
-        self._random = random.Random(seed)
-
-    def below(self, count: int) -> int:
-        return self._random.randrange(count)
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """Words that belong together: one word of a template, or all that was said for a slot."""
-
-    text: str
-    label: str | None = None
-    """Name under which the slot's value is given; None for words of the template."""
-    slot: Slot | None = None
-    value: Any = None
-    """Of the slot: SI number, :class:`Relative`, name, text or boolean."""
-
-
 @dataclass(frozen=True, slots=True)
 class Sample:
     """A sentence with its meaning."""
@@ -89,7 +58,7 @@ class Sample:
     actions: tuple[Action, ...]
     pieces: tuple[Piece, ...]
     sentence: Sentence
-    """The template that it was made from."""
+    """The template or the pattern that it was made from."""
 
 
 def sample(
@@ -147,6 +116,7 @@ class Sampler:
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
         self._said: dict[str, Sequence[Sequence[Spoken]]] = {}
+        self._patterns = PatternSampler(grammar, self.spoken)
 
     @cached_property
     def intents(self) -> Mapping[str, tuple[Sentence, ...]]:
@@ -156,9 +126,15 @@ class Sampler:
             if intent.requires - self._state or intent.excludes & self._state or intent.name in self._without:
                 continue
             sayable = [item for item in intent.sentences if math.isfinite(self.length(item.template))]
+            sayable.sort(key=lambda item: self.length(item.template))
+            sayable += self._patterns.sentences(intent.name)
             if sayable:
-                found[intent.name] = tuple(sorted(sayable, key=lambda item: self.length(item.template)))
-        return dict(sorted(found.items(), key=lambda row: self.length(row[1][0].template)))
+                found[intent.name] = tuple(sayable)
+        return dict(sorted(found.items(), key=lambda row: self._size_of(row[1][0])))
+
+    def _size_of(self, sentence: Sentence) -> float:
+        """Words of a sentence at its shortest; those of patterns come last."""
+        return math.inf if self._patterns.has(sentence) else self.length(sentence.template)
 
     def check(self, intent: str | None) -> None:
         """See that there is something to say.
@@ -175,7 +151,9 @@ class Sampler:
             hint = did_you_mean(intent, self.grammar.intents) or f"there is {', '.join(self.grammar.intents)}"
             raise ConfigError(f"there is no intent {intent!r}; {hint}")
         if not known.sentences:
-            raise ConfigError(f"intent {intent!r} has patterns only (regex, lark); sentences come from templates")
+            raise ConfigError(
+                f"intent {intent!r} has patterns only (regex, lark) of which nobody knows how they are said"
+            )
         if known.requires - self._state or known.excludes & self._state:
             needs = ", ".join(sorted(known.requires)) or f"not {', '.join(sorted(known.excludes))}"
             raise ConfigError(f"intent {intent!r} cannot be meant in this state of the robot; it needs: {needs}")
@@ -197,8 +175,11 @@ class Sampler:
     def attempt(self, choices: Choices, intent: str | None = None) -> Sample | None:
         """One sentence, or None if its values make no action. :meth:`check` comes first."""
         names = list(self.intents)
-        name = intent if intent is not None else _pick(choices, names)
-        sentence = _pick(choices, self.intents[name])
+        name = intent if intent is not None else pick(choices, names)
+        sentence = pick(choices, self.intents[name])
+        if self._patterns.has(sentence):
+            pieces = self._patterns.drawn(sentence, choices)
+            return self.finish(name, sentence, pieces) if pieces is not None else None
         return self.finish(name, sentence, self._drawn(sentence.template, choices))
 
     def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
@@ -249,9 +230,9 @@ class Sampler:
             case Word(text):
                 return [Piece(text)]
             case WordClass():
-                return [Piece(str(_one(choices, 20) + 1))]
+                return [Piece(str(one(choices, 20) + 1))]
             case Choice(items):
-                return self._drawn(_pick(choices, self._shortest_first(node, items)), choices)
+                return self._drawn(pick(choices, self._shortest_first(node, items)), choices)
             case Optional(item):
                 said = math.isfinite(self.length(item)) and choices.below(2) == 1
                 return self._drawn(item, choices) if said else []
@@ -260,7 +241,7 @@ class Sampler:
             case AnyOrder(items):
                 left, pieces = list(items), []
                 while left:
-                    pieces.extend(self._drawn(left.pop(_one(choices, len(left))), choices))
+                    pieces.extend(self._drawn(left.pop(one(choices, len(left))), choices))
                 return pieces
             case Reference(name) if name in self.grammar.phrases:
                 return self._drawn(self.grammar.phrases[name], choices)
@@ -281,10 +262,10 @@ class Sampler:
     def spoken(self, slot: Slot, label: str, choices: Choices) -> Piece:
         """A value for a slot, with words for it."""
         if slot.values:
-            node = _pick(choices, self._shortest_first(slot, [item for _, item in slot.values]))
+            node = pick(choices, self._shortest_first(slot, [item for _, item in slot.values]))
             value = next(value for value, item in slot.values if item is node)
             return Piece(_joined(self._drawn(node, choices)), label, slot, value)
-        said = _pick(choices, _pick(choices, self._ways(slot)))
+        said = pick(choices, pick(choices, self._ways(slot)))
         return Piece(said.text, label, slot, said.value)
 
     def _ways(self, slot: Slot) -> Sequence[Sequence[Spoken]]:
@@ -334,15 +315,6 @@ class Sampler:
             found.update(word for phrase in phrases for word in phrase)
         found.update(own_words(grammar))
         return frozenset(found)
-
-
-def _one(choices: Choices, count: int) -> int:
-    """A decision, where there is one."""
-    return choices.below(count) if count > 1 else 0
-
-
-def _pick(choices: Choices, items: Sequence[T]) -> T:
-    return items[_one(choices, len(items))]
 
 
 def _words(text: str) -> int:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
-from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative
+from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, tidy
 
 __all__ = ["Spoken", "spoken_forms"]
 
@@ -88,7 +88,7 @@ def _within(form: Iterable[_Said], limits: _Limits, whole: bool) -> tuple[Spoken
         if isinstance(value, Relative) or (
             limits[0] <= value <= limits[1] and (not whole or float(value).is_integer())
         ):
-            found.setdefault(text, Spoken(text, value))
+            found.setdefault(text, Spoken(text, value if isinstance(value, Relative) else tidy(float(value))))
     return tuple(found.values())
 
 

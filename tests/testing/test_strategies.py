@@ -33,7 +33,7 @@ intents:
     sentences: ["(yes|no thanks|not now)"]
   matched:
     action: {type: custom, name: matched}
-    regex: "order (?P<count>[0-9]+)"
+    regex: "(?:or){9}der (?P<count>[0-9]+)"
 """
 FIND = settings(max_examples=1000, derandomize=True, database=None)
 FEW = settings(max_examples=60, deadline=None, derandomize=True)
