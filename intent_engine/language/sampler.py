@@ -37,11 +37,17 @@ __all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample"]
 
 MAX_TRIES = 200
 """Sentences tried for one that makes an action (a speed so low that nothing moves makes none)."""
-THINGS = (
-    "cup", "box", "ball", "bottle", "book", "red cup", "blue box", "hammer", "green bottle", "small parcel",
-    "yellow tool box", "teapot", "umbrella", "screwdriver", "water bottle", "big red apple",
-)  # fmt: skip
-"""What is said in a text slot, as far as the grammar does not use the words itself."""
+THINGS: Mapping[str, tuple[str, ...]] = {
+    "en": (
+        "cup", "box", "ball", "bottle", "book", "red cup", "blue box", "hammer", "green bottle", "small parcel",
+        "yellow tool box", "teapot", "umbrella", "screwdriver", "water bottle", "big red apple",
+    ),
+    "de": ("tasse", "kiste", "ball", "flasche", "buch", "rote tasse", "blaue kiste", "kleines paket", "schirm"),
+    "fr": ("tasse", "boîte", "balle", "bouteille", "livre", "marteau", "tasse rouge", "boîte bleue", "petit colis"),
+    "es": ("taza", "caja", "pelota", "botella", "libro", "martillo", "taza roja", "caja azul", "paquete", "paraguas"),
+    "it": ("tazza", "scatola", "palla", "bottiglia", "libro", "martello", "tazza rossa", "scatola blu", "ombrello"),
+}  # fmt: skip
+"""What is said in a text slot, by language, as far as the grammar does not use the words itself."""
 STAND_INS = ("blick", "dax", "wug", "zorp")
 """For a grammar that uses all of these words itself."""
 _DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
@@ -296,7 +302,7 @@ class Sampler:
             yield from (Spoken(text, text) for text in given)
             return
         taken = self._words | slot.without
-        known = [text for text in THINGS if taken.isdisjoint(text.split())]
+        known = [text for text in THINGS.get(self.grammar.language, ()) if taken.isdisjoint(text.split())]
         for text in known or STAND_INS:
             if _words(text) <= slot.max_words:
                 yield Spoken(text, text)

@@ -13,7 +13,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.locations import LocationMap
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.quantities import Relative
-from intent_engine.language.sampler import RandomChoices, Sampler, sample
+from intent_engine.language.sampler import THINGS, RandomChoices, Sampler, sample
 from intent_engine.language.spoken_quantities import spoken_forms
 
 GRAMMAR = """
@@ -147,3 +147,16 @@ def test_limits_hold_for_spellings():
     for form in spoken_forms("distance", "en", None, 0.5, 3.0):
         assert all(0.5 <= value <= 3.0 for _, value in form)
     assert spoken_forms("distance", "tlh", None, None, None) == ()
+
+
+@pytest.mark.parametrize("language", list(THINGS))
+def test_things_are_called_in_the_language_of_the_grammar(tmp_path, language):
+    path = tmp_path / "things.yaml"
+    path.write_text(
+        f"language: {language}\nslots: {{thing: object}}\n"
+        "intents: {a: {action: custom, sentences: ['xyz {thing}']}}\n"
+    )
+    engine = IntentEngine.from_files(path)
+    drawn = sample(engine.grammar, None, 400)
+    assert {one.slots["thing"] for one in drawn} == set(THINGS[language])
+    assert all(engine.parse(one.text).slots == one.slots for one in drawn)
