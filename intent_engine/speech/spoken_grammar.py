@@ -53,9 +53,11 @@ FULL_CIRCLE = 2 * math.pi + 0.01
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
 UNUSUAL = 2.0
-"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
-limits, and a turn of more than a circle. Of 447 angles that people told a robot one was none
-(docs/decisions/speech-second-opinion.md)."""
+"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, and a turn of
+more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
+BEYOND_LIMITS = 5.0
+"""The same of a number that its slot does not take, where no model heard it word by word. Where one did, it is only
+unusual."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 
@@ -336,9 +338,16 @@ class SpokenGrammar:
         unlisted = (word for word in said_in_slots(meaning.slots) if word not in known)
         return [word for one in unlisted for word in self.words(one, language) if word not in known]
 
-    def unusual(self, meaning: Interpretation, language: str | None = None) -> float:
-        """nats by which a sentence is less likely for its numbers, before it was heard."""
-        return UNUSUAL * (self._known(language).usual.unusual(meaning) + _circles(meaning) + meaning.beyond_limits)
+    def unusual(self, meaning: Interpretation, language: str | None = None, *, heard: bool = True) -> float:
+        """nats by which a sentence is less likely for its numbers, before it was heard.
+
+        Args:
+            meaning: of the sentence.
+            language: of the speech.
+            heard: whether any model heard it word by word.
+        """
+        unusual = self._known(language).usual.unusual(meaning) + _circles(meaning)
+        return UNUSUAL * unusual + (UNUSUAL if heard else BEYOND_LIMITS) * meaning.beyond_limits
 
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
         """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
@@ -354,7 +363,8 @@ class SpokenGrammar:
             count = max(view.words for view in seen) or word_count(words)
             rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
             addressed = meaning.stops or self.wake(language).addressed(words)  # a stop needs no wake word
-            rank -= self.unusual(meaning, language) + UNADDRESSED * (not addressed)
+            heard = any(view.apart == 0 for view in seen)
+            rank -= self.unusual(meaning, language, heard=heard) + UNADDRESSED * (not addressed)
             rows.append((rank, words, seen, unknown, meaning.actions if addressed else ()))
         rows.sort(key=lambda row: (-row[0], row[1]))
         readings = []

@@ -350,3 +350,10 @@ def test_a_number_within_its_limits_is_likelier(gates):
     heard = (View(-1.0, -1.0, 0.0),)
     within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
     assert [one.words for one in gates.ranked({beyond: heard, within: heard})] == [within, beyond]
+
+
+@pytest.mark.parametrize(("apart", "first"), [(0.0, "seventy"), (1.0, "seven")])
+def test_a_number_beyond_its_limits_must_be_far_likelier_unless_it_was_heard_so(gates, apart, first):
+    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
+    views = {within: (View(-5.0, -1.0, 1.0),), beyond: (View(-1.5, -1.0, apart),)}
+    assert gates.ranked(views)[0].words[-1] == first
