@@ -117,8 +117,8 @@ class Matcher:
 
     def resting(self, words: Sequence[str]) -> bool:
         """Whether a whole command ends in a quantity that may go on, and people rest there ("in an hour")."""
-        more = Continuation.MANNER in self.ahead(words)
-        return more and quantities.people_rest_after(words, self.grammar.language)
+        resting = quantities.people_rest_after(words, self.grammar.language)
+        return resting and Continuation.MANNER in self.ahead(words)
 
     def _without_filler(self, words: Sequence[str]) -> Sequence[str] | None:
         """Words without the filler at their end; None: there is none."""

@@ -29,7 +29,7 @@ def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterato
     patterned = [intent for intent in grammar.intents.values() if intent.regex or intent.lark is not None]
     if not patterned:
         return
-    sampler = PatternSampler(grammar, Sampler(grammar, locations).spoken)
+    sampler = PatternSampler(grammar, locations, Sampler(grammar, locations).spoken)
     matcher = Matcher(grammar, locations)
     interpreter = Interpreter(matcher, Nearest(matcher))
     for intent in patterned:

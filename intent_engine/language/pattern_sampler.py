@@ -10,11 +10,11 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from intent_engine.language.drawing import Choices, Piece, one, pick
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
+from intent_engine.language.free_text import FreeText
+from intent_engine.language.grammar import Grammar, Intent, Sentence, Slot
 from intent_engine.language.pattern_tree import (
     Letters,
     Named,
@@ -28,8 +28,10 @@ from intent_engine.language.pattern_tree import (
     leaves_open,
 )
 from intent_engine.language.patterns import Patterns, parts_of_patterns
-from intent_engine.language.quantities import evaluate
-from intent_engine.language.spellings import spellings
+from intent_engine.language.slot_values import SlotValues
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
 
 __all__ = ["PatternSampler"]
 
@@ -39,10 +41,6 @@ NUMBERS = 20
 """Largest number that is said where no slot has a limit."""
 ANY_WORDS = ("blick", "dax", "wug", "zorp")
 """Where a pattern takes any words, and no slot."""
-
-
-SPELLINGS = 200
-"""Ways to say a value of a list that are looked through."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,11 +57,15 @@ class PatternSampler:
 
     Args:
         grammar: which was checked.
+        locations: the map whose names are said.
         spoken: a value for a slot that a pattern leaves open, with words for it.
     """
 
-    def __init__(self, grammar: Grammar, spoken: Callable[[Slot, str, Choices], Piece]) -> None:
+    def __init__(
+        self, grammar: Grammar, locations: LocationMap | None, spoken: Callable[[Slot, str, Choices], Piece]
+    ) -> None:
         self._grammar = grammar
+        self._locations = locations
         self._spoken = spoken
 
     @cached_property
@@ -73,6 +75,10 @@ class PatternSampler:
     @cached_property
     def _patterns(self) -> Patterns:
         return Patterns(self._grammar)
+
+    @cached_property
+    def _values(self) -> SlotValues:
+        return SlotValues(self._grammar, self._locations, FreeText(self._grammar))
 
     def sentences(self, intent: str) -> Iterator[Sentence]:
         """The patterns of an intent of which it can be told how they are said."""
@@ -134,20 +140,10 @@ class PatternSampler:
             piece = self._spoken(slot, slot.name, choices)
             return _Said(piece.text, slot, piece.value)
         text = "".join(said.text for said in self._letters(part, choices, slot)).strip()
-        return _Said(text, slot, self._value(slot, text))
-
-    def _value(self, slot: Slot, text: str) -> Any:
-        words = text.split()
-        if slot.type in QUANTITY_KINDS:
-            value = evaluate(words, slot.type, self._grammar.language, slot.unit)
-            return None if isinstance(value, float) and slot.beyond(value) is not None else value
-        if slot.type in FREE_KINDS:
-            closed = self._grammar.operators.closed - slot.allow
-            return text if words and closed.isdisjoint(words) else None
-        for value, node in slot.values:
-            if tuple(words) in spellings(node, self._grammar.phrases, SPELLINGS):
-                return value
-        return None
+        if not text:
+            return _Said("", slot)
+        held = self._values.from_words(slot, slot.name, text.split())
+        return _Said(text, slot, held.value if held.status == "exact" and not held.problem else None)
 
 
 def _limits(slot: Slot | None) -> tuple[int, int]:

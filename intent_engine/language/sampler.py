@@ -122,7 +122,7 @@ class Sampler:
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
         self._said: dict[str, Sequence[Sequence[Spoken]]] = {}
-        self._patterns = PatternSampler(grammar, self.spoken)
+        self._patterns = PatternSampler(grammar, locations, self.spoken)
 
     @cached_property
     def intents(self) -> Mapping[str, tuple[Sentence, ...]]:

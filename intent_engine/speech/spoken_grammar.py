@@ -28,11 +28,11 @@ from intent_engine.speech.narration import NARRATING, leaves_out, told
 from intent_engine.speech.opinion import Reading
 from intent_engine.speech.usual import UsualNumbers
 from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots, words_as_written
+from intent_engine.speech.wake_words import UNADDRESSED, WakeWords
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.language.matcher import Matcher
-from intent_engine.speech.wake_words import UNADDRESSED, WakeWords
 
 __all__ = ["FORBIDDING", "SpokenGrammar"]
 

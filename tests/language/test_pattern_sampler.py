@@ -25,12 +25,15 @@ slots:
   colour: {values: {red: [red, crimson], blue: blue}}
   place: location
   state: boolean
+  thing: object
 intents:
   ticket: {action: custom, regex: "ticket (?P<code>[a-z] \\\\d+)"}
   room: {action: custom, regex: ["(?:open|close) room (?P<room>\\\\d+)( now)?", "seal room (?P<room>[0-9]{1,2})"]}
   creep: {action: custom, regex: "creep (?P<far>.+) (?:forth|onward)"}
   lights: {action: custom, regex: "lights? (?P<state>on|off)"}
   visit: {action: custom, regex: "pay a visit to (?P<place>.+)"}
+  grab: {action: custom, regex: "grab (?P<thing>the cup|a ball|it)"}
+  near: {action: custom, regex: "drive near (?P<place>kitchen|bay 3)"}
   row: {action: custom, regex: "weed the (?P<nth>\\\\w+) row"}
   stack:
     action: custom
@@ -65,7 +68,18 @@ def test_everything_that_a_pattern_has_is_said(engine):
     said = {one.text for one in sample(engine.grammar, engine.locations, 400, seed=1)}
     assert {"light on", "lights off"} <= said
     assert any(text.endswith(" now") for text in said)
-    assert {text.split()[0] for text in said} >= {"ticket", "open", "close", "seal", "creep", "pay", "stack", "pile"}
+    assert {text.split()[0] for text in said} >= {
+        "ticket",
+        "open",
+        "close",
+        "seal",
+        "creep",
+        "pay",
+        "stack",
+        "pile",
+        "grab",
+        "go",
+    }
     rooms = {int(text.split()[2]) for text in said if text.split()[1] == "room"}
     assert rooms >= {4, 7, 12}
     assert rooms <= set(range(3, 13)), "within the limits of its slot"
