@@ -20,6 +20,8 @@ class HeardKind(StrEnum):
     """Somebody began to speak."""
     PARTIAL = "partial"
     """What was said so far, at a pause; may still change."""
+    OUTDATED = "outdated"
+    """Somebody speaks on: what was said so far, told or not yet, is to be heard anew."""
     TRANSCRIPT = "transcript"
     """What was said."""
     INTERPRETATION = "interpretation"

@@ -39,7 +39,10 @@ REFLEX_FRAMES = 11
 """Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
 word."""
 SECOND_LOOK = 0.1
-"""s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
+"""s since the voice began to fade, after which a draft is decoded again with all care: three of four sentences have no
+such pause."""
+LONG_FADED = 0.16
+"""s of a fading voice after which a decode from its beginning may lack a quiet word at its end."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
 
@@ -216,10 +219,10 @@ class Runtime:
         self._listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
             utterance.voiced(frame.time)
-        if signal is Signal.PAUSED and self._speculate:
-            self._decode(utterance, final=False)
-        elif signal is Signal.RESUMED:
-            utterance.speaks_on()
+        if signal is Signal.PAUSED and self._endpoint.faded > LONG_FADED:
+            self._forget_decode(utterance, frame.time)
+        if signal is Signal.RESUMED:
+            self._forget_decode(utterance, frame.time)
         elif signal in (Signal.ENDED, Signal.SHORT):
             utterance.short = signal is Signal.SHORT
             if not utterance.short:
@@ -229,9 +232,11 @@ class Runtime:
                     recent.popleft()
             self._end(utterance, frame.time, waiting)
             return None
-        elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
+        elif utterance.draft and self._endpoint.faded + FRAME_SECONDS / 2 >= SECOND_LOOK:
             self._decode(utterance, final=True)
             utterance.judged = False
+        elif self._speculate and self._endpoint.faded and utterance.job is None:
+            self._decode(utterance, final=False)
         return utterance
 
     def _gap(
@@ -257,6 +262,14 @@ class Runtime:
             self._tell(HeardKind.LOST, frame.time, detail=why)
 
     # -- decoding ----------------------------------------------------------------------------------
+
+    def _forget_decode(self, utterance: SpokenUtterance, time: float) -> None:
+        """What was decoded is out of date."""
+        if utterance.job is not None:
+            if not utterance.job.done():  # else another's may be under way
+                self._decoding.leave()
+            self._tell(HeardKind.OUTDATED, time)
+        utterance.speaks_on()
 
     def _decode(self, utterance: SpokenUtterance, *, final: bool) -> None:
         if not self._decoding.free:

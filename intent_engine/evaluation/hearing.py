@@ -18,12 +18,16 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.runtime import Heard, HeardKind, Runtime
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
 from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.leaving import Leavable
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import Reflex
 from intent_engine.speech.rnnoise import NoiseFilter
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Act", "Hearing", "Listener"]
+
+LEAVES = 0.05
+"""s after which a decode that is left has ended, as nine of ten do (half within 13 ms)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +67,8 @@ class Listener:
     """Plays recordings to a robot of its own: each to a fresh one, on a virtual clock, as fast as it goes.
 
     The virtual clock stands still while the recogniser decodes. In an act's time it does not: the decode began when it
-    was asked for or the one before had ended, and its result is taken up at once, as that of a live source is.
+    was asked for, or the one before had ended or been left, and its result is taken up at once, as that of a live
+    source is.
 
     Args:
         engine: understands.
@@ -107,7 +112,7 @@ class Listener:
         """
         clock = VirtualClock()
         robot = self._robot.simulated(clock, self._places)
-        notes = _Notes(self._reflex)
+        notes = _Notes(self._reflex, leaves=isinstance(self._recognizer, Leavable))
         options = self._robot.executor_options()
         with Executor(robot, clock=clock, handle_sigterm=False, **options) as executor:
             runtime = Runtime(
@@ -154,11 +159,15 @@ def _next_frame(time: float) -> float:
 class _Notes:
     """Listens to the runtime's events."""
 
-    def __init__(self, reflex: _Timed | None) -> None:
+    def __init__(self, reflex: _Timed | None, *, leaves: bool) -> None:
         self.hearing = Hearing()
         self._reflex = reflex
+        self._leaves = leaves
+        """Whether a decode is left when somebody speaks on."""
+        self._began = 0.0
+        """s: when the recogniser began the last decode,"""
         self._busy = 0.0
-        """s: until when the recogniser decodes."""
+        """and until when it decodes."""
         self._partial: Transcript | None = None
         self._ready = 0.0
         """s: when the transcript is there, in real time."""
@@ -167,6 +176,8 @@ class _Notes:
         if event.kind is HeardKind.PARTIAL and event.transcript is not None:
             self._decoded(event.transcript, event.time)
             self._partial = event.transcript
+        elif event.kind is HeardKind.OUTDATED and self._leaves:
+            self._busy = min(self._busy, max(self._began, event.time) + LEAVES)
         elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
             if event.transcript is not self._partial:
                 self._decoded(event.transcript, event.time)
@@ -192,6 +203,7 @@ class _Notes:
             self.hearing.errors.append(event.detail)
 
     def _decoded(self, transcript: Transcript, asked: float) -> None:
-        self._busy = max(asked, self._busy) + transcript.decode_seconds
+        self._began = max(asked, self._busy)
+        self._busy = self._began + transcript.decode_seconds
         self._ready = self._busy
         self.hearing.decodes.append(transcript.decode_seconds)

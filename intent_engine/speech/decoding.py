@@ -10,6 +10,7 @@ from concurrent.futures import Future
 
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.beside import start_beside
+from intent_engine.speech.leaving import Leavable
 from intent_engine.speech.recognizer import Recognizer, Transcript
 
 __all__ = ["DecodeThread"]
@@ -53,6 +54,11 @@ class DecodeThread:
     def give_up(self) -> None:
         """Forget the decode under way."""
         self._busy = None
+
+    def leave(self) -> None:
+        """Nobody waits for the decode under way any more: it ends soon, if the recogniser can be left."""
+        if not self.free and isinstance(self.recognizer, Leavable):
+            self.recognizer.leave()
 
     def begin(self, samples: Samples, *, final: bool) -> Future[Transcript]:
         """Start a decode; the future holds the transcript or what the recogniser raised."""

@@ -42,8 +42,11 @@ class Signal(StrEnum):
     NONE = "none"
     STARTED = "started"
     """Speech has begun; keep its sound."""
+    FADING = "fading"
+    """The voice fades: it may be over, though the detector is not sure of that yet. Decode now what was said so far, to
+    be ready."""
     PAUSED = "paused"
-    """The first silent frame: decode now what was said so far, to be ready."""
+    """The first silent frame."""
     RESUMED = "resumed"
     """Speech went on: what was decoded is out of date."""
     ENDED = "ended"
@@ -60,6 +63,9 @@ class Settings:
     """Probability of speech that begins an utterance, as Silero's authors set it."""
     offset: float = 0.35
     """Probability below which a frame is silent."""
+    fading: float = 0.6
+    """Probability below which speech may be over. The detector lets go of a voice late, in noise by 100 ms, and those
+    are given to the recogniser. Nothing ends by it."""
     onset_frames: int = 2
     """Frames of speech that begin an utterance."""
     min_speech: float = 0.12
@@ -118,6 +124,7 @@ class Endpointer:
         self._speaking = False
         self._spoken = 0.0
         self._silent = 0.0
+        self._faded = 0.0
         self._whole = 0.0
         self.judge(Outlook.UNKNOWN)
 
@@ -130,6 +137,11 @@ class Endpointer:
     def silence(self) -> float:
         """s of silence at the end of the utterance so far."""
         return self._silent
+
+    @property
+    def faded(self) -> float:
+        """s since the voice began to fade, the silence after it included; 0: it does not."""
+        return self._faded
 
     def judge(self, outlook: Outlook, asked: float | None = None) -> None:
         """What the grammar thinks of the words that were decoded at the last pause, and how long their intent waits."""
@@ -145,7 +157,7 @@ class Endpointer:
                 return Signal.NONE
             self._speaking = True
             self._spoken = self._whole = self._voiced * FRAME_SECONDS
-            self._silent = 0.0
+            self._silent = self._faded = 0.0
             self.judge(Outlook.UNKNOWN)
             return Signal.STARTED
         self._whole += FRAME_SECONDS
@@ -153,15 +165,10 @@ class Endpointer:
             self.reset()
             return Signal.ENDED
         if probability >= (settings.onset if self._silent else settings.offset):
-            resumed = self._silent > 0
-            self._spoken += FRAME_SECONDS
-            self._silent = 0.0
-            if resumed:
-                self.judge(Outlook.UNKNOWN)
-                return Signal.RESUMED
-            return Signal.NONE
+            return self._voice(probability)
         first = self._silent == 0
         self._silent += FRAME_SECONDS
+        self._faded += FRAME_SECONDS
         if first:
             return Signal.PAUSED
         # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
@@ -169,4 +176,18 @@ class Endpointer:
             short = self._spoken < settings.min_speech
             self.reset()
             return Signal.SHORT if short else Signal.ENDED
+        return Signal.NONE
+
+    def _voice(self, probability: float) -> Signal:
+        """Take a frame of speech."""
+        self._spoken += FRAME_SECONDS
+        fading = not self._silent and probability < self.settings.fading
+        if fading:
+            self._faded += FRAME_SECONDS
+            return Signal.FADING if self._faded == FRAME_SECONDS else Signal.NONE
+        resumed = self._faded > 0
+        self._silent = self._faded = 0.0
+        if resumed:
+            self.judge(Outlook.UNKNOWN)
+            return Signal.RESUMED
         return Signal.NONE

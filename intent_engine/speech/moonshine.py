@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+from intent_engine.speech.leaving import Leaving
 from intent_engine.speech.loops import fold_loop, goes_round
 from intent_engine.speech.moonshine_decoder import MoonshineDecoder
 from intent_engine.speech.moonshine_pieces import BEGINNING, END, MoonshinePieces
@@ -80,7 +81,7 @@ class MoonshineModel:
             ) from None
 
 
-class MoonshineRecognizer:
+class MoonshineRecognizer(Leaving):
     """Free decoding with a Moonshine model, in English. Life cycle: made (loaded) -> ``transcribe`` ... -> ``close()``.
 
     Args:
@@ -166,7 +167,9 @@ class MoonshineRecognizer:
 
     def _tree(self, encoded: Encoded) -> PrefixTree:
         prompt = (BEGINNING,)
-        return self._trees.of(encoded, prompt, lambda: PrefixTree(self.model.decoder, encoded.features[0], prompt))
+        return self._trees.of(
+            encoded, prompt, lambda: PrefixTree(self.model.decoder, encoded.features[0], prompt, self.check)
+        )
 
     def close(self) -> None:
         """Let go of what is known of sounds; nothing else is held."""

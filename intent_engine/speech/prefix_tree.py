@@ -54,10 +54,18 @@ class PrefixTree:
         decoder: of the model.
         features: ``(sounds, width)``, from the encoder.
         prompt: pieces before every text.
+        check: called before each call of the model; what it raises leaves the tree as it was.
     """
 
-    def __init__(self, decoder: Decoder, features: _Floats, prompt: Sequence[int]) -> None:
+    def __init__(
+        self,
+        decoder: Decoder,
+        features: _Floats,
+        prompt: Sequence[int],
+        check: Callable[[], object] = lambda: None,
+    ) -> None:
         self._decoder = decoder
+        self._check = check
         self.prompt = tuple(prompt)
         names = [output.name for output in decoder.listening.get_outputs()]
         self._heard = dict(zip(names, decoder.listening.run(None, {"features": features}), strict=True))
@@ -145,6 +153,7 @@ class PrefixTree:
 
     def _step(self, new: Sequence[Beginning]) -> _Floats:
         """Compute one piece each, the last of some beginnings of which all else is known or stands before them."""
+        self._check()
         decoder, known = self._decoder, len(self._lines)
         all_ = known + len(new)
         while all_ > len(self._totals):

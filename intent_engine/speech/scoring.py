@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.leaving import Leaving
 from intent_engine.speech.loops import goes_round
 from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
 from intent_engine.speech.recognizer import Encoded
@@ -51,7 +52,7 @@ _NONE: Mapping[str, str] = MappingProxyType({})
 _NOTHING = PhraseSet(())
 
 
-class Scoring(ABC):
+class Scoring(Leaving, ABC):
     """A model that is asked what it thinks of words."""
 
     _scored: tuple[Encoded | None, dict[str, float]] = (None, {})
@@ -238,6 +239,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
     def _generated(
         self, encoded: Encoded, beginnings: Sequence[tuple[int, ...]], length: int, language: str | None
     ) -> Iterator[tuple[tuple[int, ...], Any]]:
+        self.check()
         prompt = self.prompt(language)
         longest = max(length, 1 + max(map(len, beginnings)))
         results = self.engine.generate(
@@ -289,7 +291,11 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
     def _tree(self, encoded: Encoded, language: str | None) -> PrefixTree:
         decoder, prompt = self._decoder, self.prompt(language)
         assert decoder is not None
-        return self._trees.of(encoded, prompt, lambda: PrefixTree(decoder, self._spoken(encoded)[0], prompt))
+
+        def plant() -> PrefixTree:
+            return PrefixTree(decoder, self._spoken(encoded)[0], prompt, self.check)
+
+        return self._trees.of(encoded, prompt, plant)
 
     @staticmethod
     def _spoken(encoded: Encoded) -> npt.NDArray[np.float32]:

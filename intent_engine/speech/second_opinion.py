@@ -13,11 +13,12 @@ from __future__ import annotations
 
 import contextlib
 import math
+import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -35,6 +36,7 @@ from intent_engine.speech.dictating import (
     hardly_begun,
 )
 from intent_engine.speech.evidence import letters_apart
+from intent_engine.speech.leaving import LeftError
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import (
     MOONSHINE,
@@ -54,6 +56,8 @@ from intent_engine.speech.weights import find_weights, on_this_machine
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
+
+_Answer = TypeVar("_Answer")
 
 __all__ = ["FIRST", "NONE", "SECOND", "SecondOpinion", "installed_second", "recognizer_for", "second_model"]
 
@@ -94,6 +98,9 @@ UNSETTLED = 0.1
 
 class Steered(Recognizer, Protocol):
     """A recogniser that says what it makes of a sound beside what it takes it for, step by step."""
+
+    left: threading.Event | None
+    """As of :class:`~intent_engine.speech.leaving.Leaving`."""
 
     def prepare(self) -> None:
         """As :meth:`~intent_engine.speech.steering.Steering.prepare`."""
@@ -146,6 +153,8 @@ class SecondOpinion:
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         self._grammar = SpokenGrammar(engine)
         self._first = first
+        self._left = threading.Event()
+        """Of the decode under way: set when nobody waits for it any more."""
         self._beside = Beside("second model")
         self._prepared = self._beside.submit(first.prepare)
         self._second = self._beside.submit(_ready, second)
@@ -156,13 +165,26 @@ class SecondOpinion:
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
+        self._left = self._first.left = threading.Event()
+        try:
+            transcript = self._transcribe(samples, final=final)
+        except LeftError:
+            self._beside.submit(lambda: None).exception()  # the second model has to leave it too before the next
+            raise
+        return replace(transcript, decode_seconds=time.perf_counter() - began)
+
+    def leave(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
+        self._left.set()
+
+    def _transcribe(self, samples: Samples, *, final: bool) -> Transcript:
         known = self._draft if final and self._draft is not None and _same(samples, self._draft.samples) else None
         look = known or self._look(samples)
         self._draft = None if final else look
         transcript = look.transcript
         if look.doubtful and final:
             transcript = self._searched(look)
-        return replace(transcript, draft=look.doubtful and not final, decode_seconds=time.perf_counter() - began)
+        return replace(transcript, draft=look.doubtful and not final)
 
     def second_weights(self) -> Future[MoonshineModel | None]:
         """The weights of the second model as soon as they are loaded, for others who listen; None: it is no
@@ -183,6 +205,7 @@ class SecondOpinion:
         self._asked = None
         heard = self._first.listen(samples)
         if heard.settled and not (heard.transcript.unclear or heard.dictated):
+            self._left.set()
             return _Look(samples, heard, None, heard.transcript, False)
         clearly = heard.transcript.score > CLEAR_TALK
         language = heard.transcript.language
@@ -193,6 +216,7 @@ class SecondOpinion:
         said = first.transcript.text.split()
         word = confidence >= SURE_OF_A_WORD and len(said) == 1 and not too_few(said, samples)
         if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
+            self._left.set()
             return _Look(samples, first, None, self._first.clear(first), False)
         self._asked = samples
         second = (asked or self._ask(samples)).result()
@@ -204,25 +228,32 @@ class SecondOpinion:
     def _ask(self, samples: Samples) -> Future[Opinion]:
         """The second model's first sight of a sound, in a thread beside."""
 
-        def look() -> Opinion:
-            second = self._second.result()
-            return second.compare(second.listen(samples))
+        return self._aside(lambda second: second.compare(second.listen(samples)))
 
-        return self._beside.submit(look)
+    def _aside(self, ask: Callable[[Steered], _Answer]) -> Future[_Answer]:
+        """What the second model answers, in a thread beside, as long as this decode is waited for."""
+        left = self._left
+
+        def answer() -> _Answer:
+            second = self._second.result()
+            second.left = left
+            return ask(second)
+
+        return self._beside.submit(answer)
 
     def _searched(self, look: _Look) -> Transcript:
         """What both make of a sound when they have searched the grammar, side by side: once more and deeper, if it
         would be asked back else."""
         assert look.second is not None
-        second = self._second.result()
+        before = look.second
         began = time.perf_counter()
-        searched = self._beside.submit(second.search, look.second)
+        searched = self._aside(lambda second: second.search(before))
         first, other = self._first.search(look.first), searched.result()
         both, _ = self._weighed(first, other, far=True)
         known = self._grammar.acted_on(both.sureness, both.language) or self._meaning(both).refuses
         if known or time.perf_counter() - began > SOON:
             return both
-        dug = self._beside.submit(second.dig, look.second, other)
+        dug = self._aside(lambda second: second.dig(before, other))
         both, _ = self._weighed(self._first.dig(look.first, first), dug.result(), far=True)
         return both
 
@@ -317,7 +348,7 @@ class SecondOpinion:
     def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
         """The same asked of two models, side by side."""
         first, second = opinions
-        other = self._beside.submit(ask, second)
+        other = self._aside(lambda _: ask(second))
         return [ask(first), other.result()]
 
     def _meaning(self, heard: Transcript) -> Interpretation:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -108,7 +109,13 @@ class Steering(Clearness):
         if self.language is not None:
             self._guide(self.language)
 
+    def leave(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
+        if self.left is not None:
+            self.left.set()
+
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
+        self.left = threading.Event()
         self.opinion = self._doubted(self.search(self.compare(self.listen(samples))), far=True)
         return self.clear(self.opinion)
 
@@ -120,6 +127,7 @@ class Steering(Clearness):
             samples: ``(n,)``
             longer: whether with more silence after the speech than usual.
         """
+        self.check()
         sound = in_silence(samples, SHORT_SECONDS, QUIET_SECONDS)
         encoded = self.encode(sound, self.longer(sound.size / SAMPLE_RATE)) if longer else self.encode(sound)
         language = self.language or self.detect(encoded)
@@ -248,6 +256,7 @@ class Steering(Clearness):
             heard: what was heard freely.
             effort: with which the model is led along the grammar; None: those are enough that are like the words heard.
         """
+        self.check()
         encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
         words = heard.heard
         possible = self._possible(heard)

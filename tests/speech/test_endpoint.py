@@ -118,7 +118,9 @@ def test_who_says_more_after_a_knock_has_said_more():
 def test_between_the_thresholds_speech_goes_on_but_does_not_begin():
     endpoint = Endpointer()
     assert play(endpoint, (0.4, 5.0)) == []
-    assert play(endpoint, (SPEECH, 0.5), (0.4, 2.0)) == [Signal.STARTED]
+    assert play(endpoint, (SPEECH, 0.5), (0.4, 2.0)) == [Signal.STARTED, Signal.FADING]
+    assert endpoint.speaking
+    assert endpoint.silence == 0
     assert play(endpoint, (SILENCE, 0.1), (0.4, 0.1)) == [Signal.PAUSED], "nor does it begin again"
 
 
@@ -141,9 +143,10 @@ def test_signals_come_in_an_order_that_makes_sense(probabilities, outlooks):
     endpoint = Endpointer(replace(Settings(), max_speech=4.0))
     allowed = {
         None: {Signal.STARTED},
-        Signal.STARTED: {Signal.PAUSED, Signal.ENDED},
+        Signal.STARTED: {Signal.FADING, Signal.PAUSED, Signal.ENDED},
+        Signal.FADING: {Signal.RESUMED, Signal.PAUSED, Signal.ENDED},
         Signal.PAUSED: {Signal.RESUMED, Signal.SHORT, Signal.ENDED},
-        Signal.RESUMED: {Signal.PAUSED, Signal.ENDED},
+        Signal.RESUMED: {Signal.FADING, Signal.PAUSED, Signal.ENDED},
     }
     last: Signal | None = None
     for count, probability in enumerate(probabilities):
@@ -165,3 +168,38 @@ def test_two_seconds_of_silence_end_everything(probabilities):
     for _ in range(frames(2.0)):
         endpoint.frame(0.0)
     assert not endpoint.speaking
+
+
+# -- a voice that fades ------------------------------------------------------------------------------------------------
+
+
+def test_a_voice_that_fades_is_told_once_before_it_is_silent():
+    endpoint = Endpointer()
+    assert play(endpoint, (SPEECH, 0.5), (0.5, 0.1)) == [Signal.STARTED, Signal.FADING]
+    assert endpoint.faded == as_frames(0.1)
+    assert endpoint.silence == 0
+    assert play(endpoint, (SILENCE, 0.1)) == [Signal.PAUSED]
+    assert endpoint.faded == as_frames(0.2)
+
+
+def test_a_voice_that_comes_back_has_spoken_on():
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 0.5), (0.5, 0.1))
+    endpoint.judge(Outlook.COMPLETE)
+    assert play(endpoint, (SPEECH, 0.2)) == [Signal.RESUMED]
+    assert endpoint.faded == 0
+    assert play(endpoint, (SILENCE, 0.3)) == [Signal.PAUSED], "what the grammar thought is out of date"
+
+
+@given(st.lists(st.floats(0, 1), max_size=400), st.sampled_from(list(Outlook)))
+def test_nothing_begins_pauses_or_ends_otherwise_because_a_voice_fades(probabilities, outlook):
+    def signals(fading: float) -> list[Signal]:
+        endpoint = Endpointer(Settings(fading=fading, max_speech=4.0))
+        found = []
+        for probability in probabilities:
+            found.append(endpoint.frame(probability))
+            if endpoint.silence:
+                endpoint.judge(outlook)
+        return [Signal.NONE if one in (Signal.FADING, Signal.RESUMED) else one for one in found]
+
+    assert signals(0.6) == signals(0.0)

@@ -120,3 +120,40 @@ def test_a_held_robot_goes_on_only_if_something_else_was_heard(listen, text, sco
     assert bool(len(listened.of(HeardKind.RELEASE)) == 2) is not stops
     if stops:
         assert "heard clearly" in listened.of(HeardKind.SUBMITTED)[-1].interpretation.reason
+
+
+class Probabilities:
+    """A voice detector that is as sure of speech as it is told, frame by frame; then of silence."""
+
+    def __init__(self, *parts: tuple[float, int]) -> None:
+        self._parts = [probability for probability, frames in parts for _ in range(frames)]
+        self._left: list[float] = []
+
+    def reset(self) -> None:
+        self._left = list(self._parts)
+
+    def probability(self, samples: np.ndarray) -> float:
+        return self._left.pop(0) if self._left else 0.0
+
+
+@pytest.mark.parametrize(
+    ("faded", "decoded_at"),
+    [(0, [35]), (1, [35]), (3, [35]), (5, [35, 40]), (9, [35, 44])],
+    ids=["at once silent", "nearly", "a little", "for long", "for longer"],
+)
+def test_a_voice_that_fades_is_decoded_before_it_is_silent(listen, faded, decoded_at):
+    """Once more in the silence, if it faded for so long that a quiet word may have been its end."""
+    recognizer = Asked("turn left")
+    voice = Probabilities((0.0, 15), (0.9, 20), (0.5, faded))
+    found = listen(numbered(100), recognizer, voice=voice, noise_filter=None)
+    assert [last for _, last in recognizer.sounds] == decoded_at
+    assert len(found.of(HeardKind.SUBMITTED)) == 1
+    assert len(found.of(HeardKind.OUTDATED)) == len(decoded_at) - 1
+
+
+def test_a_voice_that_comes_back_is_heard_anew(listen):
+    recognizer = Asked("turn left")
+    voice = Probabilities((0.0, 15), (0.9, 20), (0.5, 2), (0.9, 10))
+    found = listen(numbered(100), recognizer, voice=voice, noise_filter=None)
+    assert [last for _, last in recognizer.sounds] == [35, 47]
+    assert len(found.of(HeardKind.SUBMITTED)) == 1
