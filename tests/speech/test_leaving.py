@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Iterator
 
@@ -108,6 +109,11 @@ class Quits(Slow):
         raise LeftError
 
 
+def frames_after(time: float, frame: Frame) -> int:
+    """How many frames after a time, in s, another is; the first at or after it is 0."""
+    return math.floor((frame.time - time) / FRAME_SECONDS)
+
+
 class InTurn:
     """A live source: speech, a pause, speech, silence. It goes on when the recogniser has come as far."""
 
@@ -122,11 +128,12 @@ class InTurn:
             yield frame
             if 1.05 < frame.time < 1.1:
                 assert self.recognizer.began.wait(LONG), "the pause was decoded"
-            if 1.5 < frame.time < 1.5 + FRAME_SECONDS:  # speech has gone on
-                if not isinstance(self.recognizer, Leavable):
+            leavable = isinstance(self.recognizer, Leavable)
+            if frames_after(1.5 if leavable else 1.7, frame) == 0:  # speech has gone on; the second pause
+                if not leavable:
                     self.recognizer.let_go.set()
                 assert self._woken.wait(LONG), "the first decode has ended"
-            if 1.6 + 2 * FRAME_SECONDS < frame.time < 1.6 + 3 * FRAME_SECONDS:
+            if frames_after(1.7, frame) == 2:
                 assert self.recognizer.second.wait(LONG), "and the second began in the silence"
 
     def wake(self) -> None:
