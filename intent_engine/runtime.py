@@ -7,11 +7,9 @@ end it is understood and carried out. Whatever fails on the way stops the robot 
 
 from __future__ import annotations
 
-import contextlib
 import threading
 from collections import deque
 from collections.abc import Callable, Collection
-from concurrent.futures import Future
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -25,12 +23,12 @@ from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.interpretation import Status
 from intent_engine.judgement import Judge
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
-from intent_engine.speech.decoding import DecodeThread
-from intent_engine.speech.endpoint import Endpointer, Settings, Signal
-from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
+from intent_engine.speech.recognizer import Recognizer
 from intent_engine.speech.reflex import Reflex
 from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
 from intent_engine.speech.spoken_utterance import SpokenUtterance
+from intent_engine.speech.utterance_decoder import UtteranceDecoder
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
@@ -39,10 +37,7 @@ REFLEX_FRAMES = 11
 """Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
 word."""
 SECOND_LOOK = 0.1
-"""s since the voice began to fade, after which a draft is decoded again with all care: three of four sentences have no
-such pause."""
-LONG_FADED = 0.16
-"""s of a fading voice after which a decode from its beginning may lack a quiet word at its end."""
+"""s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
 
@@ -92,13 +87,13 @@ class Runtime:
             from intent_engine.speech.second_opinion import recognizer_for
 
             recognizer = recognizer_for(engine)
-        self._decoding = DecodeThread(recognizer, patience)
+        self._stepped = isinstance(executor.clock, SteppedClock)
+        self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
         self._reflex = reflex
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
-        self._stepped = isinstance(executor.clock, SteppedClock)
         self._closing = threading.Event()
         self._talk = threading.Event()
         self._push_to_talk = False
@@ -219,10 +214,12 @@ class Runtime:
         self._listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
             utterance.voiced(frame.time)
-        if signal is Signal.PAUSED and self._endpoint.faded > LONG_FADED:
-            self._forget_decode(utterance, frame.time)
-        if signal is Signal.RESUMED:
-            self._forget_decode(utterance, frame.time)
+        if signal is Signal.PAUSED and utterance.glance and self._endpoint.faded_long:
+            self._outdated(utterance, frame.time)
+        if signal is Signal.FADING and self._speculate:
+            self._decoding.look(utterance)
+        elif signal is Signal.RESUMED:
+            self._outdated(utterance, frame.time)
         elif signal in (Signal.ENDED, Signal.SHORT):
             utterance.short = signal is Signal.SHORT
             if not utterance.short:
@@ -232,11 +229,10 @@ class Runtime:
                     recent.popleft()
             self._end(utterance, frame.time, waiting)
             return None
-        elif utterance.draft and self._endpoint.faded + FRAME_SECONDS / 2 >= SECOND_LOOK:
-            self._decode(utterance, final=True)
-            utterance.judged = False
-        elif self._speculate and self._endpoint.faded and utterance.job is None:
-            self._decode(utterance, final=False)
+        elif self._speculate and self._endpoint.silence and utterance.job is None:
+            self._decoding.decode(utterance, final=False)
+        elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
+            self._decoding.decode(utterance, final=True)
         return utterance
 
     def _gap(
@@ -263,34 +259,19 @@ class Runtime:
 
     # -- decoding ----------------------------------------------------------------------------------
 
-    def _forget_decode(self, utterance: SpokenUtterance, time: float) -> None:
+    def _outdated(self, utterance: SpokenUtterance, time: float) -> None:
         """What was decoded is out of date."""
-        if utterance.job is not None:
-            if not utterance.job.done():  # else another's may be under way
-                self._decoding.leave()
+        self._endpoint.judge(Outlook.UNKNOWN)
+        if self._decoding.forget(utterance):
             self._tell(HeardKind.OUTDATED, time)
-        utterance.speaks_on()
-
-    def _decode(self, utterance: SpokenUtterance, *, final: bool) -> None:
-        if not self._decoding.free:
-            if not (self._stepped or self._decoding.hung):
-                return  # one decode at a time; what has ended is taken up by _collect
-            self._decoding.give_up()
-        utterance.result = None
-        utterance.final = final
-        utterance.job = self._decoding.begin(utterance.sound(), final=final)
-        if self._stepped:
-            self._wait(utterance.job)
-
-    def _wait(self, job: Future[Transcript]) -> None:
-        with contextlib.suppress(TimeoutError):  # seen as hung by _ready
-            job.exception(timeout=self._decoding.patience)
 
     def _end(self, utterance: SpokenUtterance, time: float, waiting: list[SpokenUtterance]) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
+        if utterance.glance and not utterance.judged:
+            self._outdated(utterance, time)
         if utterance.job is None:
-            self._decode(utterance, final=True)
+            self._decoding.decode(utterance, final=True)
         waiting.append(utterance)
         if self._stepped:
             self._collect(time, None, waiting)
@@ -298,18 +279,18 @@ class Runtime:
     def _collect(self, time: float, utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]) -> None:
         """Take up decodes that are ready: judge an utterance under way, act on those that ended."""
         if utterance is not None and not utterance.judged and self._ready(utterance, time):
-            if self._goes_on(utterance):
-                self._decode(utterance, final=utterance.final)
+            if not utterance.glance and self._goes_on(utterance):
+                self._decoding.decode(utterance, final=utterance.final)
                 return self._collect(time, utterance, waiting) if self._stepped else None
+            utterance.judged = True
             if utterance.result is not None:
                 self._judge(utterance, time)
-            utterance.judged = True
         while waiting:
             first = waiting[0]
             if first.job is None:
                 if not self._decoding.free and not self._decoding.hung:
                     return
-                self._decode(first, final=True)
+                self._decoding.decode(first, final=True)
             if not self._ready(first, time):
                 return
             if first.draft:
@@ -345,9 +326,9 @@ class Runtime:
             first = waiting[0]
             if first.job is None:
                 self._decoding.settle()
-                self._decode(first, final=True)
+                self._decoding.decode(first, final=True)
             if first.job is not None:
-                self._wait(first.job)
+                self._decoding.wait(first.job)
                 if not first.job.done():
                     self._decoding.give_up()
                     self._failed(self._summary.seconds, "the recogniser did not answer")
@@ -363,9 +344,15 @@ class Runtime:
         return before is not None
 
     def _judge(self, utterance: SpokenUtterance, time: float) -> None:
+        """What was decoded tells how long to wait. What a glance saw is only taken if it is clear, and nothing can
+        change it: for all else there is time to hear the last sounds too."""
         assert utterance.result is not None
-        meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
-        self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
+        meaning, outlook = None, Outlook.UNKNOWN
+        if not (utterance.glance and utterance.result.draft):
+            meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
+        taken = not utterance.glance or outlook is Outlook.COMPLETE
+        if taken:
+            self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
         self._tell(
             HeardKind.PARTIAL,
             time,
@@ -374,6 +361,10 @@ class Runtime:
             outlook=outlook,
             speech_ended=utterance.last_voice,
         )
+        if not taken:
+            utterance.speaks_on()
+            if self._endpoint.silence:
+                self._decoding.decode(utterance, final=False)
 
     # -- acting ------------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from concurrent.futures import Future
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.beside import start_beside
 from intent_engine.speech.leaving import Leavable
-from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.recognizer import Glancing, Recognizer, Transcript
 
 __all__ = ["DecodeThread"]
 
@@ -62,6 +62,14 @@ class DecodeThread:
 
     def begin(self, samples: Samples, *, final: bool) -> Future[Transcript]:
         """Start a decode; the future holds the transcript or what the recogniser raised."""
+        return self._begin(lambda: self.recognizer.transcribe(samples, final=final))
+
+    def glance(self, samples: Samples) -> Future[Transcript] | None:
+        """Start a glance, as :meth:`begin`; None: the recogniser knows none."""
+        recognizer = self.recognizer
+        return self._begin(lambda: recognizer.glance(samples)) if isinstance(recognizer, Glancing) else None
+
+    def _begin(self, decode: Callable[[], Transcript]) -> Future[Transcript]:
         future: Future[Transcript] = Future()
         if (on_end := self.on_end) is not None:
             future.add_done_callback(lambda _: on_end())
@@ -70,7 +78,7 @@ class DecodeThread:
 
         def work() -> None:
             try:
-                future.set_result(self.recognizer.transcribe(samples, final=final))
+                future.set_result(decode())
             except BaseException as error:  # whatever a recogniser raises must come back to the caller
                 future.set_exception(error)
 

@@ -13,6 +13,9 @@ from intent_engine.speech.audio import FRAME_SECONDS
 
 __all__ = ["Endpointer", "Outlook", "Settings", "Signal"]
 
+LONG_FADED = 0.16
+"""s"""
+
 
 class Outlook(StrEnum):
     """What the grammar thinks of the words so far."""
@@ -43,10 +46,9 @@ class Signal(StrEnum):
     STARTED = "started"
     """Speech has begun; keep its sound."""
     FADING = "fading"
-    """The voice fades: it may be over, though the detector is not sure of that yet. Decode now what was said so far, to
-    be ready."""
+    """The voice fades: it may be over, though the detector is not sure of that yet. Look at what was said so far."""
     PAUSED = "paused"
-    """The first silent frame."""
+    """The first silent frame: decode now what was said so far, to be ready."""
     RESUMED = "resumed"
     """Speech went on: what was decoded is out of date."""
     ENDED = "ended"
@@ -64,8 +66,8 @@ class Settings:
     offset: float = 0.35
     """Probability below which a frame is silent."""
     fading: float = 0.6
-    """Probability below which speech may be over. The detector lets go of a voice late, in noise by 100 ms, and those
-    are given to the recogniser. Nothing ends by it."""
+    """Probability below which speech may be over. The detector lets go of a voice late, in noise by 100 ms; what is
+    clear without them need not wait. Nothing ends by it."""
     onset_frames: int = 2
     """Frames of speech that begin an utterance."""
     min_speech: float = 0.12
@@ -125,6 +127,7 @@ class Endpointer:
         self._spoken = 0.0
         self._silent = 0.0
         self._faded = 0.0
+        """s since the voice began to fade, the silence after it included."""
         self._whole = 0.0
         self.judge(Outlook.UNKNOWN)
 
@@ -139,9 +142,9 @@ class Endpointer:
         return self._silent
 
     @property
-    def faded(self) -> float:
-        """s since the voice began to fade, the silence after it included; 0: it does not."""
-        return self._faded
+    def faded_long(self) -> bool:
+        """Whether the voice has been fading for so long that a quiet word may have been said since."""
+        return self._faded > LONG_FADED
 
     def judge(self, outlook: Outlook, asked: float | None = None) -> None:
         """What the grammar thinks of the words that were decoded at the last pause, and how long their intent waits."""

@@ -54,6 +54,11 @@ class Opinion:
     """The words before a dictated text, if one was heard."""
 
     @property
+    def clear(self) -> bool:
+        """Whether it is a command that was heard word by word, with no word in question."""
+        return self.settled and self.transcript.confidence == 1.0 and not (self.transcript.unclear or self.dictated)
+
+    @property
     def heard(self) -> list[str]:
         """The words heard freely, numbers as words."""
         return self.model.grammar.words(self.transcript.free_text, self.transcript.language)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from intent_engine.speech.audio import Samples
 
-__all__ = ["Encoded", "Recognizer", "Transcript"]
+__all__ = ["Encoded", "Glancing", "Recognizer", "Transcript"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,4 +78,17 @@ class Recognizer(Protocol):
 
     def close(self) -> None:
         """Let go of the model. Idempotent."""
+        ...
+
+
+@runtime_checkable
+class Glancing(Protocol):
+    """A recogniser that can tell quickly whether anything is to be found out."""
+
+    def glance(self, samples: Samples) -> Transcript:
+        """What was said, if it is clear at first sight: a command that was heard word by word. Else a draft.
+
+        Args:
+            samples: ``(n,)`` at 16 kHz, of which the last sounds may be missing.
+        """
         ...

@@ -106,6 +106,14 @@ class Steered(Recognizer, Protocol):
         """As :meth:`~intent_engine.speech.steering.Steering.prepare`."""
         ...
 
+    def glance(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
+        ...
+
+    def leave(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
+        ...
+
     def listen(self, samples: Samples) -> Opinion:
         """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
         ...
@@ -173,9 +181,15 @@ class SecondOpinion:
             raise
         return replace(transcript, decode_seconds=time.perf_counter() - began)
 
+    def glance(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`: the first model alone."""
+        self._prepared.result()
+        return self._first.glance(samples)
+
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
         self._left.set()
+        self._first.leave()
 
     def _transcribe(self, samples: Samples, *, final: bool) -> Transcript:
         known = self._draft if final and self._draft is not None and _same(samples, self._draft.samples) else None

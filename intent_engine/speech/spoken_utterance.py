@@ -36,6 +36,8 @@ class SpokenUtterance:
     job: Future[Transcript] | None = None
     final: bool = False
     """Whether the decode is one with all care."""
+    glance: bool = False
+    """Whether it is no more than a glance, while the voice faded."""
     ended: bool = False
     short: bool = False
     """Whether it was so short that it can be nothing but a stop."""
@@ -73,9 +75,14 @@ class SpokenUtterance:
         sound = self.sound()
         return sound[: sound.size - silence]
 
+    def decoding(self, job: Future[Transcript], *, final: bool, glance: bool = False) -> None:
+        """It is being decoded."""
+        self.job, self.result, self.judged = job, None, False
+        self.final, self.glance = final, glance
+
     def speaks_on(self) -> None:
         """What was decoded is out of date."""
-        self.job, self.result, self.judged = None, None, False
+        self.job, self.result, self.judged, self.glance = None, None, False, False
         self.before, self.alone = None, None
 
     def together_with(self, before: Samples) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import itertools
 import math
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -108,6 +109,16 @@ class Steering(Clearness):
         """Make ready what the first words would wait for, if their language is known: a third of a second."""
         if self.language is not None:
             self._guide(self.language)
+
+    def glance(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
+        began = time.perf_counter()
+        self.left = threading.Event()
+        try:
+            heard = self.listen(samples)
+        except RuntimeError:  # CUDA's, for which a decode goes over to the processor
+            return Transcript("", draft=True)
+        return replace(heard.transcript, draft=not heard.clear, decode_seconds=time.perf_counter() - began)
 
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""

@@ -176,10 +176,10 @@ def test_two_seconds_of_silence_end_everything(probabilities):
 def test_a_voice_that_fades_is_told_once_before_it_is_silent():
     endpoint = Endpointer()
     assert play(endpoint, (SPEECH, 0.5), (0.5, 0.1)) == [Signal.STARTED, Signal.FADING]
-    assert endpoint.faded == as_frames(0.1)
     assert endpoint.silence == 0
+    assert not endpoint.faded_long
     assert play(endpoint, (SILENCE, 0.1)) == [Signal.PAUSED]
-    assert endpoint.faded == as_frames(0.2)
+    assert endpoint.faded_long
 
 
 def test_a_voice_that_comes_back_has_spoken_on():
@@ -187,7 +187,7 @@ def test_a_voice_that_comes_back_has_spoken_on():
     play(endpoint, (SPEECH, 0.5), (0.5, 0.1))
     endpoint.judge(Outlook.COMPLETE)
     assert play(endpoint, (SPEECH, 0.2)) == [Signal.RESUMED]
-    assert endpoint.faded == 0
+    assert not endpoint.faded_long
     assert play(endpoint, (SILENCE, 0.3)) == [Signal.PAUSED], "what the grammar thought is out of date"
 
 

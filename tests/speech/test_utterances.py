@@ -136,24 +136,73 @@ class Probabilities:
         return self._left.pop(0) if self._left else 0.0
 
 
+class Glances(Asked):
+    """The same; what it glances at is a sentence that is clear, or is not."""
+
+    def __init__(self, text: str, *, clear: bool = True) -> None:
+        super().__init__(text)
+        self.clear = clear
+        self.glances: list[int] = []
+
+    def glance(self, samples: np.ndarray) -> Transcript:
+        self.glances.append(round(samples[-1] * 1000))
+        return Transcript(self.text, free_text=self.text, gap=0.0, confidence=1.0, draft=not self.clear)
+
+
 @pytest.mark.parametrize(
-    ("faded", "decoded_at"),
-    [(0, [35]), (1, [35]), (3, [35]), (5, [35, 40]), (9, [35, 44])],
+    ("faded", "glanced_at", "decoded_at"),
+    [(0, [], [35]), (1, [35], []), (4, [35], []), (5, [35], [40]), (9, [35], [44])],
     ids=["at once silent", "nearly", "a little", "for long", "for longer"],
 )
-def test_a_voice_that_fades_is_decoded_before_it_is_silent(listen, faded, decoded_at):
-    """Once more in the silence, if it faded for so long that a quiet word may have been its end."""
-    recognizer = Asked("turn left")
+def test_what_is_clear_while_the_voice_fades_is_done(listen, faded, glanced_at, decoded_at):
+    """Unless it faded for so long that a quiet word may have been its end."""
+    recognizer = Glances("turn left ninety degrees")
     voice = Probabilities((0.0, 15), (0.9, 20), (0.5, faded))
     found = listen(numbered(100), recognizer, voice=voice, noise_filter=None)
+    assert recognizer.glances == glanced_at
     assert [last for _, last in recognizer.sounds] == decoded_at
-    assert len(found.of(HeardKind.SUBMITTED)) == 1
-    assert len(found.of(HeardKind.OUTDATED)) == len(decoded_at) - 1
+    (done,) = found.of(HeardKind.SUBMITTED)
+    assert done.time == pytest.approx((35 + faded + 2) * FRAME_SECONDS, abs=FRAME_SECONDS)
+
+
+@pytest.mark.parametrize(
+    ("text", "clear"),
+    [("turn left ninety degrees", False), ("turn left", True), ("put down the cup", True), ("nice weather", True)],
+    ids=["not clear", "could go on, and be put right", "could go on", "no command"],
+)
+def test_all_else_is_heard_with_its_last_sounds(listen, text, clear):
+    recognizer = Glances(text, clear=clear)
+    voice = Probabilities((0.0, 15), (0.9, 20), (0.5, 2))
+    listen(numbered(100), recognizer, voice=voice, noise_filter=None)
+    assert recognizer.glances == [35]
+    assert [last for _, last in recognizer.sounds] == [37]
 
 
 def test_a_voice_that_comes_back_is_heard_anew(listen):
-    recognizer = Asked("turn left")
+    recognizer = Glances("turn left ninety degrees")
     voice = Probabilities((0.0, 15), (0.9, 20), (0.5, 2), (0.9, 10))
     found = listen(numbered(100), recognizer, voice=voice, noise_filter=None)
-    assert [last for _, last in recognizer.sounds] == [35, 47]
-    assert len(found.of(HeardKind.SUBMITTED)) == 1
+    assert recognizer.glances == [35]
+    assert [last for _, last in recognizer.sounds] == [47]
+    assert len(found.of(HeardKind.SUBMITTED)) == len(found.of(HeardKind.OUTDATED)) == 1
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    parts=st.lists(st.tuples(st.sampled_from([0.1, 0.4, 0.5, 0.9]), st.integers(1, 12)), max_size=20),
+    text=st.sampled_from(["turn left ninety degrees", "turn left", "nice weather"]),
+    clear=st.booleans(),
+)
+def test_a_glance_changes_when_and_never_what(engine, parts, text, clear):
+    """However a voice fades and comes back: as many utterances, of which as many are done."""
+
+    def done(recognizer) -> list[HeardKind]:
+        events = []
+        clock = VirtualClock()
+        with Executor(SimulatedRobot(clock), clock=clock) as executor:
+            voice = Probabilities((0.0, 5), *parts)
+            runtime = Runtime(engine, executor, recognizer, voice=voice, noise_filter=None, on_event=events.append)
+            runtime.run(Frames(framed(numbered(300))))
+        return [one.kind for one in events if one.kind not in (HeardKind.PARTIAL, HeardKind.OUTDATED)]
+
+    assert done(Glances(text, clear=clear)) == done(Asked(text))

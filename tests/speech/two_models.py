@@ -98,6 +98,7 @@ class Says:
         """What is found by digging."""
         self.compared = self.searched = self.dug = 0
         self.closed = False
+        self.left: threading.Event | None = None
         self.prepared = threading.Event()
 
     def prepare(self) -> None:
@@ -107,6 +108,11 @@ class Says:
         assert self.prepared.is_set()
         self.listened.append(samples.size)
         return self.opinion
+
+    def glance(self, samples: np.ndarray) -> Transcript:
+        return replace(self.opinion.transcript, draft=not self.opinion.settled)
+
+    def leave(self) -> None: ...
 
     def compare(self, heard: Thinks) -> Thinks:
         self.compared += 1
