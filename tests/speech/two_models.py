@@ -127,6 +127,7 @@ class Says:
         return searched if heard.settled or self.buried is None else self.buried
 
     def clear(self, heard: Thinks) -> Transcript:
+        assert self.left is None or not self.left.is_set(), "who is left answers nothing"
         return heard.transcript
 
     def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
