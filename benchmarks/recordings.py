@@ -71,14 +71,15 @@ class Ways:
     peer: Listener
 
     @classmethod
-    def of(cls, engine: IntentEngine, *, reflex: bool = True) -> Ways:
+    def of(cls, engine: IntentEngine, *, reflex: bool = True, live: bool = False) -> Ways:
+        """Both ways; ``live``: for sound in its own time, beside which the reflex listens in a thread."""
         robot = load_robot(default_robot())
         ours = recognizer_for(engine, MODEL)
         peer: Recognizer = Transcribe()
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS} | {"wait_continued": 0.0})
         avoid_pauses()
         return cls(
-            Listener(engine, ours, robot, reflex=reflex_for(engine, background=False, beside=ours) if reflex else None),
+            Listener(engine, ours, robot, reflex=reflex_for(engine, background=live, beside=ours) if reflex else None),
             Listener(engine, peer, robot, settings=late, speculate=False, noise_filter=None),
         )
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
-from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.clock import Clock, VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Pose
 from intent_engine.execution.robots.robot_file import RobotFile
@@ -110,9 +110,22 @@ class Listener:
         Raises:
             AudioError: it cannot be read.
         """
-        clock = VirtualClock()
-        robot = self._robot.simulated(clock, self._places)
         notes = _Notes(self._reflex, leaves=isinstance(self._recognizer, Leavable))
+        self.play(source, VirtualClock(), notes.take)
+        return notes.hearing
+
+    def play(self, source: AudioSource, clock: Clock, tell: Callable[[Heard], object]) -> None:
+        """Play a sound on any clock: on the machine's own it takes as long as it is.
+
+        Args:
+            source: of the sound.
+            clock: of the robot.
+            tell: is told all that is heard.
+
+        Raises:
+            AudioError: it cannot be read.
+        """
+        robot = self._robot.simulated(clock, self._places)
         options = self._robot.executor_options()
         with Executor(robot, clock=clock, handle_sigterm=False, **options) as executor:
             runtime = Runtime(
@@ -124,10 +137,9 @@ class Listener:
                 settings=self._settings,
                 noise_filter=self._noise_filter,
                 speculate=self._speculate,
-                on_event=notes.take,
+                on_event=tell,
             )
             runtime.run(source)
-        return notes.hearing
 
 
 class _Timed:

@@ -230,9 +230,9 @@ class SecondOpinion:
         said = first.transcript.text.split()
         word = confidence >= SURE_OF_A_WORD and len(said) == 1 and not too_few(said, samples)
         if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
-            known = self._first.clear(first)
+            clear = self._first.clear(first)
             self._left.set()
-            return _Look(samples, first, None, known, False)
+            return _Look(samples, first, None, clear, False)
         self._asked = samples
         second = (asked or self._ask(samples)).result()
         both, apart = self._weighed(first, second)

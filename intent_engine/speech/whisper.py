@@ -6,7 +6,6 @@ input, so it is given the speech padded to five seconds, and ten only when the f
 
 from __future__ import annotations
 
-import os
 import time
 import warnings
 from dataclasses import replace
@@ -18,6 +17,7 @@ import numpy.typing as npt
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.loops import fold_loop
+from intent_engine.speech.mel import MelFilters
 from intent_engine.speech.pieces import mended
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.weights import Weights, find_weights
@@ -65,9 +65,6 @@ class WhisperRecognizer:
         language: str | None = "en",
         threads: int = 0,
     ) -> None:
-        # OpenBLAS spins its own threads for the small matrix of the mel step and so slows CTranslate2's; one is
-        # fastest for both. It reads this when numpy is first loaded, which may be before us: then it is slower.
-        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         self.weights: Weights = find_weights(model)
         self.language = language
         file = self.weights.path / "model.bin"
@@ -219,6 +216,8 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
             compute_type=compute_type or ("float16" if wanted == "cuda" else "int8"),
             cpu_threads=threads,
         )
+        sound: Any = model.feature_extractor
+        sound.mel_filters = MelFilters(sound.mel_filters)
         return model, wanted
     except (RuntimeError, ValueError) as error:
         if wanted == "cuda":
