@@ -169,7 +169,7 @@ class SecondOpinion:
         self._draft: _Look | None = None
         """What was last heard with less care."""
         self._asked: Samples | None = None
-        """What was heard last, if the second was asked about it."""
+        """What was heard last, if the second was asked about it, or would have been."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
@@ -184,7 +184,10 @@ class SecondOpinion:
     def glance(self, samples: Samples) -> Transcript:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`: the first model alone."""
         self._prepared.result()
-        return self._first.glance(samples)
+        glanced = self._first.glance(samples)
+        if glanced.draft and not self._talk(glanced):
+            self._asked = samples  # it will be in doubt in the silence too
+        return glanced
 
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
@@ -221,15 +224,13 @@ class SecondOpinion:
         if heard.settled and not (heard.transcript.unclear or heard.dictated):
             self._left.set()
             return _Look(samples, heard, None, heard.transcript, False)
-        clearly = heard.transcript.score > CLEAR_TALK
-        language = heard.transcript.language
-        talk = clearly and self._grammar.share_known(heard.heard, language) < MOSTLY_KNOWN
-        asked = asked or (None if talk else self._ask(samples))
+        asked = asked or (None if self._talk(heard.transcript) else self._ask(samples))
         first = self._first.compare(heard)
         confidence = first.transcript.sureness
         said = first.transcript.text.split()
         word = confidence >= SURE_OF_A_WORD and len(said) == 1 and not too_few(said, samples)
-        if word or self._stops(first.transcript) or (clearly and confidence < HOPELESS):
+        hopeless = heard.transcript.score > CLEAR_TALK and confidence < HOPELESS
+        if word or self._stops(first.transcript) or hopeless:
             clear = self._first.clear(first)
             self._left.set()
             return _Look(samples, first, None, clear, False)
@@ -240,9 +241,13 @@ class SecondOpinion:
         known = (first.settled and second.settled) or self._meaning(both).refuses
         return _Look(samples, first, second, both, not (sure or known))
 
+    def _talk(self, heard: Transcript) -> bool:
+        """Whether the first heard clearly what is probably no command."""
+        words = self._grammar.words(heard.free_text, heard.language)
+        return heard.score > CLEAR_TALK and self._grammar.share_known(words, heard.language) < MOSTLY_KNOWN
+
     def _ask(self, samples: Samples) -> Future[Opinion]:
         """The second model's first sight of a sound, in a thread beside."""
-
         return self._aside(lambda second: second.compare(second.listen(samples)))
 
     def _aside(self, ask: Callable[[Steered], _Answer]) -> Future[_Answer]:
