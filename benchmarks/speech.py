@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-import time
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
+from benchmarks.live import play
 from benchmarks.recordings import (
     DATA,
     Heard,
@@ -26,10 +26,11 @@ from benchmarks.recordings import (
 from benchmarks.report import Report, Table
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
-from intent_engine.evaluation.labels import read_labels
-from intent_engine.evaluation.scoring import Outcome, Verdict
-from intent_engine.evaluation.sound import SamplesSource, load, read_whole
+from intent_engine.evaluation.labels import Row, read_labels
+from intent_engine.evaluation.scoring import Outcome, Verdict, quantile
+from intent_engine.evaluation.sound import load, read_whole
 from intent_engine.evaluation.trial import Trial
+from intent_engine.heard import HeardKind
 from intent_engine.resources import default_grammar, default_locations
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 
@@ -41,6 +42,8 @@ NOTE = (
 )
 PAUSE = 1.0
 """s between two commands of a minute of commands."""
+OWN_TIME = 40
+"""Commands that are heard by the machine's clock."""
 
 
 def run(quick: bool) -> Iterator[Report | list[dict[str, Any]]]:
@@ -63,9 +66,10 @@ def run(quick: bool) -> Iterator[Report | list[dict[str, Any]]]:
     voices = {name: str(note["voice"]) for name, note in notes.items()}
     yield Report(rows, [by_voice(ours, voices)])
     paused = some(read_labels(speech_set("paused"), engine), quick)
-    ours, peer = hear("commands with a pause", paused, Trial(), (ways.ours, ways.peer))
-    yield accuracy_rows("commands with a pause of 0.25 to 1.2 s in them, clean", _COMMAND, ours[None], peer[None])
-    yield cost(ways, [load(one) for one in labels if one.expected.command][: 4 if quick else 40], quick)
+    pausing, peer = hear("commands with a pause", paused, Trial(), (ways.ours, ways.peer))
+    yield accuracy_rows("commands with a pause of 0.25 to 1.2 s in them, clean", _COMMAND, pausing[None], peer[None])
+    rightly = [one.row for one in ours[None] if one.latency is not None]
+    yield in_its_own_time(engine, rightly[:: max(1, len(rightly) // (4 if quick else OWN_TIME))], quick)
 
 
 def by_voice(heard: Heard, voices: Mapping[str, str]) -> Table:
@@ -96,7 +100,32 @@ def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:
     return [*rows, row(figure, _COMMAND, 100 * held / max(len(others), 1), "%", runs=len(others))]
 
 
-# -- cost --------------------------------------------------------------------------------------------------------------
+# -- in its own time --------------------------------------------------------------------------------------------------
+
+
+def in_its_own_time(engine: IntentEngine, commands: list[Row], quick: bool) -> list[dict[str, Any]]:
+    """What a virtual clock cannot tell: how late commands are by the machine's own, and what listening costs."""
+    ways = Ways.of(engine, live=True)
+    late = {"ours": late_by(ways.ours, commands), "peer": late_by(ways.peer, commands)}
+    rows = []
+    for name, part in (("p50", 0.5), ("p90", 0.9)):
+        mine, theirs = (quantile(times, part) for times in late.values())
+        if mine is not None and theirs is not None:
+            figure = f"commands, clean, heard in their own time: end of speech to action, {name}"
+            spread = [1000 * min(late["ours"]), 1000 * max(late["ours"])]
+            rows.append(row(figure, _COMMAND, 1000 * mine, "ms", 1000 * theirs, spread=spread, runs=len(late["ours"])))
+    return rows + cost(ways, [load(one) for one in commands], quick)
+
+
+def late_by(way: Listener, commands: list[Row]) -> list[float]:
+    """s from the end of speech to the action, by the machine's clock, of commands after which one thing was done."""
+    play(way, load(commands[0]))  # to warm up
+    times = []
+    for command in commands:
+        done = [time for time, event in play(way, load(command)).events if event.kind is HeardKind.SUBMITTED]
+        if len(done) == 1 and command.speech_end is not None:
+            times.append(done[0] - command.speech_end)
+    return times
 
 
 def cost(ways: Ways, commands: list[Samples], quick: bool) -> list[dict[str, Any]]:
@@ -121,8 +150,5 @@ def cost(ways: Ways, commands: list[Samples], quick: bool) -> list[dict[str, Any
 
 
 def core_seconds(way: Listener, sound: Samples) -> float:
-    """Processor time of all threads for a minute of such sound; a recording is heard before, to warm up."""
-    way.hear(SamplesSource(sound[: 5 * SAMPLE_RATE]))
-    began = time.process_time()
-    way.hear(SamplesSource(sound))
-    return (time.process_time() - began) * 60 * SAMPLE_RATE / sound.size
+    """Processor time of all threads for a minute of such sound."""
+    return play(way, sound).core_seconds * 60 * SAMPLE_RATE / sound.size

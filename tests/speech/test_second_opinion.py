@@ -112,6 +112,24 @@ def test_of_an_utterance_that_was_in_doubt_both_listen_at_once_when_it_goes_on(e
     assert asked.is_set()
 
 
+@pytest.mark.parametrize(
+    ("first", "known"),
+    [
+        (UNSURE, True),
+        (Thinks(heard(FORWARD, 1.0)), False),
+        (Thinks(heard("go what lovely weather we have", 0.5, score=-0.2), {FORWARD: -14.0}), False),
+    ],
+    ids=["in doubt", "sure", "other words, clearly"],
+)
+def test_what_was_in_doubt_at_a_glance_is_asked_of_both_at_once(engine, monkeypatch, first, known):
+    both, one, other = two(engine, first, UNSURE)
+    assert both.glance(SOUND).draft is (one.opinion.transcript.confidence != 1.0)
+    assert other.listened == [], "a glance is the first's alone"
+    asked = asked_during(monkeypatch, one, "listen", other, known)
+    both.transcribe(FURTHER, final=False)
+    assert asked.is_set()
+
+
 def test_where_both_are_sure_at_first_sight_neither_searches_the_grammar(engine):
     both, one, other = two(engine, heard(FORWARD, 0.5), heard(FORWARD, 0.5))
     assert not both.transcribe(SOUND, final=False).draft

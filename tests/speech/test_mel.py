@@ -1,0 +1,73 @@
+"""The filters of Whisper's spectrogram: the same numbers, and no threads of OpenBLAS."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from faster_whisper.feature_extractor import FeatureExtractor
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.mel import MelFilters
+
+
+@pytest.mark.parametrize("bands", [80, 128], ids=["tiny to large-v2", "large-v3"])
+@pytest.mark.parametrize("seconds", [0.1, 2.5, 28.0])
+def test_a_spectrogram_is_what_faster_whisper_computes(bands, seconds, demo):
+    sound = demo[: int(seconds * SAMPLE_RATE)]
+    theirs = FeatureExtractor(feature_size=bands)
+    ours = FeatureExtractor(feature_size=bands)
+    ours.mel_filters = MelFilters(ours.mel_filters)
+    np.testing.assert_allclose(ours(sound), theirs(sound), atol=1e-5)
+
+
+@given(
+    arrays.arrays(np.float32, st.tuples(st.integers(1, 6), st.integers(1, 8)), elements=st.floats(0, 1, width=16)),
+    st.integers(1, 5),
+    st.integers(0, 99),
+)
+def test_it_is_a_product_of_matrices(weights, frames, seed):
+    """Whatever each band hears: nothing, all, or frequencies far from each other."""
+    magnitudes = np.random.default_rng(seed).random((weights.shape[1], frames), np.float32)
+    expected = np.einsum("ij,jk->ik", weights.astype(np.float64), magnitudes)
+    np.testing.assert_allclose(MelFilters(weights) @ magnitudes, expected, rtol=1e-5, atol=1e-5)
+
+
+THREADS_AT_WORK = """
+import os
+import numpy as np
+from intent_engine.speech.whisper import WhisperRecognizer
+
+def used():
+    found = {}
+    for thread in os.listdir("/proc/self/task"):
+        after_name = open(f"/proc/self/task/{thread}/stat").read().rpartition(")")[2].split()
+        found[thread] = int(after_name[11]) + int(after_name[12])
+    return found
+
+(np.ones((400, 400), np.float32) @ np.ones((400, 400), np.float32))  # OpenBLAS makes its threads
+recognizer = WhisperRecognizer()
+recognizer.encode(np.zeros(16_000, np.float32))
+before = used()
+for _ in range(60):
+    recognizer.encode(np.zeros(16_000, np.float32))
+after = used()
+busy = [after[one] - before.get(one, 0) for one in after]
+print(sum(ticks > 0.2 * sum(busy) for ticks in busy))
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="looks at threads as Linux tells of them")
+def test_one_thread_works_and_none_waits_for_it_by_spinning():
+    """NumPy was loaded before the recogniser here, as in any program that embeds it."""
+    environment = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+    done = subprocess.run(
+        [sys.executable, "-c", THREADS_AT_WORK], env=environment, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == "1", "shares of the processor's time above a fifth: that of the encoder"
