@@ -177,6 +177,7 @@ class Runtime:
             self._source = None
             if not finished or self._closing.is_set():
                 self.executor.stop()
+                self._decoding.leave()
             elif self._held:
                 self._release(self._summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
@@ -246,6 +247,8 @@ class Runtime:
         self._endpoint.reset()
         self._voice.reset()
         self._continuing.forget()
+        if utterance is not None:
+            self._decoding.forget(utterance)
         if frame.deaf:
             if not self._deaf:
                 self._deaf = True
@@ -353,14 +356,8 @@ class Runtime:
         taken = not utterance.glance or outlook is Outlook.COMPLETE
         if taken:
             self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
-        self._tell(
-            HeardKind.PARTIAL,
-            time,
-            transcript=utterance.result,
-            interpretation=meaning,
-            outlook=outlook,
-            speech_ended=utterance.last_voice,
-        )
+        told: dict[str, Any] = {"transcript": utterance.result, "interpretation": meaning, "outlook": outlook}
+        self._tell(HeardKind.PARTIAL, time, speech_ended=utterance.last_voice, **told)
         if not taken:
             utterance.speaks_on()
             if self._endpoint.silence:

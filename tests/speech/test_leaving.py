@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -157,3 +158,28 @@ def test_who_speaks_on_is_heard_anew_and_what_was_begun_before_is_nothing(engine
     kinds = [event.kind for event in events]
     assert kinds.count(HeardKind.OUTDATED) == 1
     assert {event.transcript.text for event in events if event.transcript is not None} == {"turn left"}
+
+
+@pytest.mark.parametrize("what", ["closed", "sound lost"])
+def test_what_nobody_will_act_on_is_left(engine, what):
+    recognizer = Quits()
+    clock = MonotonicClock()
+
+    class Broken(InTurn):
+        """It comes as far as the first pause."""
+
+        def frames(self) -> Iterator[Frame]:
+            for frame in framed(np.full(2 * SAMPLE_RATE, 0.1, np.float32)):
+                if frames_after(1.1, frame) == 0:
+                    assert recognizer.began.wait(LONG), "the pause was decoded"
+                    if what == "closed":
+                        runtime.close()
+                    else:
+                        frame = replace(frame, lost=0.5)
+                yield frame
+
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        runtime = Runtime(engine, executor, recognizer, voice=Voiced((0.5, 1.0)), noise_filter=None)
+        summary = runtime.run(Broken(recognizer))
+    assert recognizer.let_go.wait(LONG)
+    assert (summary.errors, summary.accepted) == (0, 0)
