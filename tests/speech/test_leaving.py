@@ -169,7 +169,7 @@ def test_what_nobody_will_act_on_is_left(engine, what):
         """It comes as far as the first pause."""
 
         def frames(self) -> Iterator[Frame]:
-            for frame in framed(np.full(2 * SAMPLE_RATE, 0.1, np.float32)):
+            for frame in framed(np.full(int(1.5 * SAMPLE_RATE), 0.1, np.float32)):
                 if frames_after(1.1, frame) == 0:
                     assert recognizer.began.wait(LONG), "the pause was decoded"
                     if what == "closed":
