@@ -31,6 +31,15 @@ class Leaving:
     left: Event | None = None
     """Of the decode that it is asked for: set when nobody waits for that any more. None: it is never left."""
 
+    def stay(self) -> None:
+        """A new decode begins, which is waited for."""
+        self.left = Event()
+
+    def leave(self) -> None:
+        """As :meth:`Leavable.leave`."""
+        if self.left is not None:
+            self.left.set()
+
     def check(self) -> None:
         """Between two questions.
 

@@ -132,6 +132,7 @@ class MoonshineRecognizer(Leaving):
         return replace(self._heard(samples, final=final), decode_seconds=time.perf_counter() - began)
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
+        self.stay()
         text, score, _ = self.greedy(self.encode(samples))
         return Transcript(text, score, free_text=text, language="en")
 

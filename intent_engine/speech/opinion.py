@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from threading import Event
+from typing import TYPE_CHECKING, Protocol
 
 from intent_engine.actions import Action
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.evidence import Evidence, View, letters_apart
-from intent_engine.speech.recognizer import Encoded, Transcript
+from intent_engine.speech.recognizer import Encoded, Recognizer, Transcript
 
 if TYPE_CHECKING:
     from intent_engine.speech.steering import Steering
 
-__all__ = ["Opinion", "Reading", "as_read"]
+__all__ = ["Opinion", "Reading", "Steered", "as_read"]
 
 ALTERNATIVES = 3
 """Further readings of a transcript."""
@@ -106,6 +107,49 @@ class Opinion:
         said = as_heard(words, heard)
         language, word_by_word = self.transcript.language, heard == list(said)
         return self.model.clearness(self.encoded, said, language, heard=word_by_word, others=others)
+
+
+class Steered(Recognizer, Protocol):
+    """A recogniser that says what it makes of a sound beside what it takes it for, step by step."""
+
+    left: Event | None
+    """As of :class:`~intent_engine.speech.leaving.Leaving`."""
+
+    def prepare(self) -> None:
+        """As :meth:`~intent_engine.speech.steering.Steering.prepare`."""
+        ...
+
+    def glance(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
+        ...
+
+    def stay(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leaving.stay`."""
+        ...
+
+    def leave(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
+        ...
+
+    def listen(self, samples: Samples) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
+        ...
+
+    def compare(self, heard: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.compare`."""
+        ...
+
+    def search(self, heard: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.search`."""
+        ...
+
+    def dig(self, heard: Opinion, searched: Opinion) -> Opinion:
+        """As :meth:`~intent_engine.speech.steering.Steering.dig`."""
+        ...
+
+    def clear(self, heard: Opinion) -> Transcript:
+        """As :meth:`~intent_engine.speech.steering.Steering.clear`."""
+        ...
 
 
 def as_read(

@@ -13,12 +13,11 @@ from __future__ import annotations
 
 import contextlib
 import math
-import threading
 import time
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -45,7 +44,7 @@ from intent_engine.speech.moonshine_weights import (
     is_moonshine,
     moonshine_package,
 )
-from intent_engine.speech.opinion import Opinion, Reading, as_read
+from intent_engine.speech.opinion import Opinion, Reading, Steered, as_read
 from intent_engine.speech.pace import too_few
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.spoken_grammar import SpokenGrammar
@@ -96,45 +95,6 @@ UNSETTLED = 0.1
 """s at the end of such a sound that a noise filter may still change."""
 
 
-class Steered(Recognizer, Protocol):
-    """A recogniser that says what it makes of a sound beside what it takes it for, step by step."""
-
-    left: threading.Event | None
-    """As of :class:`~intent_engine.speech.leaving.Leaving`."""
-
-    def prepare(self) -> None:
-        """As :meth:`~intent_engine.speech.steering.Steering.prepare`."""
-        ...
-
-    def glance(self, samples: Samples) -> Transcript:
-        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
-        ...
-
-    def leave(self) -> None:
-        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
-        ...
-
-    def listen(self, samples: Samples) -> Opinion:
-        """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
-        ...
-
-    def compare(self, heard: Opinion) -> Opinion:
-        """As :meth:`~intent_engine.speech.steering.Steering.compare`."""
-        ...
-
-    def search(self, heard: Opinion) -> Opinion:
-        """As :meth:`~intent_engine.speech.steering.Steering.search`."""
-        ...
-
-    def dig(self, heard: Opinion, searched: Opinion) -> Opinion:
-        """As :meth:`~intent_engine.speech.steering.Steering.dig`."""
-        ...
-
-    def clear(self, heard: Opinion) -> Transcript:
-        """As :meth:`~intent_engine.speech.steering.Steering.clear`."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
 class _Look:
     """What was made of a sound at first sight."""
@@ -161,8 +121,6 @@ class SecondOpinion:
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         self._grammar = SpokenGrammar(engine)
         self._first = first
-        self._left = threading.Event()
-        """Of the decode under way: set when nobody waits for it any more."""
         self._beside = Beside("second model")
         self._prepared = self._beside.submit(first.prepare)
         self._second = self._beside.submit(_ready, second)
@@ -173,7 +131,7 @@ class SecondOpinion:
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
-        self._left = self._first.left = threading.Event()
+        self._first.stay()
         try:
             transcript = self._transcribe(samples, final=final)
         except LeftError:
@@ -191,7 +149,6 @@ class SecondOpinion:
 
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
-        self._left.set()
         self._first.leave()
 
     def _transcribe(self, samples: Samples, *, final: bool) -> Transcript:
@@ -222,7 +179,7 @@ class SecondOpinion:
         self._asked = None
         heard = self._first.listen(samples)
         if heard.settled and not (heard.transcript.unclear or heard.dictated):
-            self._left.set()
+            self._first.leave()
             return _Look(samples, heard, None, heard.transcript, False)
         asked = asked or (None if self._talk(heard.transcript) else self._ask(samples))
         first = self._first.compare(heard)
@@ -232,7 +189,7 @@ class SecondOpinion:
         hopeless = heard.transcript.score > CLEAR_TALK and confidence < HOPELESS
         if word or self._stops(first.transcript) or hopeless:
             clear = self._first.clear(first)
-            self._left.set()
+            self._first.leave()
             return _Look(samples, first, None, clear, False)
         self._asked = samples
         second = (asked or self._ask(samples)).result()
@@ -252,7 +209,7 @@ class SecondOpinion:
 
     def _aside(self, ask: Callable[[Steered], _Answer]) -> Future[_Answer]:
         """What the second model answers, in a thread beside, as long as this decode is waited for."""
-        left = self._left
+        left = self._first.left
 
         def answer() -> _Answer:
             second = self._second.result()

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -113,20 +112,15 @@ class Steering(Clearness):
     def glance(self, samples: Samples) -> Transcript:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
         began = time.perf_counter()
-        self.left = threading.Event()
+        self.stay()
         try:
             heard = self.listen(samples)
         except RuntimeError:  # CUDA's, for which a decode goes over to the processor
             return Transcript("", draft=True)
         return replace(heard.transcript, draft=not heard.clear, decode_seconds=time.perf_counter() - began)
 
-    def leave(self) -> None:
-        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
-        if self.left is not None:
-            self.left.set()
-
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
-        self.left = threading.Event()
+        self.stay()
         self.opinion = self._doubted(self.search(self.compare(self.listen(samples))), far=True)
         return self.clear(self.opinion)
 

@@ -14,7 +14,7 @@ from speech_stage import Voiced, framed
 from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock
 from intent_engine.runtime import HeardKind
-from intent_engine.speech import second_opinion, steering
+from intent_engine.speech import leaving
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.leaving import Leavable, LeftError
@@ -59,8 +59,7 @@ def test_it_is_left_wherever_it_is_and_harms_nothing(recognizer, noisy, monkeypa
     left = 0
     for looks in (0, 2, 8, 14, 30, 60):
         with monkeypatch.context() as patched:
-            for room in (second_opinion, steering):
-                patched.setattr(room.threading, "Event", lambda looks=looks: After(looks))
+            patched.setattr(leaving, "Event", lambda looks=looks: After(looks))
             try:
                 recognizer.transcribe(noisy)
             except LeftError:

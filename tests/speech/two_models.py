@@ -112,7 +112,12 @@ class Says:
     def glance(self, samples: np.ndarray) -> Transcript:
         return replace(self.opinion.transcript, draft=not self.opinion.settled)
 
-    def leave(self) -> None: ...
+    def stay(self) -> None:
+        self.left = threading.Event()
+
+    def leave(self) -> None:
+        assert self.left is not None
+        self.left.set()
 
     def compare(self, heard: Thinks) -> Thinks:
         self.compared += 1
