@@ -14,7 +14,8 @@ from intent_engine.speech.audio import FRAME_SECONDS
 __all__ = ["Endpointer", "Outlook", "Settings", "Signal"]
 
 LONG_FADED = 0.16
-"""s"""
+"""s of a fading voice, with the silence after it, in which a quiet word may have been said: 2 to 3 frames are usual in
+noise (docs/decisions/speech-fading.md)."""
 
 
 class Outlook(StrEnum):
@@ -67,7 +68,7 @@ class Settings:
     """Probability below which a frame is silent."""
     fading: float = 0.6
     """Probability below which speech may be over. The detector lets go of a voice late, in noise by 100 ms; what is
-    clear without them need not wait. Nothing ends by it."""
+    clear without them need not wait. Nothing ends by it. 0: there is no glance."""
     onset_frames: int = 2
     """Frames of speech that begin an utterance."""
     min_speech: float = 0.12

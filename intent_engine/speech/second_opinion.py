@@ -56,9 +56,9 @@ from intent_engine.speech.weights import find_weights, on_this_machine
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-_Answer = TypeVar("_Answer")
-
 __all__ = ["FIRST", "NONE", "SECOND", "SecondOpinion", "installed_second", "recognizer_for", "second_model"]
+
+_Answer = TypeVar("_Answer")
 
 NONE = "none"
 """As a second model: none."""
