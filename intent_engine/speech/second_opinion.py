@@ -2,8 +2,8 @@
 
 Most commands are heard well by a small model in a few hundredths of a second. In noise it is often unsure, and then the
 person would have to say it again; a model of another make knows the answer sooner than they could. It listens beside
-the first as soon as that heard what is no sentence of the grammar word by word. Where both are sure then, it is done;
-where they are not, both search the grammar, which takes most of the time, and only when the person is silent.
+the first, and is left where that heard a sentence of the grammar word by word. Where both are sure, it is done; where
+they are not, both search the grammar, which takes most of the time, and only when the person is silent.
 
 Each says which sentences of the grammar it may have been, and what it thinks of the other's. Two models that hear the
 same are seldom both wrong: what both think of a sentence, in the mean, becomes one confidence.
@@ -17,6 +17,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from threading import Event
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -89,8 +90,6 @@ SOON = 1.5
 seem to hang."""
 CLOSING = 2.0
 """s that the second model is given to end what it does."""
-LIKE_BEFORE = 0.4
-"""s at the beginning of an utterance by which it is known again."""
 UNSETTLED = 0.1
 """s at the end of such a sound that a noise filter may still change."""
 
@@ -109,7 +108,7 @@ class _Look:
 
 
 class SecondOpinion:
-    """Two recognisers of one engine, of which the second is asked where the first is unsure.
+    """Two recognisers of one engine, of which the second has a say where the first is unsure.
 
     Args:
         engine: whose grammar steers both.
@@ -126,15 +125,19 @@ class SecondOpinion:
         self._second = self._beside.submit(_ready, second)
         self._draft: _Look | None = None
         """What was last heard with less care."""
-        self._asked: Samples | None = None
-        """What was heard last, if the second was asked about it, or would have been."""
+        self._talk_seen = False
+        """Whether what was glanced at last was clear talk."""
+        self._left = Event()
+        """Set when nobody waits for the second any more."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
         self._first.stay()
+        self._left = Event()
         try:
             transcript = self._transcribe(samples, final=final)
         except LeftError:
+            self._left.set()
             self._beside.submit(lambda: None).exception()  # the second model has to leave it too before the next
             raise
         return replace(transcript, decode_seconds=time.perf_counter() - began)
@@ -143,13 +146,13 @@ class SecondOpinion:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`: the first model alone."""
         self._prepared.result()
         glanced = self._first.glance(samples)
-        if glanced.draft and not self._talk(glanced):
-            self._asked = samples  # it will be in doubt in the silence too
+        self._talk_seen = glanced.draft and self._talk(glanced)
         return glanced
 
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
         self._first.leave()
+        self._left.set()
 
     def _transcribe(self, samples: Samples, *, final: bool) -> Transcript:
         known = self._draft if final and self._draft is not None and _same(samples, self._draft.samples) else None
@@ -171,27 +174,29 @@ class SecondOpinion:
         return self._beside.submit(weights)
 
     def _look(self, samples: Samples) -> _Look:
-        """What both models make of a sound at first sight. The second looks while the first still compares, unless that
-        was sure of every word, or heard what is clearly no command."""
+        """What both models make of a sound at first sight. Both listen at once, unless it was clear talk at a glance;
+        the second is left where the first was sure of every word, or heard what is clearly no command."""
         self._prepared.result()
-        again = self._asked is not None and _goes_on(samples, self._asked)
-        asked = self._ask(samples) if again else None
-        self._asked = None
+        asked = None if self._talk_seen else self._ask(samples)
+        self._talk_seen = False
         heard = self._first.listen(samples)
         if heard.settled and not (heard.transcript.unclear or heard.dictated):
-            self._first.leave()
+            self._left.set()
             return _Look(samples, heard, None, heard.transcript, False)
-        asked = asked or (None if self._talk(heard.transcript) else self._ask(samples))
+        if self._talk(heard.transcript):
+            self._left.set()
+            asked = None
+        elif asked is None:
+            asked = self._ask(samples)
         first = self._first.compare(heard)
         confidence = first.transcript.sureness
         said = first.transcript.text.split()
         word = confidence >= SURE_OF_A_WORD and len(said) == 1 and not too_few(said, samples)
         hopeless = heard.transcript.score > CLEAR_TALK and confidence < HOPELESS
         if word or self._stops(first.transcript) or hopeless:
+            self._left.set()
             clear = self._first.clear(first)
-            self._first.leave()
             return _Look(samples, first, None, clear, False)
-        self._asked = samples
         second = (asked or self._ask(samples)).result()
         both, apart = self._weighed(first, second)
         sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not (both.unclear or both.left_out)
@@ -205,11 +210,12 @@ class SecondOpinion:
 
     def _ask(self, samples: Samples) -> Future[Opinion]:
         """The second model's first sight of a sound, in a thread beside."""
+        self._left = Event()  # it may have been left before
         return self._aside(lambda second: second.compare(second.listen(samples)))
 
     def _aside(self, ask: Callable[[Steered], _Answer]) -> Future[_Answer]:
         """What the second model answers, in a thread beside, as long as this decode is waited for."""
-        left = self._first.left
+        left = self._left
 
         def answer() -> _Answer:
             second = self._second.result()
@@ -345,12 +351,6 @@ def _same(samples: Samples, known: Samples) -> bool:
     if not 0 < same <= samples.size <= known.size + int(LATER * SAMPLE_RATE):
         return False
     return np.allclose(samples[:same], known[:same], atol=1e-4)
-
-
-def _goes_on(samples: Samples, known: Samples) -> bool:
-    """Whether a sound is the same utterance as one that was heard before, further on."""
-    begin = int(LIKE_BEFORE * SAMPLE_RATE)
-    return samples.size > known.size >= begin and np.allclose(samples[:begin], known[:begin], atol=1e-4)
 
 
 def _unclear(one: Mapping[str, float], other: Mapping[str, float]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from two_models import FORWARD, LEFT, LIKELY, SOUND, UNSURE, Says, Thinks, heard
 from intent_engine.errors import WeightsError
 from intent_engine.speech import second_opinion
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.leaving import LeftError
 from intent_engine.speech.second_opinion import SURE_TOGETHER, SecondOpinion
 
 
@@ -24,12 +25,54 @@ def test_both_are_ready_before_the_first_words(engine):
 
 # -- when it is asked --------------------------------------------------------------------------------------------
 
+ALL_HEARD = Thinks(heard(FORWARD, 1.0))
+FURTHER = np.concatenate((SOUND, SOUND))
+TALK = "go what lovely weather we have"
 
-def test_who_heard_every_word_of_a_sentence_asks_nobody(engine):
-    both, one, other = two(engine, heard(FORWARD, 1.0), heard(LEFT, 1.0))
+
+def asked_during(monkeypatch, one, step: str, other, known: bool) -> threading.Event:
+    """That the second is asked; it must be while the first takes a step, or must not be until then."""
+    asked = threading.Event()
+    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
+
+    def taken(_given):
+        assert asked.wait(60 if known else 0) is known
+        return one.opinion
+
+    monkeypatch.setattr(one, step, taken)
+    return asked
+
+
+def leaves_only_if_asked_to(monkeypatch, other) -> threading.Event:
+    """That the second, which listens for ever, was told to leave that."""
+    told = threading.Event()
+
+    def listen(_samples):
+        assert other.left is not None
+        if other.left.wait(60):
+            told.set()
+        raise LeftError
+
+    monkeypatch.setattr(other, "listen", listen)
+    return told
+
+
+@pytest.mark.parametrize("first", [UNSURE, ALL_HEARD], ids=["unsure", "sure"])
+def test_both_listen_at_once(engine, monkeypatch, first):
+    """What the first will hear is not known yet."""
+    both, one, other = two(engine, first, UNSURE)
+    asked = asked_during(monkeypatch, one, "listen", other, known=True)
+    both.transcribe(SOUND, final=False)
+    assert asked.is_set()
+
+
+def test_who_heard_every_word_of_a_sentence_waits_for_nobody(engine, monkeypatch):
+    both, one, other = two(engine, ALL_HEARD, heard(LEFT, 1.0))
+    told = leaves_only_if_asked_to(monkeypatch, other)
     assert not both.transcribe(SOUND, final=False).draft
     assert both.transcribe(SOUND).text == FORWARD
-    assert (one.compared, other.listened) == (0, [])
+    assert one.compared == 0
+    assert told.wait(60)
 
 
 @pytest.mark.parametrize(
@@ -42,11 +85,12 @@ def test_who_heard_every_word_of_a_sentence_asks_nobody(engine):
         heard("what lovely weather we have", 0.02, score=-0.2),
     ],
 )
-def test_silence_what_shall_not_be_done_and_clear_talk_need_no_second_opinion(engine, first):
+def test_silence_what_shall_not_be_done_and_clear_talk_need_no_second_opinion(engine, monkeypatch, first):
     both, _, other = two(engine, first, heard(LEFT, 1.0))
+    told = leaves_only_if_asked_to(monkeypatch, other)
     assert not both.transcribe(SOUND, final=False).draft
     assert both.transcribe(SOUND).text == first.text
-    assert other.listened == []
+    assert told.wait(60)
 
 
 @pytest.mark.parametrize(
@@ -59,75 +103,58 @@ def test_silence_what_shall_not_be_done_and_clear_talk_need_no_second_opinion(en
     ],
     ids=["hardly", "nothing", "a number", "clearly, but not this"],
 )
-def test_who_is_unsure_asks_at_once(engine, first):
+def test_who_is_unsure_waits_for_the_second(engine, first):
     both, _, other = two(engine, first, heard(FORWARD, 1.0))
     assert both.transcribe(SOUND, final=False).text == FORWARD
     assert other.listened == [SOUND.size]
 
 
-def asked_during(monkeypatch, one, step: str, other, known: bool) -> threading.Event:
-    """That the second is asked; it must be while the first takes a step, or must not be until then."""
-    asked = threading.Event()
-    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
-
-    def taken(_given):
-        assert asked.wait(60 if known else 0) is known
-        return UNSURE
-
-    monkeypatch.setattr(one, step, taken)
-    return asked
-
-
 @pytest.mark.parametrize(
-    ("words", "score", "known"),
+    ("words", "score", "again"),
     [
-        ("forward go two meters", -0.2, True),
-        ("forward go two lovely meters", -0.2, True),
-        ("go what lovely weather we have", -0.2, False),
-        ("go what lovely weather we have", -0.9, True),
+        ("forward go two meters", -0.2, False),
+        ("forward go two lovely meters", -0.2, False),
+        (TALK, -0.2, True),
+        (TALK, -0.9, False),
     ],
     ids=["words of the grammar", "mostly", "other words, clearly", "hardly"],
 )
-def test_what_may_be_a_command_is_asked_about_while_the_first_compares(engine, monkeypatch, words, score, known):
-    """And what is probably other talk only if the first finds a command in it."""
-    both, one, other = two(engine, Thinks(heard(words, 0.5, score=score), {FORWARD: -14.0}), UNSURE)
-    asked = asked_during(monkeypatch, one, "compare", other, known)
-    both.transcribe(SOUND)
-    assert asked.is_set()
-
-
-FURTHER = np.concatenate((SOUND, SOUND))
-
-
-@pytest.mark.parametrize(
-    ("first", "then", "known"),
-    [(UNSURE, FURTHER, True), (UNSURE, -FURTHER, False), (Thinks(heard(FORWARD, 1.0)), FURTHER, False)],
-    ids=["in doubt", "another utterance", "sure"],
-)
-def test_of_an_utterance_that_was_in_doubt_both_listen_at_once_when_it_goes_on(engine, monkeypatch, first, then, known):
-    both, one, other = two(engine, first, UNSURE)
+def test_what_is_probably_other_talk_is_left_and_asked_about_anew_if_it_may_be_a_command(engine, words, score, again):
+    both, _, other = two(engine, Thinks(heard(words, 0.5, score=score), {FORWARD: -14.0}), UNSURE)
     both.transcribe(SOUND, final=False)
-    asked = asked_during(monkeypatch, one, "listen", other, known)
-    both.transcribe(then, final=False)
-    assert asked.is_set()
+    assert len(other.listened) == 1 + again
 
 
 @pytest.mark.parametrize(
-    ("first", "known"),
-    [
-        (UNSURE, True),
-        (Thinks(heard(FORWARD, 1.0)), False),
-        (Thinks(heard("go what lovely weather we have", 0.5, score=-0.2), {FORWARD: -14.0}), False),
-    ],
-    ids=["in doubt", "sure", "other words, clearly"],
+    ("first", "at_once"),
+    [(UNSURE, True), (Thinks(heard(TALK, 0.5, score=-0.2), {FORWARD: -14.0}), False)],
+    ids=["in doubt", "other words, clearly"],
 )
-def test_what_was_in_doubt_at_a_glance_is_asked_of_both_at_once(engine, monkeypatch, first, known):
+def test_of_clear_talk_at_a_glance_the_first_listens_alone(engine, monkeypatch, first, at_once):
+    """Until that finds a command in it. The next sound is another."""
     both, one, other = two(engine, first, UNSURE)
-    assert both.glance(SOUND).draft is (one.opinion.transcript.confidence != 1.0)
+    assert both.glance(SOUND).draft
     assert other.listened == [], "a glance is the first's alone"
-    asked = asked_during(monkeypatch, one, "listen", other, known)
-    both.transcribe(FURTHER, final=False)
-    assert asked.is_set()
+    with monkeypatch.context() as patched:
+        asked_during(patched, one, "listen", other, known=at_once)
+        both.transcribe(FURTHER, final=False)
+    asked_during(monkeypatch, one, "listen", other, known=True)
+    both.transcribe(SOUND, final=False)
+
+
+def test_who_leaves_leaves_both(engine, monkeypatch):
+    both, one, other = two(engine, UNSURE, UNSURE)
+    told = leaves_only_if_asked_to(monkeypatch, other)
+
+    def speaks_on(_heard):
+        both.leave()
+        return one.opinion
+
+    monkeypatch.setattr(one, "compare", speaks_on)
+    with pytest.raises(LeftError):
+        both.transcribe(SOUND, final=False)
+    assert told.is_set()
+    assert one.left.is_set()
 
 
 def test_where_both_are_sure_at_first_sight_neither_searches_the_grammar(engine):
