@@ -7,7 +7,7 @@ that acts on a guess does what was not said.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from intent_engine.actions import Action
@@ -239,15 +239,20 @@ def enough_to_stop(transcript: Transcript) -> float:
 
 def _unheard(transcript: Transcript) -> str:
     """Why words that are a command may not have been said; empty: they may be taken."""
-    numbers = [f"{word!r} may have been {ALIKE[word]!r}" for word in transcript.unclear if word in ALIKE]
-    words = " and ".join(repr(word) for word in transcript.unclear if word not in ALIKE)
-    more = " and ".join(repr(words) for words in transcript.left_out)
+    unclear = dict.fromkeys(transcript.unclear)  # one word may be so for several reasons
+    numbers = [f"{word!r} may have been {ALIKE[word]!r}" for word in unclear if word in ALIKE]
+    words = [word for word in unclear if word not in ALIKE]
+    more = _listed(transcript.left_out)
     told = [
         *numbers,
-        *([f"{words} was not heard clearly"] if words else []),
+        *([f"{_listed(words)} {'was' if len(words) == 1 else 'were'} not heard clearly"] if words else []),
         *([f"{more} was said too, and is no part of {transcript.text!r}"] if more else []),
     ]
     return f"{', '.join(told)}; say it again" if told else ""
+
+
+def _listed(words: Iterable[str]) -> str:
+    return " and ".join(map(repr, words))
 
 
 def _why_unsure(transcript: Transcript) -> str:

@@ -150,6 +150,8 @@ def test_a_word_that_was_not_heard_clearly_is_asked_back(judge, text, done):
     [
         (("sixteen",), "'sixteen' may have been 'sixty'; say it again"),
         (("turn",), "'turn' was not heard clearly; say it again"),
+        (("turn", "turn"), "'turn' was not heard clearly; say it again"),
+        (("turn", "left"), "'turn' and 'left' were not heard clearly; say it again"),
         (("turn", "forty"), "'forty' may have been 'fourteen', 'turn' was not heard clearly; say it again"),
     ],
 )

@@ -356,7 +356,8 @@ def templates(language: str) -> Mapping[str, str]:
     joint = "(" + "|".join(sorted(table.words["and"])) + ")"
     per = "(" + "|".join(sorted(table.words["per"])) + ")"
     base["one"] = f"{one} [whole|full|single]" if language == "en" else one
-    article = f"[{of}] [{one}|the]" if language == "en" else f"[{of}] [{one}]"
+    # "Half of the meter", but not "half the meter", for which "half a meter" was heard.
+    article = f"[{of} [{one}|the]|{one}]" if language == "en" else f"[{of}] [{one}]"
     base["count"] = (
         f"({{number}} [{article}|more|further|extra|additional]|{{one}}|another|full|whole)"
         if language == "en"

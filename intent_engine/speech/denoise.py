@@ -15,7 +15,8 @@ import numpy as np
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
-from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.leaving import Leavable
+from intent_engine.speech.recognizer import Glancing, Recognizer, Transcript
 
 __all__ = ["DenoisedRecognizer", "NoiseReduction"]
 
@@ -91,6 +92,17 @@ class DenoisedRecognizer:
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         return self.recognizer.transcribe(self._filter(samples), final=final)
+
+    def glance(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`; who has none is sure of nothing."""
+        if not isinstance(self.recognizer, Glancing):
+            return Transcript("", draft=True)
+        return self.recognizer.glance(self._filter(samples))
+
+    def leave(self) -> None:
+        """As :meth:`~intent_engine.speech.leaving.Leavable.leave`, if the recogniser can be left."""
+        if isinstance(self.recognizer, Leavable):
+            self.recognizer.leave()
 
     def close(self) -> None:
         self.recognizer.close()

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from noises import pink, white
+from speech_stage import Says
 
 from intent_engine.errors import ConfigError
 from intent_engine.speech.audio import SAMPLE_RATE
@@ -89,6 +90,24 @@ def test_the_recogniser_hears_what_is_left(reduce):
     assert samples.std() < 0.6 * sound.std()
     denoised.close()
     assert inner.closed
+
+
+def test_it_glances_and_is_left_as_the_recogniser_is(reduce, monkeypatch, whisper, go_forward):
+    denoised = DenoisedRecognizer(whisper, reduce)
+    sound = go_forward + white(4.1, 0.005)[: go_forward.size].astype(np.float32)
+    glanced, expected = denoised.glance(sound), whisper.glance(reduce(sound))
+    assert (glanced.text, glanced.score, glanced.draft) == (expected.text, expected.score, expected.draft)
+    assert glanced.score != whisper.glance(sound).score
+    left = []
+    monkeypatch.setattr(whisper, "leave", lambda: left.append(True))
+    denoised.leave()
+    assert left == [True]
+
+
+def test_where_the_recogniser_cannot_it_knows_nothing_at_a_glance_and_is_not_left(reduce):
+    denoised = DenoisedRecognizer(Says("go forward two meters"), reduce)
+    assert denoised.glance(white(1.0, 0.1).astype(np.float32)) == Transcript("", draft=True)
+    denoised.leave()
 
 
 def test_a_command_in_noise_is_still_a_command(listen, whisper, go_forward, reduce):

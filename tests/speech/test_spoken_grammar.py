@@ -173,6 +173,16 @@ def test_sentences_like_the_words_heard_are_near(grammar):
     assert grammar.near(["xylophone"]) == []
 
 
+@pytest.mark.parametrize(
+    "heard", ["go forward half the meter", "turn left half the turn", "go back for half the minute"]
+)
+def test_near_a_quantity_that_nobody_says_is_one_that_people_say(grammar, heard):
+    """And not only others that are none."""
+    said = tuple(heard.replace("the", "a").split())
+    first = next(words for words in grammar.near(heard.split()) if grammar.possible(words, heard=heard.split()))
+    assert first == said
+
+
 def test_numbers_are_words(grammar):
     assert grammar.words("Turn left by 15 degrees!") == ["turn", "left", "by", "fifteen", "degrees"]
 
