@@ -72,7 +72,9 @@ orders of coffee given to a robot 49 are left at this."""
 RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
 DOUBTFUL_SCORE = -0.6
-"""Mean log probability of the free words below which others are looked at, though they are a sentence already."""
+"""Mean log probability of the free words below which others are looked at, though they are a sentence already,"""
+DOUBTFUL_SENTENCE = -0.8
+"""and of more than a few words that are no stop. How they are written is part of it: "30" or "thirty"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +146,8 @@ class Steering(Clearness):
         refused = addressed and self.refused(encoded, free, meaning, language)
         if not free or (refused and not self._may_be_dictated(words, language)):
             return Opinion(self, samples, encoded, heard, settled=True)
-        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > DOUBTFUL_SCORE
+        doubtful = DOUBTFUL_SCORE if len(words) <= FEW_WORDS or meaning.stops else DOUBTFUL_SENTENCE
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > doubtful
         in_time = not (too_many(words, samples) or too_few(words, samples))
         dictated = self.grammar.dictated(free, language) if exact and in_time and not meaning.stops else ()
         if dictated:
@@ -429,13 +432,9 @@ class Steering(Clearness):
             tokenizer = self.tokenizer(language)
             guided = GuidedSearch(near, tokenizer, language, self.end_piece(language), self.names(language))
             rivals = Rivals(near, tokenizer, language, self.grammar.corrections(language), self.names(language))
-            singles = {word: self._first_piece([word], language) for word in near.single_words()}
+            singles = {word: int(tokenizer.encode(" " + written([word], language))[0]) for word in near.single_words()}
             guide = self._guides[language] = _Guide(near, guided, rivals, singles)
         return guide
-
-    def _first_piece(self, words: Sequence[str], language: str | None) -> int:
-        """Of a sentence."""
-        return int(self.tokenizer(language).encode(" " + written(words, language))[0])
 
 
 def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:

@@ -62,6 +62,22 @@ def test_an_exact_sentence_is_looked_at_again_where_nobody_says_it_so(hears, spo
     assert hears(words).listen(spoken).settled is settled
 
 
+@pytest.mark.parametrize(
+    ("words", "score", "settled"),
+    [
+        ("Go forward two meters.", -0.79, True),
+        ("Go forward two meters.", -0.81, False),
+        ("Turn left.", -0.59, True),
+        ("Turn left.", -0.61, False),
+        ("Please stop now.", -0.61, False),
+    ],
+)
+def test_an_exact_sentence_is_looked_at_again_where_it_was_hardly_heard(hears, spoken, words, score, settled):
+    """The sooner the fewer words it has; and what would be a stop, which nothing else would be asked about."""
+    sound = spoken[:SAMPLE_RATE] if len(words) < 12 else spoken
+    assert hears(words, score).listen(sound).settled is settled
+
+
 def test_what_was_heard_word_by_word_is_as_likely_as_it_was_written(hears, spoken, monkeypatch):
     """ "Touchdown!" is "touch down" to a grammar, and nobody would write it so."""
     heard = hears("Go forward, two METERS!", -0.9).listen(spoken)
