@@ -13,7 +13,9 @@ SHORT_SENTENCE = 3
 MANY_WORDS = 8
 """Words of a sentence that nobody begins again after one that is like it,"""
 LIKE = 0.7
-"""in this share of its letters."""
+"""in this share of its letters, and of which so many are begun once more:"""
+HALF_OF_IT = MANY_WORDS // 2
+"""or one, if all but the first are the same ("I have a coffee with ... . They have a coffee with ... . They")."""
 
 
 def fold_loop(text: str) -> str:
@@ -68,11 +70,13 @@ def _loop_after(words: list[str], start: int) -> float:
     for length in range(SHORT_SENTENCE, len(rest)):
         unit = rest[:length]
         repeats = 1 if length >= MANY_WORDS else 2
-        begun = MANY_WORDS // 2 if length >= MANY_WORDS else 2
-        if len(rest) < repeats * length + begun or not _begins(unit, rest[_times(unit, rest) * length :]):
+        more = len(rest) - repeats * length
+        if more < 1 or not _begins(unit, rest[_times(unit, rest) * length :]):
             continue
         alike = Levenshtein.normalized_similarity(before, " ".join(unit))
-        if alike >= LIKE:
+        same = unit[1:] == words[start - length + 1 : start]
+        begun = 2 if length < MANY_WORDS else 1 if same else HALF_OF_IT
+        if alike >= LIKE and more >= begun:
             return alike
     return 0.0
 

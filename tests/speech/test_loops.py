@@ -30,6 +30,18 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
             "Gonna have a large mocha with brown sugar. I have a large mocha with brown sugar. I have a large",
             "Gonna have a large mocha with brown sugar.",
         ),
+        (
+            "I have a coffee with a little bit of soy milk. They have a coffee with a little bit of soy milk. They",
+            "I have a coffee with a little bit of soy milk.",
+        ),
+        (
+            "Put the red box on the big table there. Put the green box on the big table there. Put",
+            "Put the red box on the big table there. Put the green box on the big table there. Put",
+        ),
+        (
+            "I have a coffee with a little bit of soy milk. You have a coffee with a little bit of soy milk.",
+            "I have a coffee with a little bit of soy milk. You have a coffee with a little bit of soy milk.",
+        ),
         ("go to the lab and turn left. Turn left. Turn left.", "go to the lab and turn left. Turn left. Turn left."),
         ("Right. Right.", "Right."),
         ("Turn left. Turn left.", "Turn left."),
