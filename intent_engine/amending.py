@@ -15,7 +15,7 @@ from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.utterance import plain
 
-__all__ = ["CarriedOut", "Step", "can_be_amended", "in_a_row"]
+__all__ = ["CarriedOut", "Step", "begun_alike", "can_be_amended", "in_a_row"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +75,26 @@ class CarriedOut:
         """The longer command, when these goals have been given for what was to be done of it."""
         given = self.goals[: len(whole.actions) - len(goals)]
         return CarriedOut(whole, (*given, *goals))
+
+
+def begun_alike(parse: Callable[[str], Interpretation], first: Interpretation, whole: Interpretation) -> Interpretation:
+    """A longer command in the very words that were carried out, where it begins with others that mean the same: after
+    "drive back", "drive backwards one meter".
+
+    Args:
+        parse: understands a text.
+        first: what was carried out.
+        whole: what was heard together with it.
+    """
+    words, begun = plain(whole.text), plain(first.text)
+    if words[: len(begun)] == begun:
+        return whole
+    for place in range(len(words) - 1, 0, -1):
+        if parse(" ".join(words[:place])).actions == first.actions:
+            said_so = parse(" ".join((*begun, *words[place:])))
+            if said_so.actions == whole.actions:
+                return said_so
+    return whole
 
 
 def in_a_row(

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from intent_engine.actions import Action
-from intent_engine.amending import CarriedOut, Step, in_a_row
+from intent_engine.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
@@ -117,7 +117,9 @@ class Continuing:
         by_itself = self._judge.meaning(alone, state, last)
         if said is not None:
             exact = self._judge.together(said.command.meaning.text, alone, state)
-            for transcript, whole in ((heard, meaning), (alone, exact)):
+            done = said.command.meaning
+            together = begun_alike(lambda text: self._judge.text(text, heard, state), done, meaning)
+            for transcript, whole in ((heard, together), (alone, exact)):
                 step = said.command.step_to(whole) if whole is not None else None
                 if whole is not None and step is not None and self._belongs(said, step, whole, alone, by_itself):
                     return Understood(transcript, whole, step)

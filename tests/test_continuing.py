@@ -36,6 +36,23 @@ def test_a_distance_that_comes_later_is_driven_as_a_whole(pause, meters):
     assert said.pose.x == pytest.approx(meters)
 
 
+@pytest.mark.parametrize("begun", ["drive backwards", "please drive back", "go backward"])
+def test_it_may_begin_in_other_words_that_mean_the_same(begun):
+    """As the recogniser writes them where it hears both together."""
+    said = Said(Script("drive back", "two meters", f"{begun} two meters"))
+    assert said.pose.x == pytest.approx(-2.0)
+    assert said.done[-1].goes_on
+    assert said.done[-1].interpretation.text == "drive back two meters", "as whoever carries it out knows its beginning"
+
+
+@pytest.mark.parametrize("begun", ["turn right", "don't turn left", "learn left"])
+def test_but_in_no_others(begun):
+    """The robot acts on what it heard first."""
+    said = Said(Script("turn left", "ninety degrees", f"{begun} ninety degrees"))
+    assert said.goals == [GoalState.SUCCEEDED]
+    assert 0.0 < said.pose.yaw < 1.0
+
+
 def test_what_was_not_heard_as_a_command_by_itself_may_belong_to_the_one_before():
     """ "One meter" is like "go one meter", and would drive forward after "go back"."""
     script = Script("go back", "go one meter", "go back one meter", confidence=0.8)
