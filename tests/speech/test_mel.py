@@ -39,38 +39,29 @@ def test_it_is_a_product_of_matrices(weights, frames, seed):
     np.testing.assert_allclose(MelFilters(weights) @ magnitudes, expected, rtol=1e-5, atol=1e-5)
 
 
-THREADS_AT_WORK = """
-import os
+SHARE_OF_OTHERS = """
+import time
 import numpy as np
 from intent_engine.speech.whisper import WhisperRecognizer
 
-def used():
-    found = {}
-    for thread in os.listdir("/proc/self/task"):
-        after_name = open(f"/proc/self/task/{thread}/stat").read().rpartition(")")[2].split()
-        found[thread] = int(after_name[11]) + int(after_name[12])
-    return found
-
 (np.ones((400, 400), np.float32) @ np.ones((400, 400), np.float32))  # OpenBLAS makes its threads
-recognizer = WhisperRecognizer()
-recognizer.encode(np.zeros(16_000, np.float32))
-before = used()
-for _ in range(60):
-    recognizer.encode(np.zeros(16_000, np.float32))
-after = used()
-busy = [after[one] - before.get(one, 0) for one in after]
-print(sum(ticks > 0.2 * sum(busy) for ticks in busy))
+spectrogram = WhisperRecognizer()._model.feature_extractor
+sound = np.zeros(40_000, np.float32)
+for _ in range(30):  # for as long as they spin after the product above
+    spectrogram(sound)
+all_threads, this_one = time.process_time(), time.thread_time()
+for _ in range(300):
+    spectrogram(sound)
+all_threads, this_one = time.process_time() - all_threads, time.thread_time() - this_one
+print((all_threads - this_one) / all_threads)
 """
+"""Of the processor's time that spectrograms take."""
 
 
-@pytest.mark.skipif(
-    not sys.platform.startswith("linux"),
-    reason="only Linux tells what each thread has used; that the filters are right is tested everywhere",
-)
 def test_one_thread_works_and_none_waits_for_it_by_spinning():
     """NumPy was loaded before the recogniser here, as in any program that embeds it."""
     environment = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
     done = subprocess.run(
-        [sys.executable, "-c", THREADS_AT_WORK], env=environment, capture_output=True, text=True, check=True
+        [sys.executable, "-c", SHARE_OF_OTHERS], env=environment, capture_output=True, text=True, check=True
     )
-    assert done.stdout.strip() == "1", "shares of the processor's time above a fifth: that of the encoder"
+    assert float(done.stdout) < 0.2
