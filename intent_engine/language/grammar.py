@@ -235,6 +235,8 @@ class Grammar:
     operators: Operators
     sound_alikes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Heard word -> words that may have been meant."""
+    homophones: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Word -> words of the grammar that sound the same, or are the same word spelled otherwise."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
     as_written: Mapping[str, str] = field(default_factory=dict)

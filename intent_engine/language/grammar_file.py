@@ -17,6 +17,7 @@ from intent_engine.language.grammar_checks import check_meaning
 from intent_engine.language.grammar_intents import merged, read_intent
 from intent_engine.language.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.schema_problems import schema_problems
+from intent_engine.language.spellings import own_homophones
 from intent_engine.language.template_tree import Node
 from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 
@@ -271,7 +272,7 @@ class _Builder:
             files=tuple(parts.source.file for parts in self.parts),
         )
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
-        return replace(grammar, warnings=tuple(warnings)), problems
+        return replace(grammar, homophones=own_homophones(grammar), warnings=tuple(warnings)), problems
 
     def _as_written(self) -> dict[str, str]:
         """Words that are written with a capital or an apostrophe in values, sentences and examples."""

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import jellyfish
 from rapidfuzz import fuzz
 
+from intent_engine.language.homophones import homophones
 from intent_engine.language.name_words import is_identifier
 
 __all__ = ["Likeness", "compare", "likeness", "sound"]
@@ -68,6 +69,8 @@ def likeness(said: str, known: str, alone: bool = False) -> Likeness:
         return _SAME
     if is_identifier(said) or is_identifier(known):
         return _NOT
+    if known in homophones("en").get(said, ()):
+        return _SAME
     spelling = fuzz.ratio(said, known) / 100
     key, known_key = sound(said), sound(known)
     if key[0] != known_key[0] and said[0] != known[0]:

@@ -55,6 +55,12 @@ class Matcher:
         self.strict = self._automaton(self._root(), loose=False)
         self.loose = self._automaton(self._root(), loose=True)
 
+    @cached_property
+    def _alikes(self) -> Mapping[str, tuple[str, ...]]:
+        """Word -> words of the grammar that may have been meant: that sound the same, and that sound alike."""
+        same, alike = self.grammar.homophones, self.grammar.sound_alikes
+        return {word: tuple(dict.fromkeys((*same.get(word, ()), *alike.get(word, ())))) for word in {*same, *alike}}
+
     # -- building ---------------------------------------------------------------------------------------------
 
     def _automaton(self, root: State, *, loose: bool, traced: bool = True, refusing: bool = False) -> Automaton:
@@ -70,7 +76,7 @@ class Matcher:
             is_numeral=quantities.is_numeral,
             is_number_word=lambda word: is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
-            sound_alikes=self.grammar.sound_alikes,
+            sound_alikes=self._alikes,
         )
 
     def _root(self) -> State:
@@ -273,7 +279,7 @@ class Matcher:
     def _reading(self, trace: Trace, words: list[str]) -> Reading:
         intent, sentence = self.sentences[trace[0][1][1][1]]
         heard = words
-        alikes = 0
+        alikes = misheard = 0
         slots: list[SlotReading] = []
         free = 0
         start = 0
@@ -297,11 +303,12 @@ class Matcher:
                 # Stands before the end of the slot that holds the word.
                 if heard is words:
                     heard = list(words)
-                heard[position - 1] = mark[1]
                 alikes += 1
+                misheard += mark[1] not in self.grammar.homophones.get(heard[position - 1], ())
+                heard[position - 1] = mark[1]
         if len(slots) > 1:
             slots = numbers_apart(slots, heard, self.grammar.language)
-        return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, free)
+        return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
 
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""

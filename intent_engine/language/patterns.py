@@ -291,4 +291,4 @@ class Patterns:
             if slot.type in FREE_KINDS:
                 free += len(said)
             slots.append(matcher.values.from_words(slot, name, said, place))
-        return Reading(intent, sentence, tuple(slots), tuple(words), 0, free)
+        return Reading(intent, sentence, tuple(slots), tuple(words), 0, 0, free)

@@ -359,7 +359,7 @@ def templates(language: str) -> Mapping[str, str]:
     # "Half of the meter", but not "half the meter", for which "half a meter" was heard.
     article = f"[{of} [{one}|the]|{one}]" if language == "en" else f"[{of}] [{one}]"
     base["count"] = (
-        f"({{number}} [{article}|more|further|extra|additional]|{{one}}|another|full|whole)"
+        f"({{counted}} [{article}|more|further|extra|additional]|{{one}}|another|full|whole)"
         if language == "en"
         else f"({{number}} {article}|{{one}})"
     )

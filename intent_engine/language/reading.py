@@ -42,7 +42,9 @@ class Reading:
     words: tuple[str, ...]
     """The words as understood, with sound-alikes replaced."""
     alikes: int
-    """Words that were replaced."""
+    """Words that were replaced,"""
+    misheard: int
+    """of them by others that only sound alike, not the same."""
     free_words: int
     """Words swallowed by text slots."""
 
@@ -62,11 +64,11 @@ class Reading:
 
     @property
     def score(self) -> float:
-        """1 for exact words; each fuzzy slot and sound-alike lowers it."""
+        """1 for exact words; each fuzzy slot and misheard word lowers it."""
         score = 1.0
         for slot in self.slots:
             score *= slot.score
-        return score * 0.97**self.alikes
+        return score * 0.97**self.misheard
 
     def values(self) -> dict[str, Any]:
         """Slot label to value, with the sentence's own slots."""

@@ -313,7 +313,7 @@ class Sampler:
     def _words(self) -> frozenset[str]:
         """Every word that the grammar itself has a use for."""
         grammar, operators = self.grammar, self.grammar.operators
-        found = {*operators.closed, *grammar.sound_alikes}
+        found = {*operators.closed, *grammar.sound_alikes, *grammar.homophones}
         for phrases in (
             grammar.fillers, grammar.wake, operators.negation, operators.correction, operators.cancel,
             operators.sequence, operators.contrast, operators.stop,

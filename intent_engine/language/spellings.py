@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping
 from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.homophones import homophones
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
-__all__ = ["own_words", "spellings"]
+__all__ = ["own_homophones", "own_words", "spellings"]
 
 
 def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
@@ -50,6 +51,13 @@ def own_words(grammar: Grammar) -> frozenset[str]:
     nodes.extend(grammar.phrases.values())
     nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
     return frozenset(word for node in nodes for word in _literal(node))
+
+
+def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
+    """Words that sound like some that a grammar is written in: each with those."""
+    own = own_words(grammar)
+    found = {word: tuple(filter(own.__contains__, same)) for word, same in homophones(grammar.language).items()}
+    return {word: same for word, same in found.items() if same}
 
 
 def _literal(node: Node) -> Iterator[str]:

@@ -16,7 +16,7 @@ from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading
 
-__all__ = ["LEAST_WORDS", "Clause", "Commands", "forbidden", "slot_values"]
+__all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "slot_values"]
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
@@ -154,7 +154,7 @@ class Commands:
                 return Clause(
                     best,
                     reason="it could mean two things",
-                    alternatives=(_described(best), *rivals),
+                    alternatives=(described(best), *rivals),
                     ambiguous=True,
                 )
         return Clause(best, action, _changes(best))
@@ -174,7 +174,7 @@ class Commands:
             except CannotActError:
                 continue
             if meant != action:
-                found.append(_described(other))
+                found.append(described(other))
         return tuple(dict.fromkeys(found))
 
 
@@ -198,7 +198,7 @@ def slot_values(reading: Reading) -> dict[str, Any]:
     }
 
 
-def _described(reading: Reading) -> str:
+def described(reading: Reading) -> str:
     """A short name of a meaning, for "did you mean"."""
     values = ", ".join(f"{label}: {value}" for label, value in slot_values(reading).items())
     return f"{reading.intent.name} ({values})" if values else reading.intent.name

@@ -10,7 +10,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.command import Clause, Commands, slot_values
+from intent_engine.language.meaning.command import Clause, Commands, described, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -126,9 +126,7 @@ class Interpreter:
         if clause is not None and clause.accepted and core is said:
             return _told(text, clause)
         if core is not said and not self._number_restarted(core):
-            again = self._commands.exact(core.words, state)
-            if again is None:  # "uh, again": some fillers are sentences as well, or parts of one
-                again = self._commands.exact(phrases.without_idle_fillers(said).words, state)
+            again = self._without_fillers(said, core, state)
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
@@ -142,6 +140,23 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
+
+    def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
+        """What an utterance says besides its fillers."""
+        exact, phrases = self._commands.exact, self.phrases
+        clause = exact(core.words, state)
+        if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
+            clause = exact(phrases.without_idle_fillers(said).words, state)
+        less = phrases.without_whole_fillers(said)
+        if not core.words or len(less) == len(core):
+            return clause
+        other = exact(less.words, state)
+        if other is None or not other.accepted:
+            return clause
+        if clause is None or not clause.accepted or clause.action == other.action:
+            return other
+        meanings = tuple(described(one.reading) for one in (clause, other) if one.reading is not None)
+        return Clause(clause.reading, reason="it could mean two things", alternatives=meanings, ambiguous=True)
 
     def _operated(
         self, text: str, said: Utterance, core: Utterance, state: Collection[str], clause: Clause | None

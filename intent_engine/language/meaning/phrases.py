@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spellings import own_words
@@ -20,6 +20,8 @@ class Phrases:
         own = own_words(grammar)
         self.idle = PhraseSet(words for words in grammar.fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
+        self.whole = PhraseSet(words for words in grammar.fillers if not _may_be_cut(words, self.fillers, own))
+        """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
         """Operators, of which no filler takes a part."""
         self._operators = PhraseSet(
@@ -43,6 +45,9 @@ class Phrases:
 
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
+
+    def without_whole_fillers(self, said: Utterance) -> Utterance:
+        return said.without(self.whole, self.kept, self._openers)
 
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
@@ -119,3 +124,8 @@ def _echo(words: list[str], position: int) -> int:
         if words[position : position + length] == words[position - length : position]:
             return length
     return 0
+
+
+def _may_be_cut(filler: Sequence[str], fillers: PhraseSet, own: Collection[str]) -> bool:
+    """Whether the end of a filler is one too, and the words before that may be a sentence's."""
+    return any(fillers.cover(filler[at:]) and all(word in own for word in filler[:at]) for at in range(1, len(filler)))

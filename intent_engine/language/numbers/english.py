@@ -363,9 +363,9 @@ TEMPLATES: Mapping[str, str] = {
     "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
     "|ninth|ninths|tenth|tenths|hundredths|thousandths|half|halves)",
     "fraction": "([a|one] half|[a|one] quarter|(a|{digit}|{teen}|{#}) {part})",
-    "number": "[minus|negative] ({cardinal} [and {fraction} [thousand|million]|{fraction}|(point {decimals})"
-    "|(over|out of) {cardinal}]"
+    "counted": "[minus|negative] ({cardinal} [and {fraction} [thousand|million]|{fraction}|(point {decimals})]"
     "|[{zero}] point {decimals}|{fraction}|{zero}|[a] couple [of]|[a|{below_hundred}|half a] dozen|a pair of)",
+    "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}",
     "ordinal_unit": "(" + "|".join(_ORDINAL_UNITS) + ")",
     "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|{group} hundred [and] [{tens}]] {ordinal_unit}"
     "|[{group} hundred [and]] (" + "|".join(_ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth))",

@@ -1,0 +1,103 @@
+"""Words that sound the same: the grammar tells which of them was said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from meanings import shipped
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language.homophones import homophones
+from intent_engine.language.names import NameIndex
+from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.spellings import own_homophones
+
+KITCHEN = """
+intents:
+  give:
+    action: {type: custom, name: give}
+    sentences: ["give me the {food}", "pair the cheese"]
+slots:
+  food: {type: choice, values: [pear, flour, grey tea, steak]}
+"""
+
+
+@pytest.fixture(scope="module")
+def kitchen(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    return engine_of(KITCHEN, tmp_path_factory.mktemp("kitchen"))
+
+
+def engine_of(text: str, folder: Path) -> IntentEngine:
+    path = folder / "grammar.yaml"
+    path.write_text(text, "utf-8")
+    return IntentEngine.from_files(path)
+
+
+@pytest.mark.parametrize(
+    ("heard", "food"),
+    [
+        ("give me the pair", "pear"),
+        ("give me the flower", "flour"),
+        ("Give me the gray tee.", "grey tea"),
+        ("give me the stake", "steak"),
+        ("give me the steak", "steak"),
+    ],
+)
+def test_what_sounds_the_same_is_the_grammars_word_and_as_sure(kitchen: IntentEngine, heard: str, food: str) -> None:
+    found = kitchen.parse(heard)
+    assert (found.status, found.slots, found.confidence) == (Status.ACCEPTED, {"food": food}, 1.0)
+
+
+def test_what_was_read_for_another_word_is_told(kitchen: IntentEngine) -> None:
+    assert kitchen.parse("give me the pair").reason == "read as 'give me the pear'"
+
+
+def test_a_word_of_the_grammar_is_itself_where_it_can_be(kitchen: IntentEngine) -> None:
+    assert kitchen.parse("pair the cheese").reason == ""
+
+
+@pytest.mark.parametrize("heard", ["peer", "floor", "stick", "great tea"])
+def test_what_only_sounds_alike_is_none(kitchen: IntentEngine, heard: str) -> None:
+    assert kitchen.parse(f"give me the {heard}").status is not Status.ACCEPTED
+
+
+def test_a_misheard_word_is_less_sure(tmp_path: Path) -> None:
+    engine = engine_of(KITCHEN + "sound_alikes: {stick: [steak]}\n", tmp_path)
+    assert engine.parse("give me the stick").confidence == pytest.approx(0.97)
+
+
+def test_only_those_of_the_grammars_own_words_are_kept(kitchen: IntentEngine) -> None:
+    found = own_homophones(kitchen.matcher(None).grammar)
+    assert found["stake"] == ("steak",)
+    assert "break" not in found
+
+
+def test_another_language_has_none(tmp_path: Path) -> None:
+    engine = engine_of("language: de\n" + KITCHEN, tmp_path)
+    assert engine.parse("pear the cheese").status is not Status.ACCEPTED
+    assert own_homophones(engine.matcher(None).grammar) == {}
+
+
+@pytest.mark.parametrize("heard", ["male room", "the mail room", "mane haul", "gait two"])
+def test_names_of_places_are_as_sure_by_ear(heard: str) -> None:
+    places = NameIndex([("mail room", "mail room"), ("main hall", "main hall"), ("gate two", "gate 2")])
+    assert places.resolve(heard).score == 1.0
+    assert places.resolve(heard).name is not None
+
+
+@given(st.sampled_from(sorted(homophones("en"))))
+def test_either_may_be_heard_for_the_other(word: str) -> None:
+    for other in homophones("en")[word]:
+        assert other != word
+        assert word in homophones("en")[other]
+
+
+@given(st.sampled_from(sorted(homophones("en"))))
+def test_numbers_and_what_turns_a_meaning_around_are_none(word: str) -> None:
+    operators = shipped().grammar.operators
+    assert word not in NUMBER_WORDS
+    assert (word,) not in (*operators.negation, *operators.correction, *operators.cancel)
