@@ -32,6 +32,16 @@ UNFINISHED: Mapping[str, frozenset[str]] = {
     "it": frozenset(("il", "l", "gli", "un", "una", "di", "d", "del", "dello", "della", "dei", "mio", "mia", "tuo")),
 }
 """No thing ends so: who says "pick up the" has not said yet what. "box a" has a name; "nimm das" is whole."""
+NO_THING: Mapping[str, frozenset[str]] = {
+    "en": frozenset(
+        ("to", "from", "with", "into", "onto", "for", "at", "in", "on", "under", "by", "through", "between", "against",
+         "and", "or", "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his",
+         "every", "each", "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been",
+         "being", "do", "does", "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must",
+         "might")
+    )
+}  # fmt: skip
+"""No thing of a slot that lists things ends so: "pick up the cup from" goes on. A song may ("what I came for")."""
 ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("a", "on", "over", "up", "down", "off", "out", "in", "back", "along", "to", "from", "at", "with"))
 }
@@ -50,10 +60,15 @@ class FreeText:
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._fillers = PhraseSet(grammar.fillers)
         self._articles = ARTICLES_IN.get(grammar.language, ARTICLES)
+        self._no_thing = NO_THING.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
         """Words that are never the only one."""
+
+    def unfinished_in(self, slot: Slot) -> frozenset[str]:
+        """Words that are never the last in a slot."""
+        return (self.unfinished | self._no_thing) - slot.known if slot.known else self.unfinished
 
     def problem(self, slot: Slot, words: Sequence[str], start: int, end: int) -> str:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
@@ -72,7 +87,7 @@ class FreeText:
         if slot.dictation and self._fillers.cover(said):
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
-        return (alone or said[-1] in self.unfinished) and said[-1] not in slot.allow
+        return (alone or said[-1] in self.unfinished_in(slot)) and said[-1] not in slot.allow
 
     def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents

@@ -101,8 +101,10 @@ class Slot:
     """SI, inclusive."""
     maximum: float | None = None
     """SI, inclusive."""
-    usual_step: float | None = None
-    """SI: people say its multiples. Another number that sounds like one must be heard far more clearly; None: any."""
+    usual_steps: tuple[float, ...] = ()
+    """SI: people say their multiples. Another number that sounds like one must be heard far more clearly."""
+    usual_max: float | None = None
+    """SI: people hardly say more. Of two numbers that sound alike the other is likelier; None: any."""
     whole: bool = False
     """Number: whether it counts something, so that nothing between two whole numbers is one."""
     values: tuple[tuple[Any, Node], ...] = ()

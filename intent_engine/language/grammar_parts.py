@@ -18,8 +18,8 @@ from intent_engine.language.yaml_source import YamlPath, YamlSource
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "usual_step")),
-    "number": ("unit", "min", "max", "usual_step", "whole"),
+    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "usual_step", "usual_max")),
+    "number": ("unit", "min", "max", "usual_step", "usual_max", "whole"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -168,16 +168,18 @@ class PartReader:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{unit!r} is not a unit of {kind}", hint)
             unit = None
-        low, high, step = (
+        low, high, most = (
             self.quantity((*path, key), kind, spec[key], unit)
             if key in spec and kind in QUANTITY_KINDS and (*path, key) not in source.broken
             else None
-            for key in ("min", "max", "usual_step")
+            for key in ("min", "max", "usual_max")
         )
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
-        if step is not None and step <= 0:
-            source.problem((*path, "usual_step"), f"{spec['usual_step']!r} has no multiples", "more than 0: 5 deg")
+        steps = self._steps((*path, "usual_step"), kind, spec.get("usual_step"), unit)
+        if most is not None and most <= 0:
+            message = f"{spec['usual_max']!r} is nothing that anybody would say"
+            source.problem((*path, "usual_max"), message, "more than 0: 20 m")
         values = self._values(values_at, name, kind, spec.get("values")) if kind in ("choice", "boolean") else ()
         if len(source.problems) > before or any(broken[: len(path)] == path for broken in source.broken):
             return None
@@ -187,7 +189,8 @@ class PartReader:
             unit=unit,
             minimum=low,
             maximum=high,
-            usual_step=step,
+            usual_steps=steps,
+            usual_max=most,
             whole=spec.get("whole", False),
             values=values,
             max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
@@ -222,6 +225,20 @@ class PartReader:
         return tuple(rows)
 
     # -- quantities -------------------------------------------------------------------------------------------
+
+    def _steps(self, path: YamlPath, kind: str, given: Any, unit: str | None) -> tuple[float, ...]:
+        """A step, or a list of some, of which people say the multiples."""
+        if given is None or kind not in QUANTITY_KINDS or path in self.source.broken:
+            return ()
+        rows = [((*path, at), one) for at, one in enumerate(given)] if isinstance(given, list) else [(path, given)]
+        found: list[float] = []
+        for at, raw in rows:
+            step = self.quantity(at, kind, raw, unit)
+            if step is not None and step <= 0:
+                self.source.problem(at, f"{raw!r} has no multiples", "more than 0: 5 deg")
+            elif step is not None:
+                found.append(step)
+        return tuple(found)
 
     def quantity(self, path: YamlPath, kind: str, raw: Any, unit: str | None) -> float | None:
         """A limit, default or fixed value: text with its unit, or a plain number in ``unit`` (None: in SI)."""

@@ -37,6 +37,9 @@ FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
+CUT_OFF = (["to"], ["for"])
+"""Words with which a sentence goes on. At its end neither is "two" or "four"."""
+
 
 class Matcher:
     """The automaton of one grammar and one map, and what its readings mean. Thread-safe."""
@@ -206,7 +209,7 @@ class Matcher:
                     f"text:{slot.name}",
                     slot.max_words,
                     slot.allow,
-                    free.unfinished,
+                    free.unfinished_in(slot),
                     free.alone,
                     slot.known | ARTICLES if slot.known else slot.known,
                     slot.without,
@@ -267,7 +270,7 @@ class Matcher:
     def read(self, words: list[str], *, loose: bool = False) -> list[Reading]:
         """Every reading of all the words, best first; those with a problem last."""
         automaton = self.loose if loose else self.strict
-        readings = [self._reading(trace, words) for trace in automaton.read(words)]
+        readings = [self._reading(trace, words) for trace in automaton.read(words) if not _cut_off(trace, words)]
         if len(readings) > 1:
             readings.sort(key=_preference)
         return readings
@@ -319,6 +322,11 @@ class Matcher:
 def spoken_trees(language: str) -> Mapping[str, Node]:
     """The spoken forms of quantities as trees."""
     return {name: parse_template(text) for name, text in quantities.templates(language).items()}
+
+
+def _cut_off(trace: Trace, words: Sequence[str]) -> bool:
+    """Whether the last word is taken for a number, but may be where a sentence broke off: "turn left to"."""
+    return words[-1:] in CUT_OFF and any(mark[0] == "alike" and position == len(words) for position, mark in trace)
 
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:

@@ -172,20 +172,22 @@ def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float
     for length in range(LONGEST, 0, -1):
         spoken = tuple(words[at : at + length])
         if len(spoken) == length and spoken in known:
-            if _another_word(spoken, words[at - 1] if at else "", "".join(words[at + 1 : at + 2])):
+            if _another_word(spoken, words[:at], "".join(words[at + 1 : at + 2])):
                 continue
             return known[spoken], at + length, table.names[spoken]
     return None
 
 
-def _another_word(spoken: tuple[str, ...], before: str, after: str) -> bool:
+def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: str) -> bool:
     """Whether what is spelled as a unit is none between its neighbours: no "in" of "10 in 3 years" or "two meters and a
-    half in a minute" is an inch, and "to turn", heard as "two turn", is no "two turns"."""
+    half in a minute" is an inch, "to turn", heard as "two turn", is no "two turns", and "a turn", which is written for
+    "uh, turn left", is no circle."""
+    last = "".join(before[-1:])
     if spoken == ("in",):
-        return is_numeral(after) or before in english.HALVES
+        return is_numeral(after) or last in english.HALVES
     if spoken == ("turn",):
-        number = english.number([before])
-        return number is not None and number > 1 and not is_numeral(before)
+        number = english.number([last])
+        return tuple(before) in (("a",), ("an",)) or (number is not None and number > 1 and not is_numeral(last))
     return False
 
 
@@ -372,6 +374,11 @@ def templates(language: str) -> Mapping[str, str]:
         if language in WITHOUT_ONE:
             base[kind] += f"|{{{kind}_unit}} {joint} {{fraction}}"
     if language == "en":
+        # "A turn" is none.
+        base["angle_unit"] = base["angle_unit"].replace("|turn|", "|")
+        single = "one [whole|full|single]|(a|an) (whole|full|single)|full|whole"
+        base["turns"] = f"({{counted}} [{article}|more|further|extra|additional]|{single}) turn"
+        base["angle"] += f"|{{turns}} [{joint} {{fraction}}]"
         base["angle"] += "".join(f"|{' '.join(words)}" for words in _WHOLE_ANGLES)
         relative = "|".join(RELATIVE_SPEEDS)
     for kind, top in (("speed", "distance"), ("angular_speed", "angle")):

@@ -231,11 +231,12 @@ def _singular(names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) ->
     for key, size in sizes.items():
         name, plural = names[key][0], _plural(names[key])
         a = "an" if name[0] in "aeio" or name == "hour" else "a"
-        yield f"{a} {name}", size
+        if name != "turn":  # "a turn left" is none
+            yield f"{a} {name}", size
+            yield f"{a} {name} and a half", size * 1.5
         yield f"half {a} {name}", size / 2
         yield f"1/2 {name}", size / 2
         yield f"a quarter of {a} {name}", size / 4
-        yield f"{a} {name} and a half", size * 1.5
         yield f"a couple of {plural}", size * 2
         yield f"a couple {plural}", size * 2
 

@@ -53,8 +53,9 @@ FULL_CIRCLE = 2 * math.pi + 0.01
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
 UNUSUAL = 2.0
-"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, and a turn of
-more than a circle. Of 447 angles that people told a robot one was none (docs/decisions/speech-second-opinion.md)."""
+"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
+``usual_max``, and a turn of more than a circle. Of 447 angles that people told a robot one was no multiple
+(docs/decisions/speech-second-opinion.md)."""
 BEYOND_LIMITS = 5.0
 """The same of a number that its slot does not take, where no model heard it word by word. Where one did, it is only
 unusual."""

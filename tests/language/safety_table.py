@@ -330,6 +330,20 @@ UNFINISHED = {
     "go to the": NOTHING,
     "turn": NOTHING,
     "go forward two": NOTHING,
+    "pick up the cup from": NOTHING,
+    "bring me the cup with": NOTHING,
+    "grab the bottle and": NOTHING,
+    "pick up the cup is": NOTHING,
+    "put the ball on": NOTHING,
+    "the left": NOTHING,
+    "the right": NOTHING,
+    "the back": NOTHING,
+    "a forward": NOTHING,
+    "and the clockwise": NOTHING,  # as "anti clockwise" is written
+    "a turn left": "left 43",  # as "uh, turn left" is written
+    "one turn left": "left 360",
+    "turn left to": NOTHING,
+    "turn left for": NOTHING,
     "pick up box a": "pick box a",
     "pick up that": "pick that",
 }

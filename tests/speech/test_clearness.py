@@ -10,6 +10,7 @@ import pytest
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
+from intent_engine.language.numbers.spelled import in_digits
 
 NOT = "Do not ", "Don't ", "Never "
 NOT_SAID = re.compile(r"\b(do not|don't|never)\b", re.IGNORECASE)
@@ -75,6 +76,30 @@ def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     assert unclear_words(whisper, encoded, ["serve", "sixteen", "ounces"], "en") == (), (
         "the grammar has no sixty of them"
     )
+
+
+@pytest.mark.parametrize(
+    ("words", "other", "margin", "unclear"),
+    [
+        ("turn right for two degrees", "forty two", 1.4, ("for",)),
+        ("turn right for two degrees", "forty two", 1.5, ()),
+        ("turn right forty two degrees", "for two", 1.4, ("forty",)),
+        ("turn right forty two degrees", "for two", 1.5, ()),
+        ("go to the room for ten minutes", "forty ten", 0.0, ()),
+        ("turn right forty degrees", "for degrees", 0.0, ()),
+    ],
+)
+def test_for_and_forty_before_a_digit(whisper, spoken, monkeypatch, words, other, margin, unclear):
+    said = tuple(words.split())
+    digits = " ".join(in_digits(other.split()))
+
+    def score(text: str) -> float:
+        if text.startswith(NOT):
+            return -20.0
+        return -1.0 - margin if other in text.lower() or digits in text.lower() else -1.0
+
+    monkeypatch.setattr(whisper, "score", lambda _encoded, texts, _language=None: [score(text) for text in texts])
+    assert unclear_words(whisper, whisper.encode(spoken), said, "en") == unclear
 
 
 @pytest.mark.parametrize(

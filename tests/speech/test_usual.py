@@ -17,10 +17,14 @@ slots:
   level: {type: percent, usual_step: 10 percent}
   far: {type: distance, unit: m, usual_step: 2}
   near: {type: distance}
+  turned: {type: angle, usual_step: [5 deg, 45 deg]}
+  wide: {type: distance, usual_max: 20 m}
   count: {type: number}
 intents:
   dim: {action: {type: custom}, sentences: ["dim to {level}", "dim {level:much} more"]}
   swim: {action: {type: custom}, sentences: ["swim {far}", "swim back {near:far}"]}
+  spin: {action: {type: custom}, sentences: ["spin {turned}"]}
+  wade: {action: {type: custom}, sentences: ["wade {wide}"]}
   hop: {action: {type: custom}, sentences: ["hop {count} times"]}
   dive: {action: {type: custom}, regex: "dive to (?P<level>.+)"}
 """
@@ -51,6 +55,14 @@ def unusual(engine: IntentEngine, text: str) -> int:
         ("swim 3", 1),
         ("swim 400 centimeters", 0),
         ("swim a meter and a half", 1),
+        ("wade 20 meters", 0),
+        ("wade 21 meters", 1),
+        ("wade 99 meters", 1),
+        ("wade 101 meters", 2),
+        ("wade 1000 meters", 3),
+        ("spin ninety degrees", 0),
+        ("spin a hundred degrees", 1),
+        ("spin ninety two degrees", 2),
         ("hop 17 times", 0),
         ("dive to 14 percent", 1),
         ("dim to 14 percent and then dim to 40 percent and swim 3 meters", 2),
@@ -63,10 +75,10 @@ def test_numbers_beside_their_step(own, text, count):
 @given(
     st.integers(-144, 144).filter(bool), st.sampled_from(["degrees", "deg", "°"]), st.sampled_from(["left", "right"])
 )
-def test_every_fifth_degree_is_usual(engine, fifth, unit, side):
-    assert unusual(engine, f"turn {side} {5 * fifth} {unit}") == 0
+def test_every_fifth_degree_is_usual_and_every_fortyfifth_more_so(engine, fifth, unit, side):
+    assert unusual(engine, f"turn {side} {5 * fifth} {unit}") == int(fifth % 9 != 0)
     if abs(fifth) < 144:
-        assert unusual(engine, f"turn {side} {5 * fifth + 1} {unit}") == 1
+        assert unusual(engine, f"turn {side} {5 * fifth + 1} {unit}") == 2
 
 
 def test_a_step_in_rad_is_one_in_degrees(engine):
@@ -96,4 +108,4 @@ def test_a_number_that_is_alone_costs_nothing(engine):
 def test_more_than_a_circle_is_less_likely(engine):
     grammar = SpokenGrammar(engine)
     said = [grammar.parse(f"turn left {angle} degrees") for angle in (355, 360, 365, 356, 366)]
-    assert [grammar.unusual(one) / UNUSUAL for one in said] == [0, 0, 1, 1, 2]
+    assert [grammar.unusual(one) / UNUSUAL for one in said] == [1, 0, 2, 2, 3]

@@ -153,9 +153,11 @@ class Interpreter:
         other = exact(less.words, state)
         if other is None or not other.accepted:
             return clause
-        if clause is None or not clause.accepted or clause.action == other.action:
+        if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
             return other
-        meanings = tuple(described(one.reading) for one in (clause, other) if one.reading is not None)
+        if clause.action == other.action or clause.reading.free_words < other.reading.free_words:
+            return clause
+        meanings = (described(clause.reading), described(other.reading))
         return Clause(clause.reading, reason="it could mean two things", alternatives=meanings, ambiguous=True)
 
     def _operated(

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["ALIKE", "NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
+__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
