@@ -35,10 +35,10 @@ UNFINISHED: Mapping[str, frozenset[str]] = {
 NO_THING: Mapping[str, frozenset[str]] = {
     "en": frozenset(
         ("to", "from", "with", "into", "onto", "for", "at", "in", "on", "under", "by", "through", "between", "against",
-         "and", "or", "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his",
-         "every", "each", "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been",
-         "being", "do", "does", "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must",
-         "might")
+         "beside", "behind", "near", "inside", "outside", "above", "below", "beneath", "towards", "toward", "and", "or",
+         "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his", "every", "each",
+         "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been", "being", "do", "does",
+         "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must", "might", "hold")
     )
 }  # fmt: skip
 """No thing of a slot that lists things ends so: "pick up the cup from" goes on. A song may ("what I came for")."""

@@ -17,7 +17,7 @@ from intent_engine.language.grammar_checks import check_meaning
 from intent_engine.language.grammar_intents import merged, read_intent
 from intent_engine.language.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.schema_problems import schema_problems
-from intent_engine.language.spellings import own_homophones
+from intent_engine.language.spellings import own_homophones, own_words
 from intent_engine.language.template_tree import Node
 from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 
@@ -38,6 +38,8 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     },
 }  # fmt: skip
 """Words that recognisers write for function words of commands. Names have their own index; these are for the rest."""
+NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
+"""Those of them that may be a number, which no grammar tells from the other."""
 
 
 FILLER = "filler"
@@ -186,7 +188,7 @@ class _Builder:
         self.slots: dict[str, Slot] = {}
         self.intents: dict[str, Intent] = {}
         self.operators: dict[str, list[str]] = {key: list(items) for key, items in default_operators(language).items()}
-        self.alikes: dict[str, tuple[str, ...]] = dict(DEFAULT_SOUND_ALIKES.get(language, {}))
+        self.alikes: dict[str, tuple[str, ...]] = {}
         self.parts: list[PartReader] = []
 
     def add(self, source: YamlSource) -> None:
@@ -247,6 +249,13 @@ class _Builder:
             source.problem(path, f"{name!r} is already the name of a {kind}", "give it another name", key=True)
         return kind is None
 
+    def _alikes_of(self, grammar: Grammar) -> dict[str, tuple[str, ...]]:
+        """Words that recognisers write for others, but for those of every grammar of the language that this one has a
+        use for: where something can be lifted, "lift" is no "left"."""
+        own = own_words(grammar) - NUMERIC
+        usual = DEFAULT_SOUND_ALIKES.get(self.language, {})
+        return {**{heard: meant for heard, meant in usual.items() if heard not in own}, **self.alikes}
+
     def finish(self) -> tuple[Grammar, list[Problem]]:
         """The grammar, and what is wrong with its meaning."""
         operators = {key: tuple(plain_phrase(text) for text in texts) for key, texts in self.operators.items()}
@@ -272,7 +281,9 @@ class _Builder:
             files=tuple(parts.source.file for parts in self.parts),
         )
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
-        return replace(grammar, homophones=own_homophones(grammar), warnings=tuple(warnings)), problems
+        return replace(
+            grammar, sound_alikes=self._alikes_of(grammar), homophones=own_homophones(grammar), warnings=tuple(warnings)
+        ), problems
 
     def _as_written(self) -> dict[str, str]:
         """Words that are written with a capital or an apostrophe in values, sentences and examples."""

@@ -247,6 +247,15 @@ def test_a_language_of_ones_own_needs_its_operators():
     assert engine.parse("halt").intent == "stop"
 
 
+def test_a_word_that_the_grammar_has_is_not_written_for_another():
+    turning = "intents:\n  t: {action: {type: custom}, sentences: ['turn left']}\n"
+    lifting = "  l: {action: {type: custom}, sentences: ['lift it']}\n"
+    assert load(turning).sound_alikes["lift"] == ("left",)
+    assert "lift" not in load(turning + lifting).sound_alikes
+    assert load(turning + lifting + "sound_alikes: {lift: [left]}\n").sound_alikes["lift"] == ("left",)
+    assert load(turning + "  g: {action: {type: custom}, sentences: ['go to it']}\n").sound_alikes["to"] == ("two",)
+
+
 def test_operators_and_sound_alikes_are_added_to_those_of_the_language():
     grammar = load(
         "operators: {stop: [red light], closed: [perhaps]}\nsound_alikes: {whale: [wave]}\nwake: [hey bot]\n"
