@@ -8,19 +8,28 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future
 from queue import Empty, SimpleQueue
 from typing import ParamSpec, TypeVar
 
-__all__ = ["PATIENCE", "Beside", "start_beside"]
+__all__ = ["PATIENCE", "Beside", "cores", "start_beside"]
 
 _Result = TypeVar("_Result")
 _Asked = ParamSpec("_Asked")
 
 PATIENCE = 20.0
 """s that the end of the process waits for such a thread: a model that is loaded with both cores busy takes several."""
+
+
+def cores() -> int:
+    """Cores of the processor that this process may use; of all that there are, where the system does not tell."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # only Linux knows it
+        return os.cpu_count() or 1
 
 
 def start_beside(

@@ -27,7 +27,7 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
-from intent_engine.speech.beside import Beside
+from intent_engine.speech.beside import Beside, cores
 from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.dictating import (
     DICTATED,
@@ -174,10 +174,11 @@ class SecondOpinion:
         return self._beside.submit(weights)
 
     def _look(self, samples: Samples) -> _Look:
-        """What both models make of a sound at first sight. Both listen at once, unless it was clear talk at a glance;
-        the second is left where the first was sure of every word, or heard what is clearly no command."""
+        """What both models make of a sound at first sight. Both listen at once, where each has a core, unless it was
+        clear talk at a glance; the second is left where the first was sure of every word, or heard what is clearly no
+        command."""
         self._prepared.result()
-        asked = None if self._talk_seen else self._ask(samples)
+        asked = self._ask(samples) if cores() > 1 and not self._talk_seen else None
         self._talk_seen = False
         heard = self._first.listen(samples)
         if heard.settled and not (heard.transcript.unclear or heard.dictated):

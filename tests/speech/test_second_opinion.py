@@ -23,6 +23,12 @@ def test_both_are_ready_before_the_first_words(engine):
     assert other.prepared.wait(60)
 
 
+@pytest.fixture(autouse=True)
+def two_cores(monkeypatch):
+    """Wherever these tests run."""
+    monkeypatch.setattr(second_opinion, "cores", lambda: 2)
+
+
 # -- when it is asked --------------------------------------------------------------------------------------------
 
 ALL_HEARD = Thinks(heard(FORWARD, 1.0))
@@ -62,6 +68,15 @@ def test_both_listen_at_once(engine, monkeypatch, first):
     """What the first will hear is not known yet."""
     both, one, other = two(engine, first, UNSURE)
     asked = asked_during(monkeypatch, one, "listen", other, known=True)
+    both.transcribe(SOUND, final=False)
+    assert asked.is_set()
+
+
+def test_on_one_core_the_first_listens_alone(engine, monkeypatch):
+    """Beside another it would take twice as long."""
+    monkeypatch.setattr(second_opinion, "cores", lambda: 1)
+    both, one, other = two(engine, UNSURE, UNSURE)
+    asked = asked_during(monkeypatch, one, "listen", other, known=False)
     both.transcribe(SOUND, final=False)
     assert asked.is_set()
 
