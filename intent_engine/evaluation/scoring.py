@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from enum import StrEnum
 from typing import Any
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Stop
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.evaluation.labels import Row, Step, steps_of
@@ -120,12 +120,19 @@ def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verd
         return Verdict.FALSE_ACCEPT if acted else Verdict.QUIET
     if not acted:
         return Verdict.MISSED
+    if expected.stops and all(isinstance(action, Stop) for action in actions):
+        steps, actions = _once(steps), actions[:1]  # a robot that is stopped twice is stopped
     right = (
         (not expected.steps or expected.by_text or _same_steps(expected.steps, steps))
         and (expected.types is None or expected.types == tuple(action.type for action in actions))
         and (expected.actions is None or _same_actions(expected.actions, actions))
     )
     return Verdict.RIGHT if right else Verdict.WRONG
+
+
+def _once(steps: Sequence[Step]) -> Sequence[Step]:
+    """One of several steps that are the same."""
+    return steps[:1] if len({step.intent for step in steps}) == 1 else steps
 
 
 def _same_steps(expected: Sequence[Step], found: Sequence[Step]) -> bool:

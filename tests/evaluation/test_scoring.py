@@ -47,6 +47,10 @@ def heard(*meanings: Interpretation, free: str | None = None, at: float = 2.0) -
     )
 
 
+STOPPED, PAUSED = (
+    Interpretation(intent, Status.ACCEPTED, intent, {}, (Stop(),), confidence=1.0) for intent in ("stop", "pause")
+)
+STOP_LABEL = Expected((Step("stop"),), actions=(Stop(),), stops=True)
 FORWARD_LABEL = Expected((Step("move", {"distance": 2}),))
 
 
@@ -68,6 +72,12 @@ FORWARD_LABEL = Expected((Step("move", {"distance": 2}),))
         (Expected(actions=(Move(0.5, 2.0, 4.0),)), [FORWARD], Verdict.RIGHT),
         (Expected(actions=(Move(0.5, 2.1, 4.2),)), [FORWARD], Verdict.WRONG),
         (Expected(actions=(Stop(),)), [FORWARD], Verdict.WRONG),
+        (STOP_LABEL, [STOPPED], Verdict.RIGHT),
+        (STOP_LABEL, [STOPPED, STOPPED], Verdict.RIGHT),
+        (STOP_LABEL, [STOPPED, FORWARD], Verdict.WRONG),
+        (STOP_LABEL, [STOPPED, PAUSED], Verdict.WRONG),
+        (STOP_LABEL, [PAUSED], Verdict.WRONG),
+        (FORWARD_LABEL, [FORWARD, FORWARD], Verdict.WRONG),
         (Expected(types=("move", "turn")), [BOTH], Verdict.RIGHT),
         (Expected(types=("move",)), [BOTH], Verdict.WRONG),
         (Expected(), [], Verdict.QUIET),
