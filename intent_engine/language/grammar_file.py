@@ -29,15 +29,14 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "en": {
         "two": ("to",), "too": ("to", "two"), "to": ("two",),
         "for": ("four",), "four": ("for",), "fore": ("for", "four"),
-        "write": ("right",),
-        "rite": ("right",), "wright": ("right",), "writes": ("right",),
-        "bae": ("bay",), "bey": ("bay",), "foreword": ("forward",), "forwards": ("forward",), "forword": ("forward",),
-        "meeters": ("meters",), "meeter": ("meter",), "metres": ("meters",), "ford": ("forward",),
+        "writes": ("right",), "bae": ("bay",), "forwards": ("forward",), "forword": ("forward",),
+        "meeters": ("meters",), "meeter": ("meter",), "ford": ("forward",),
         "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
         "moved": ("move",), "stopped": ("stop",), "goto": ("go",), "b": ("bay",), "lift": ("left",),
     },
 }  # fmt: skip
-"""Words that recognisers write for function words of commands. Names have their own index; these are for the rest."""
+"""Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those that
+sound the same are ``homophones``. Names have their own index; these are for the rest."""
 NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
