@@ -39,7 +39,28 @@ NO_THING: Mapping[str, frozenset[str]] = {
          "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his", "every", "each",
          "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been", "being", "do", "does",
          "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must", "might", "hold")
-    )
+    ),
+    "de": frozenset(
+        ("zu", "zum", "zur", "von", "mit", "in", "im", "ins", "an", "am", "ans", "auf", "aufs", "aus", "bei", "beim",
+         "für", "über", "unter", "vor", "hinter", "neben", "zwischen", "gegen", "durch", "um", "nach", "seit", "oder",
+         "als", "denn", "damit", "sehr", "jede", "jeder", "jedes", "jeden", "sein", "euer", "seine", "seinen", "ihre",
+         "ihren", "unser", "unsere", "unseren", "eure", "euren", "mich", "mir", "dich", "dir", "sich", "uns", "euch",
+         "ihm", "ihr", "ihnen", "kann", "kannst", "mag", "möchte", "werden", "hin", "her", "ab", "los", "weg", "hoch",
+         "runter", "herum", "weiter")
+    ),
+    "fr": frozenset(
+        ("à", "au", "aux", "avec", "pour", "dans", "sur", "sous", "par", "vers", "chez", "entre", "contre", "devant",
+         "derrière", "depuis", "ou", "que", "dont", "très", "chaque", "leur", "leurs", "me", "te", "se", "est", "sont",
+         "était", "ont", "va", "sera")
+    ),
+    "es": frozenset(
+        ("al", "con", "para", "en", "sobre", "bajo", "por", "hacia", "desde", "entre", "contra", "que",
+         "muy", "cada", "su", "sus", "me", "te", "se", "es", "son", "era", "está", "están", "ha", "han", "va", "será")
+    ),
+    "it": frozenset(
+        ("al", "allo", "alla", "con", "per", "in", "nel", "nella", "su", "sul", "sulla", "da", "dal", "dalla", "tra",
+         "fra", "verso", "che", "molto", "ogni", "mi", "ti", "si", "è", "sono", "era", "ha", "hanno", "va", "sarà")
+    ),
 }  # fmt: skip
 """No thing of a slot that lists things ends so: "pick up the cup from" goes on. A song may ("what I came for")."""
 ALONE: Mapping[str, frozenset[str]] = {
