@@ -173,7 +173,9 @@ class Judge:
             transcript: what was heard.
             meaning: what it means by itself.
         """
-        if meaning.stops or len(transcript.free_text.split()) > HARDLY_A_SENTENCE:
+        # "Moving of moving" are more words than "moving on" has: of "stop moving" no more was heard.
+        texts = (transcript.free_text, transcript.text) if meaning.status is Status.ACCEPTED else (transcript.free_text,)
+        if meaning.stops or min(len(text.split()) for text in texts) > HARDLY_A_SENTENCE:
             return meaning
         if meaning.status is Status.ACCEPTED and transcript.confidence is not None:
             clearly = transcript.sureness >= SURE_THOUGH_HELD

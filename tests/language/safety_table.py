@@ -234,6 +234,10 @@ COMPOUND = {
     "either turn left or turn right": NOTHING,
     "turn left or right": NOTHING,
     "go to the kitchen or the bedroom": NOTHING,
+    # As a recogniser writes one number: a pause is no end of a command between two.
+    "turn 100, 80 degrees left": NOTHING,
+    "Turn 100. 8 degrees left.": NOTHING,
+    "turn left, ninety degrees right": "left 43, right 90",
 }
 CONTINUED = {
     # To a place: no repetition of what was done last.

@@ -109,10 +109,8 @@ class Compounds:
         is_number = self._commands.matcher.is_number
         yield len(words), len(words)
         for end in range(len(words) - 1, start, -1):
-            for length in self._sequence.lengths_at(words, end):
-                after = end + length
-                # "turn 15 and 20 degrees": one number or two, nobody can know.
+            ends = [end + length for length in self._sequence.lengths_at(words, end)]
+            for after in (*ends, end) if core.breaks[end] else ends:
+                # "turn 15 and 20 degrees", "turn 100, 80 degrees": one number or two, nobody can know.
                 if after < len(words) and not (is_number(words[end - 1]) and is_number(words[after])):
                     yield end, after
-            if core.breaks[end]:
-                yield end, end
