@@ -174,8 +174,9 @@ class Judge:
             meaning: what it means by itself.
         """
         # "Moving of moving" are more words than "moving on" has: of "stop moving" no more was heard.
-        texts = (transcript.free_text, transcript.text) if meaning.status is Status.ACCEPTED else (transcript.free_text,)
-        if meaning.stops or min(len(text.split()) for text in texts) > HARDLY_A_SENTENCE:
+        found = transcript.text if meaning.status is Status.ACCEPTED else transcript.free_text
+        fewest = min(len(text.split()) for text in (transcript.free_text, found))
+        if meaning.stops or fewest > HARDLY_A_SENTENCE:
             return meaning
         if meaning.status is Status.ACCEPTED and transcript.confidence is not None:
             clearly = transcript.sureness >= SURE_THOUGH_HELD

@@ -214,6 +214,8 @@ class Operators:
     contrast: tuple[tuple[str, ...], ...] = ()
     """After a negated part, what comes next is wanted: "don't turn left, *instead* turn right"."""
     stop: tuple[tuple[str, ...], ...] = ()
+    stop_by_sound: tuple[tuple[str, ...], ...] = ()
+    """The same as they may be written by their sound: "break". They stop where nothing else was said."""
     closed: frozenset[str] = frozenset()
     """Words that a text slot never swallows: they would change what is meant."""
     pronoun: tuple[tuple[str, ...], ...] = ()

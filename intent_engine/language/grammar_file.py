@@ -17,7 +17,7 @@ from intent_engine.language.grammar_checks import check_meaning
 from intent_engine.language.grammar_intents import merged, read_intent
 from intent_engine.language.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.schema_problems import schema_problems
-from intent_engine.language.spellings import own_homophones, own_words
+from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.template_tree import Node
 from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 
@@ -281,7 +281,11 @@ class _Builder:
         )
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
         return replace(
-            grammar, sound_alikes=self._alikes_of(grammar), homophones=own_homophones(grammar), warnings=tuple(warnings)
+            grammar,
+            operators=replace(grammar.operators, stop_by_sound=stops_by_sound(grammar)),
+            sound_alikes=self._alikes_of(grammar),
+            homophones=own_homophones(grammar),
+            warnings=tuple(warnings),
         ), problems
 
     def _as_written(self) -> dict[str, str]:

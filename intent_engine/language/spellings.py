@@ -9,7 +9,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.homophones import homophones
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
-__all__ = ["own_homophones", "own_words", "spellings"]
+__all__ = ["own_homophones", "own_words", "spellings", "stops_by_sound"]
 
 
 def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
@@ -58,6 +58,22 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
     own = own_words(grammar)
     found = {word: tuple(filter(own.__contains__, same)) for word, same in homophones(grammar.language).items()}
     return {word: same for word, same in found.items() if same}
+
+
+def stops_by_sound(grammar: Grammar) -> tuple[tuple[str, ...], ...]:
+    """Its phrases that stop, as they may be written by their sound: "break" for "brake", where that is none of its own
+    words."""
+    stops = grammar.operators.stop
+    alone = {words[0] for words in stops if len(words) == 1}
+    taken = own_words(grammar).union(grammar.sound_alikes, *grammar.fillers, *stops)
+    same = homophones(grammar.language)
+    written = {word: [other for other in same.get(word, ()) if other not in taken] for word in alone}
+    return tuple(
+        (*words[:place], other, *words[place + 1 :])
+        for words in stops
+        for place, word in enumerate(words)
+        for other in written.get(word, ())
+    )
 
 
 def _literal(node: Node) -> Iterator[str]:

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from meanings import shipped
 
+from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.homophones import homophones
@@ -101,3 +102,26 @@ def test_numbers_and_what_turns_a_meaning_around_are_none(word: str) -> None:
     operators = shipped().grammar.operators
     assert word not in NUMBER_WORDS
     assert (word,) not in (*operators.negation, *operators.correction, *operators.cancel)
+
+
+@pytest.mark.parametrize("heard", ["Break.", "break break please", "break hard", "frees", "Woe!", "no, break"])
+def test_a_stop_is_one_by_its_sound_in_every_grammar(kitchen: IntentEngine, heard: str) -> None:
+    assert kitchen.parse(heard).actions == (Stop(),)
+
+
+@pytest.mark.parametrize("heard", ["take a break", "give me the pear break", "break the ice", "don't break"])
+def test_but_only_where_nothing_else_was_said(kitchen: IntentEngine, heard: str) -> None:
+    assert kitchen.parse(heard).actions == ()
+
+
+def test_a_word_that_the_grammar_has_itself_is_no_stop(tmp_path: Path) -> None:
+    own = """
+    intents:
+      rest:
+        action: {type: custom, name: rest}
+        sentences: ["break", "frees the arm"]
+    """
+    engine = engine_of(own, tmp_path)
+    assert engine.parse("break").intent == "rest"
+    assert engine.parse("frees").actions == ()
+    assert engine.parse("brake").actions == (Stop(),)

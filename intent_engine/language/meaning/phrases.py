@@ -30,6 +30,7 @@ class Phrases:
         )  # fmt: skip
         self.wake = PhraseSet(grammar.wake)
         self.stop = PhraseSet(operators.stop)
+        self._stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
         self.negation = PhraseSet(operators.negation)
         self.correction = PhraseSet(operators.correction)
         self.cancel = PhraseSet(operators.cancel)
@@ -96,9 +97,18 @@ class Phrases:
 
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""
+        return self._only(self.stop, words, position)
+
+    def only_stops_by_sound(self, words: list[str]) -> bool:
+        """Whether an utterance is nothing but these, some of them written by their sound."""
+        return self._stop_by_sound.may_stand_in(words) and self._only(
+            self._stop_by_sound, words, self.after_opening(words)
+        )
+
+    def _only(self, stops: PhraseSet, words: list[str], position: int) -> bool:
         found = False
         while position < len(words):
-            length = self.stop.at(words, position)
+            length = stops.at(words, position)
             if length:
                 found = True
             elif found:
