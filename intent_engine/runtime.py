@@ -34,8 +34,7 @@ from intent_engine.speech.voice import SileroVoice, VoiceDetector
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
 REFLEX_FRAMES = 11
-"""Frames before the onset, and that of it, which the reflex is given: a window that begins in silence holds less of the
-word."""
+"""Frames up to the onset which the reflex is given: a window that begins in silence holds less of the word."""
 SECOND_LOOK = 0.1
 """s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
@@ -103,6 +102,8 @@ class Runtime:
         self._deaf = False
         self._source: AudioSource | None = None
         self._base = 0.0
+        self._recent: deque[Samples] = deque()  # the last sounds, with which an utterance may have begun
+        self._waiting: list[SpokenUtterance] = []  # over, and not done yet
         self._summary = Summary()
 
     # -- controls ----------------------------------------------------------------------------------
@@ -147,31 +148,31 @@ class Runtime:
         self._endpoint.reset()
         self._deaf = False
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
-        recent: deque[Samples] = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
+        self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
+        self._waiting = []
         utterance: SpokenUtterance | None = None
-        waiting: list[SpokenUtterance] = []
         finished = False
         try:
             for frame in source.frames():
                 if self._closing.is_set():
                     break
                 self._move_clock(frame.time)
-                if not frame.samples.size:  # woken by a decode that has ended
-                    self._collect(frame.time, utterance, waiting)
-                    continue
-                if frame.lost or frame.deaf:
-                    self._gap(frame, recent, utterance, waiting)
+                if frame.samples.size:  # else it was woken by a decode that has ended
+                    if frame.lost or frame.deaf:
+                        self._gap(frame, utterance)
+                        utterance = None
+                    self._collect(frame.time, utterance)  # the endpoint decides by what is known now
+                    if not frame.deaf:
+                        self._deaf = False
+                        utterance = self._frame(frame, utterance)
+                    self._summary.seconds = frame.time
+                self._collect(frame.time, utterance)
+                if utterance is not None and self._over(self._endpoint.due(), frame.time, utterance):
                     utterance = None
-                self._collect(frame.time, utterance, waiting)  # the endpoint decides by what is known now
-                if not frame.deaf:
-                    self._deaf = False
-                    utterance = self._frame(frame, recent, utterance, waiting)
-                self._collect(frame.time, utterance, waiting)
-                self._summary.seconds = frame.time
             if not self._closing.is_set():
                 if utterance is not None:
-                    self._end(utterance, self._summary.seconds, waiting)
-                self._drain(waiting)
+                    self._end(utterance, self._summary.seconds)
+                self._drain()
             finished = True
         finally:
             self._source = None
@@ -188,20 +189,18 @@ class Runtime:
         if self._stepped:
             self.executor.clock.advance_to(self._base + time)  # type: ignore[attr-defined]
 
-    def _frame(
-        self, frame: Frame, recent: deque[Samples], utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]
-    ) -> SpokenUtterance | None:
+    def _frame(self, frame: Frame, utterance: SpokenUtterance | None) -> SpokenUtterance | None:
         if self._push_to_talk and not self._talk.is_set():
             if utterance is not None:
-                self._end(utterance, frame.time, waiting)
+                self._end(utterance, frame.time)
                 self._endpoint.reset()
-            recent.clear()
+            self._recent.clear()
             return None
         probability = self._voice.probability(frame.samples)
         signal = self._endpoint.frame(probability)
-        recent.append(frame.samples)
+        self._recent.append(frame.samples)
         if signal is Signal.STARTED:
-            utterance = SpokenUtterance(list(recent), frame.time, frame.time)
+            utterance = SpokenUtterance(list(self._recent), frame.time, frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
             if self._reflex is not None:
@@ -221,14 +220,7 @@ class Runtime:
             self._decoding.look(utterance)
         elif signal is Signal.RESUMED:
             self._outdated(utterance, frame.time)
-        elif signal in (Signal.ENDED, Signal.SHORT):
-            utterance.short = signal is Signal.SHORT
-            if not utterance.short:
-                # What was said already is no part of what follows: "turn left" would be done, and then "left".
-                silent = round((frame.time - utterance.last_voice) / FRAME_SECONDS)
-                while len(recent) > silent:
-                    recent.popleft()
-            self._end(utterance, frame.time, waiting)
+        elif self._over(signal, frame.time, utterance):
             return None
         elif self._speculate and self._endpoint.silence and utterance.job is None:
             self._decoding.decode(utterance, final=False)
@@ -236,14 +228,24 @@ class Runtime:
             self._decoding.decode(utterance, final=True)
         return utterance
 
-    def _gap(
-        self, frame: Frame, recent: deque[Samples], utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]
-    ) -> None:
+    def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
+        """End an utterance, if the signal says so. What was said already is no part of what follows: "turn left" would
+        be done, and then "left"."""
+        if signal not in (Signal.ENDED, Signal.SHORT):
+            return False
+        utterance.short = signal is Signal.SHORT
+        silent = round((time - utterance.last_voice) / FRAME_SECONDS)
+        for _ in range(0 if utterance.short else len(self._recent) - silent):
+            self._recent.popleft()
+        self._end(utterance, time)
+        return True
+
+    def _gap(self, frame: Frame, utterance: SpokenUtterance | None) -> None:
         """Sound is missing, and a "don't" may be what is missing: the utterance under way is not acted on.
 
         While no sound comes at all, nobody could stop the robot, so it is stopped.
         """
-        recent.clear()
+        self._recent.clear()
         self._endpoint.reset()
         self._voice.reset()
         self._continuing.forget()
@@ -252,7 +254,7 @@ class Runtime:
         if frame.deaf:
             if not self._deaf:
                 self._deaf = True
-                waiting.clear()
+                self._waiting.clear()
                 self._failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
         elif utterance is not None and self._held:
             self._failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
@@ -268,28 +270,28 @@ class Runtime:
         if self._decoding.forget(utterance):
             self._tell(HeardKind.OUTDATED, time)
 
-    def _end(self, utterance: SpokenUtterance, time: float, waiting: list[SpokenUtterance]) -> None:
+    def _end(self, utterance: SpokenUtterance, time: float) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
         if utterance.glance and not utterance.judged:
             self._outdated(utterance, time)
         if utterance.job is None:
             self._decoding.decode(utterance, final=True)
-        waiting.append(utterance)
+        self._waiting.append(utterance)
         if self._stepped:
-            self._collect(time, None, waiting)
+            self._collect(time, None)
 
-    def _collect(self, time: float, utterance: SpokenUtterance | None, waiting: list[SpokenUtterance]) -> None:
+    def _collect(self, time: float, utterance: SpokenUtterance | None) -> None:
         """Take up decodes that are ready: judge an utterance under way, act on those that ended."""
         if utterance is not None and not utterance.judged and self._ready(utterance, time):
             if not utterance.glance and self._goes_on(utterance):
                 self._decoding.decode(utterance, final=utterance.final)
-                return self._collect(time, utterance, waiting) if self._stepped else None
+                return self._collect(time, utterance) if self._stepped else None
             utterance.judged = True
             if utterance.result is not None:
                 self._judge(utterance, time)
-        while waiting:
-            first = waiting[0]
+        while self._waiting:
+            first = self._waiting[0]
             if first.job is None:
                 if not self._decoding.free and not self._decoding.hung:
                     return
@@ -301,7 +303,7 @@ class Runtime:
                 continue
             if self._goes_on(first):
                 continue
-            waiting.pop(0)
+            self._waiting.pop(0)
             if first.result is not None:
                 self._finish(first, time)
 
@@ -323,10 +325,10 @@ class Runtime:
         utterance.result = job.result()
         return True
 
-    def _drain(self, waiting: list[SpokenUtterance]) -> None:
+    def _drain(self) -> None:
         """The source has ended: wait for the decodes that are under way."""
-        while waiting:
-            first = waiting[0]
+        while self._waiting:
+            first = self._waiting[0]
             if first.job is None:
                 self._decoding.settle()
                 self._decoding.decode(first, final=True)
@@ -335,9 +337,9 @@ class Runtime:
                 if not first.job.done():
                     self._decoding.give_up()
                     self._failed(self._summary.seconds, "the recogniser did not answer")
-                    waiting.pop(0)
+                    self._waiting.pop(0)
                     continue
-            self._collect(self._summary.seconds, None, waiting)
+            self._collect(self._summary.seconds, None)
 
     def _goes_on(self, utterance: SpokenUtterance) -> bool:
         """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""

@@ -129,6 +129,8 @@ class Endpointer:
         self._silent = 0.0
         self._faded = 0.0
         """s since the voice began to fade, the silence after it included."""
+        self._low = False
+        """Whether the last frame could not begin another utterance."""
         self._whole = 0.0
         self.judge(Outlook.UNKNOWN)
 
@@ -164,6 +166,7 @@ class Endpointer:
             self._silent = self._faded = 0.0
             self.judge(Outlook.UNKNOWN)
             return Signal.STARTED
+        self._low = probability < settings.onset
         self._whole += FRAME_SECONDS
         if self._whole >= settings.max_speech:
             self.reset()
@@ -173,14 +176,18 @@ class Endpointer:
         first = self._silent == 0
         self._silent += FRAME_SECONDS
         self._faded += FRAME_SECONDS
-        if first:
-            return Signal.PAUSED
+        return Signal.PAUSED if first else self.due()
+
+    def due(self) -> Signal:
+        """Whether the utterance is over by what is known now: it may have been judged since the last frame."""
+        # What nothing can change need not be waited for until the detector is sure that the voice is gone.
+        quiet = self._faded if self._outlook is Outlook.COMPLETE and self._low else self._silent
         # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
-        if self._silent + FRAME_SECONDS / 2 >= settings.wait(self._outlook, self._asked):
-            short = self._spoken < settings.min_speech
-            self.reset()
-            return Signal.SHORT if short else Signal.ENDED
-        return Signal.NONE
+        if not quiet or quiet + FRAME_SECONDS / 2 < self.settings.wait(self._outlook, self._asked):
+            return Signal.NONE
+        short = self._spoken < self.settings.min_speech
+        self.reset()
+        return Signal.SHORT if short else Signal.ENDED
 
     def _voice(self, probability: float) -> Signal:
         """Take a frame of speech."""
@@ -188,7 +195,7 @@ class Endpointer:
         fading = not self._silent and probability < self.settings.fading
         if fading:
             self._faded += FRAME_SECONDS
-            return Signal.FADING if self._faded == FRAME_SECONDS else Signal.NONE
+            return Signal.FADING if self._faded == FRAME_SECONDS else self.due()
         resumed = self._faded > 0
         self._silent = self._faded = 0.0
         if resumed:

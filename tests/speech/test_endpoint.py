@@ -203,3 +203,35 @@ def test_nothing_begins_pauses_or_ends_otherwise_because_a_voice_fades(probabili
         return [Signal.NONE if one in (Signal.FADING, Signal.RESUMED) else one for one in found]
 
     assert signals(0.6) == signals(0.0)
+
+
+@pytest.mark.parametrize(
+    ("low", "outlook", "over"),
+    [
+        (0.45, Outlook.COMPLETE, True),
+        (0.5, Outlook.COMPLETE, False),
+        (0.45, Outlook.SETTLED, False),
+        (0.45, Outlook.AMENDABLE, False),
+        (0.45, Outlook.UNKNOWN, False),
+    ],
+)
+def test_a_low_voice_ends_what_nothing_can_change(low, outlook, over):
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0))
+    assert endpoint.frame(0.55) is Signal.FADING
+    endpoint.judge(outlook)
+    signals = play(endpoint, (low, 0.32))
+    assert signals == ([Signal.ENDED] if over else [])
+
+
+@given(st.floats(0.0, 0.49), st.integers(2, 6))
+def test_what_was_judged_since_the_last_frame_may_be_over_at_once(probability, frames_):
+    endpoint = Endpointer()
+    play(endpoint, (SPEECH, 1.0))
+    for _ in range(frames_):
+        assert endpoint.frame(probability) is not Signal.ENDED
+    assert endpoint.due() is Signal.NONE, "nobody knows yet what was said"
+    endpoint.judge(Outlook.COMPLETE)
+    assert endpoint.due() is Signal.ENDED
+    assert not endpoint.speaking
+    assert endpoint.due() is Signal.NONE

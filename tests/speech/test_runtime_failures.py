@@ -62,7 +62,7 @@ def test_a_robot_that_nobody_can_stop_does_not_move(listen, go_forward):
 
 
 def test_what_was_said_just_before_it_went_deaf_is_not_done(listen, go_forward):
-    words_end = int(3.05 / FRAME_SECONDS)  # in the silence after them, before it is long enough
+    words_end = int(3.0 / FRAME_SECONDS)  # in the silence after them, before it is long enough
     before = framed(go_forward)[:words_end]
     found = listen([*before, *deaf(before[-1].time, 5.0)])
     assert found.goals == []

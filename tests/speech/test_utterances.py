@@ -162,7 +162,21 @@ def test_what_is_clear_while_the_voice_fades_is_done(listen, faded, glanced_at, 
     assert recognizer.glances == glanced_at
     assert [last for _, last in recognizer.sounds] == decoded_at
     (done,) = found.of(HeardKind.SUBMITTED)
-    assert done.time == pytest.approx((35 + faded + 2) * FRAME_SECONDS, abs=FRAME_SECONDS)
+    # 64 ms after the voice began to fade, and not before it is low.
+    assert done.time == pytest.approx((max(35 + faded, 36) + 1) * FRAME_SECONDS)
+
+
+@pytest.mark.parametrize(
+    ("text", "over_at"),
+    [("turn left ninety degrees", 36), ("turn left", 46)],
+    ids=["nothing can change", "could go on"],
+)
+def test_what_nothing_can_change_does_not_wait_until_the_voice_is_gone(listen, text, over_at):
+    """In noise the detector is not sure of that for long: here it holds a low voice for speech for eight frames."""
+    voice = Probabilities((0.0, 15), (0.9, 20), (0.55, 1), (0.45, 8))
+    (done,) = listen(numbered(100), Glances(text), voice=voice, noise_filter=None).of(HeardKind.SUBMITTED)
+    assert done.time >= (over_at + 1) * FRAME_SECONDS - 1e-9
+    assert (done.time < 40 * FRAME_SECONDS) is (over_at < 40)
 
 
 @pytest.mark.parametrize(
@@ -189,12 +203,12 @@ def test_a_voice_that_comes_back_is_heard_anew(listen):
 
 @settings(max_examples=60, deadline=None)
 @given(
-    parts=st.lists(st.tuples(st.sampled_from([0.1, 0.4, 0.5, 0.9]), st.integers(1, 12)), max_size=20),
+    parts=st.lists(st.tuples(st.sampled_from([0.1, 0.5, 0.9]), st.integers(1, 12)), max_size=20),
     text=st.sampled_from(["turn left ninety degrees", "turn left", "nice weather"]),
     clear=st.booleans(),
 )
 def test_a_glance_changes_when_and_never_what(engine, parts, text, clear):
-    """However a voice fades and comes back: as many utterances, of which as many are done."""
+    """However a voice fades and comes back, unless it was low meanwhile: as many utterances, and as many are done."""
 
     def done(recognizer) -> list[HeardKind]:
         events = []
