@@ -37,6 +37,14 @@ FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
+NUMBERS_BY_SOUND = frozenset(
+    (("to", "two"), ("too", "two"), ("for", "four"), ("fore", "four"), ("won", "one"), ("ate", "eight"))
+)
+"""Words that are numbers where a unit follows, as sure as these themselves: of 30 times that "to meters", "to feet" or
+"for meters" was heard in quiet and in noise, and the sentence was one but for that, each was that number."""
+LEADING = frozenset(("to", "too", "for", "fore"))
+GOES_ON = frozenset(("hundred", "thousand", "million", "point"))
+"""Words of a number before which these may be one too; "to twenty degrees" is no 220."""
 CUT_OFF = (["to"], ["for"])
 """Words with which a sentence goes on. At its end neither is "two" or "four"."""
 
@@ -270,7 +278,13 @@ class Matcher:
     def read(self, words: list[str], *, loose: bool = False) -> list[Reading]:
         """Every reading of all the words, best first; those with a problem last."""
         automaton = self.loose if loose else self.strict
-        readings = [self._reading(trace, words) for trace in automaton.read(words) if not _cut_off(trace, words)]
+        language = self.grammar.language
+        traces = [
+            trace
+            for trace in automaton.read(words)
+            if not (_cut_off(trace, words) or _leads_to_a_number(trace, words, language))
+        ]
+        readings = [self._reading(trace, words) for trace in traces]
         if len(readings) > 1:
             readings.sort(key=_preference)
         return readings
@@ -283,6 +297,7 @@ class Matcher:
         intent, sentence = self.sentences[trace[0][1][1][1]]
         heard = words
         alikes = misheard = 0
+        by_sound: list[int] = []
         slots: list[SlotReading] = []
         free = 0
         start = 0
@@ -301,13 +316,21 @@ class Matcher:
                     slot = self.grammar.slots[name]
                     if slot.type in FREE_KINDS:
                         free += position - start
+                    elif slot.type in QUANTITY_KINDS:
+                        misheard -= sum(start < place < position for place in by_sound)
                     slots.append(self.values.read(slot, label, heard, start, position, value, loosely))
             elif kind == "alike":
                 # Stands before the end of the slot that holds the word.
                 if heard is words:
                     heard = list(words)
                 alikes += 1
-                misheard += mark[1] not in self.grammar.homophones.get(heard[position - 1], ())
+                said = heard[position - 1]
+                if mark[1] not in self.grammar.homophones.get(said, ()):
+                    misheard += 1
+                    if (said, mark[1]) in NUMBERS_BY_SOUND and not any(
+                        map(self.is_number, words[position : position + 1])
+                    ):
+                        by_sound.append(position)
                 heard[position - 1] = mark[1]
         if len(slots) > 1:
             slots = numbers_apart(slots, heard, self.grammar.language)
@@ -327,6 +350,19 @@ def spoken_trees(language: str) -> Mapping[str, Node]:
 def _cut_off(trace: Trace, words: Sequence[str]) -> bool:
     """Whether the last word is taken for a number, but may be where a sentence broke off: "turn left to"."""
     return words[-1:] in CUT_OFF and any(mark[0] == "alike" and position == len(words) for position, mark in trace)
+
+
+def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> bool:
+    """Whether a word is taken for a number that only leads to one: "turn right to twenty degrees"."""
+    return any(
+        mark[0] == "alike"
+        and words[position - 1] in LEADING
+        and (words[position - 1], mark[1]) in NUMBERS_BY_SOUND
+        and position < len(words)
+        and words[position] not in GOES_ON
+        and is_number(words[position], language)
+        for position, mark in trace
+    )
 
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from meanings import shipped
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Move, Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.homophones import homophones
@@ -125,3 +126,26 @@ def test_a_word_that_the_grammar_has_itself_is_no_stop(tmp_path: Path) -> None:
     assert engine.parse("break").intent == "rest"
     assert engine.parse("frees").actions == ()
     assert engine.parse("brake").actions == (Stop(),)
+
+
+@pytest.mark.parametrize(
+    ("heard", "metres"),
+    [("go forward to meters", 2), ("go back for meters", -4), ("move ate meters", 8), ("go forward too feet", 0.6096)],
+)
+def test_a_number_by_its_sound_is_as_sure_where_its_unit_follows(heard: str, metres: float) -> None:
+    found = shipped().parse(heard)
+    (action,) = found.actions
+    assert isinstance(action, Move)
+    assert math.copysign(action.distance or 0.0, action.linear_velocity) == pytest.approx(metres)
+    assert found.confidence == 1.0
+
+
+@pytest.mark.parametrize(
+    "heard", ["turn right to twenty degrees", "go forward for to", "turn left to", "back to forty meters"]
+)
+def test_what_only_leads_to_a_number_is_none(heard: str) -> None:
+    assert shipped().parse(heard).actions == ()
+
+
+def test_where_more_of_a_number_follows_it_is_less_sure() -> None:
+    assert shipped().parse("go forward to hundred meters").confidence < 1.0
