@@ -29,9 +29,9 @@ from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.models import recognizer_for
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import reflex_for
-from intent_engine.speech.second_opinion import recognizer_for
 from intent_engine.speech.weights import find_weights
 
 ROOT = Path(__file__).resolve().parent.parent

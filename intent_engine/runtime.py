@@ -83,7 +83,7 @@ class Runtime:
         self._continuing = Continuing(self._judgement, self._endpoint.settings.wait_continued)
         self.join_sentences()
         if recognizer is None:
-            from intent_engine.speech.second_opinion import recognizer_for
+            from intent_engine.speech.models import recognizer_for
 
             recognizer = recognizer_for(engine)
         self._stepped = isinstance(executor.clock, SteppedClock)

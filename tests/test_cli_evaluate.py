@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from intent_engine.speech.second_opinion import installed_second
+from intent_engine.speech.models import installed_second
 
 TEN = Path("examples") / "ten_commands"
 

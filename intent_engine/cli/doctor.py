@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.listening_options import Model
 from intent_engine.cli.options import Json
 from intent_engine.cli.terminal import json_line, level_meter, note, say
 
@@ -24,7 +23,9 @@ _STYLES = {"ok": "green", "warning": "yellow", "missing": "bold red"}
 
 @verb
 def doctor(
-    model: Model = "tiny.en",
+    model: Annotated[
+        str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")
+    ] = ("tiny.en"),
     device: Annotated[
         str | None, typer.Option(help="Microphone: its number, name, or a part of the name.", show_default="default")
     ] = None,

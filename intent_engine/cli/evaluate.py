@@ -44,7 +44,10 @@ def evaluate(
     model: Annotated[
         list[str] | None,
         typer.Option(
-            "--model", "-m", help="Whisper model, a name or a folder; may be repeated.", show_default="tiny.en"
+            "--model",
+            "-m",
+            help="Whisper model, a name or a folder; may be repeated.",
+            show_default="tiny.en; base for other languages",
         ),
     ] = None,
     second_model: SecondModel = None,
@@ -81,6 +84,7 @@ def evaluate(
     from intent_engine.evaluation.labels import evenly, find_labels, read_labels
     from intent_engine.evaluation.sound import Noise, check
     from intent_engine.evaluation.trial import Trial, scores
+    from intent_engine.speech.models import usual_model
 
     snrs = _snrs(snr) if noise else []
     settings = waits(wait)
@@ -91,7 +95,7 @@ def evaluate(
     rows = evenly(read_labels(labels, engine), limit)
     check(rows, labels)
     trial = Trial(Noise.read(noise) if noise else None, snrs)
-    models = model or ["tiny.en"]
+    models = model or [usual_model(engine.languages, language)]
     outcomes: list[Outcome] = []
     with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
         for name, recognizer in _recognizers(engine, models, second_model, language, free):
@@ -147,7 +151,7 @@ def _recognizers(
 ) -> Iterator[tuple[str, Recognizer]]:
     """One at a time: a large model fills the memory."""
     from intent_engine.speech.free import free_recognizer
-    from intent_engine.speech.second_opinion import NONE, recognizer_for, second_model
+    from intent_engine.speech.models import NONE, recognizer_for, second_model
 
     for model, name in _names(models).items():
         other = second_model(engine, model, second, language=language)

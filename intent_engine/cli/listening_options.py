@@ -23,7 +23,15 @@ if TYPE_CHECKING:
 
 __all__ = ["Hearing", "NoNoiseFilter", "NoReflex", "RawSamples", "SecondModel", "Telling", "Wait", "session", "waits"]
 
-Model = Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")]
+Model = Annotated[
+    str | None,
+    typer.Option(
+        "--model",
+        "-m",
+        help="Whisper model: a name (tiny.en, base, ...) or a folder.",
+        show_default="tiny.en; base for other languages",
+    ),
+]
 SecondModel = Annotated[
     str | None,
     typer.Option(
@@ -72,7 +80,7 @@ class Hearing:
     locations: Locations = None
     robot: Robots = "simulated"
     language: Language = None
-    model: Model = "tiny.en"
+    model: Model = None
     second_model: SecondModel = None
     free: Free = False
     no_reflex: NoReflex = False

@@ -46,7 +46,8 @@ class Session:
     engine: IntentEngine
     robot: RobotFile
     clock: Clock
-    model: str = "tiny.en"
+    model: str | None = None
+    """None: the usual one of the grammar's language."""
     second_model: str | None = None
     language: str | None = None
     free: bool = False
@@ -196,7 +197,7 @@ class Session:
 
     def _recognizer(self) -> Recognizer:
         from intent_engine.speech.free import free_recognizer
-        from intent_engine.speech.second_opinion import recognizer_for
+        from intent_engine.speech.models import recognizer_for
 
         recognizer: Recognizer
         if self.free:

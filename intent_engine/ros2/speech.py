@@ -92,6 +92,7 @@ class SpeechParameters:
     grammar: tuple[str, ...]
     locations: tuple[str, ...]
     model: str
+    """Of Whisper: a name or a folder; empty: tiny.en for English, base for other languages."""
     second_model: str
     """For what the first is not sure of; empty: base, if it is installed; "none": none."""
     device: str
@@ -114,7 +115,7 @@ def read_parameters(node: Any) -> SpeechParameters:
     parameters = SpeechParameters(
         grammar=grammar,
         locations=locations,
-        model=declared.text("model", "tiny.en", "Whisper model: a name or a folder"),
+        model=declared.text("model", "", "Whisper model: a name or a folder; empty: the usual of the language"),
         second_model=declared.text("second_model", "", "For what the first is unsure of; empty: base, if installed"),
         device=declared.text("device", "", "Microphone: number, name or part of it; empty: the system's"),
         file=declared.text("file", "", "Recording to play instead of the microphone"),
@@ -237,15 +238,16 @@ class Speech:
 
     def _ears(self, parameters: SpeechParameters) -> tuple[Recognizer, Reflex | None]:
         from intent_engine.speech.free import free_recognizer
+        from intent_engine.speech.models import recognizer_for
         from intent_engine.speech.reflex import reflex_for
-        from intent_engine.speech.second_opinion import recognizer_for
 
         recognizer: Recognizer
+        model = parameters.model or None
         if parameters.free:
-            recognizer = free_recognizer(parameters.model, language=self._engine.languages[0], tell=self._log.info)
+            recognizer = free_recognizer(model, language=self._engine.languages[0], tell=self._log.info)
         else:
             second = parameters.second_model or None
-            recognizer = recognizer_for(self._engine, parameters.model, second=second, tell=self._log.info)
+            recognizer = recognizer_for(self._engine, model, second=second, tell=self._log.info)
         return recognizer, reflex_for(self._engine, beside=recognizer) if parameters.reflex else None
 
 

@@ -256,8 +256,8 @@ def _weights(model: str) -> Check:
 
 
 def _second_model(model: str) -> Check:
+    from intent_engine.speech.models import FIRST, installed_second
     from intent_engine.speech.moonshine_weights import INSTALL, MOONSHINE
-    from intent_engine.speech.second_opinion import FIRST, installed_second
 
     if model not in FIRST:
         return Check("second model", Verdict.OK, f"none beside {model}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from intent_engine.speech.models import usual_model
 from intent_engine.speech.moonshine import MoonshineRecognizer
 from intent_engine.speech.moonshine_weights import is_moonshine
 from intent_engine.speech.whisper import WhisperRecognizer
@@ -12,18 +13,19 @@ __all__ = ["free_recognizer"]
 
 
 def free_recognizer(
-    model: str = "tiny.en", *, language: str | None = "en", tell: Callable[[str], object] | None = None
+    model: str | None = None, *, language: str | None = "en", tell: Callable[[str], object] | None = None
 ) -> WhisperRecognizer | MoonshineRecognizer:
     """The recogniser of a model, Whisper or Moonshine.
 
     Args:
-        model: a name, or a folder.
+        model: a name, or a folder; None: :func:`~intent_engine.speech.models.usual_model` of the language.
         language: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`; Moonshine knows English only.
         tell: is told what takes long: weights that are made ready, once on a machine.
 
     Raises:
         WeightsError: the model cannot be found or loaded.
     """
+    model = model or usual_model((), language)
     if is_moonshine(model):
         return MoonshineRecognizer(model, tell=tell)
     return WhisperRecognizer(model, language=language)

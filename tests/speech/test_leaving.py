@@ -18,8 +18,8 @@ from intent_engine.speech import leaving
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.leaving import Leavable, LeftError
+from intent_engine.speech.models import NONE, recognizer_for
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.second_opinion import NONE, recognizer_for
 
 LONG = 60.0
 """s: nobody waits so long but where something is broken."""

@@ -15,6 +15,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import WeightsError
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.models import recognizer_for
 from intent_engine.speech.moonshine import MoonshineModel
 from intent_engine.speech.reflex import (
     AGREED,
@@ -30,7 +31,6 @@ from intent_engine.speech.reflex import (
     WhisperReflex,
     reflex_for,
 )
-from intent_engine.speech.second_opinion import recognizer_for
 from intent_engine.speech.voice import SileroVoice
 
 

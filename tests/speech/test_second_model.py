@@ -1,4 +1,4 @@
-"""Which model is the second."""
+"""Which model is the first, and which the second."""
 
 from __future__ import annotations
 
@@ -7,12 +7,34 @@ import sys
 
 import pytest
 
+from intent_engine.engine import IntentEngine
 from intent_engine.errors import WeightsError
+from intent_engine.speech.models import NONE, recognizer_for, second_model, usual_model
 from intent_engine.speech.moonshine_weights import MOONSHINE
-from intent_engine.speech.second_opinion import NONE, recognizer_for, second_model
 from intent_engine.speech.steered import SteeredWhisper
 
 MOONSHINE_CAN_BE_HAD = (sys.platform, platform.machine()) == ("linux", "x86_64")
+
+
+@pytest.mark.parametrize(
+    ("languages", "language", "found"),
+    [
+        (("en",), None, "tiny.en"),
+        (("en", "de"), "en", "tiny.en"),
+        (("de",), None, "base"),
+        (("en", "de"), None, "base"),
+        (("en",), "fr", "base"),
+    ],
+)
+def test_the_first_model_knows_the_language(languages, language, found):
+    assert usual_model(languages, language) == found
+
+
+def test_a_german_grammar_is_heard_in_german(root):
+    engine = IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
+    recognizer = recognizer_for(engine)
+    assert (recognizer.weights.name, recognizer.language) == ("base", "de")
+    recognizer.close()
 
 
 @pytest.mark.parametrize(
@@ -34,7 +56,7 @@ def test_the_second_model(engine, model, second, language, found):
 
 
 def test_where_moonshine_is_not_installed_the_second_is_base(engine, monkeypatch):
-    monkeypatch.setattr("intent_engine.speech.second_opinion.moonshine_package", lambda: None)
+    monkeypatch.setattr("intent_engine.speech.models.moonshine_package", lambda: None)
     assert second_model(engine, "tiny.en") == "base"
 
 
