@@ -21,7 +21,7 @@ from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
-from intent_engine.speech.scoring import Rows, total
+from intent_engine.speech.rows import Rows, total
 from intent_engine.speech.writing import Names, spellings, written
 
 __all__ = ["Rivals"]

@@ -6,17 +6,19 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.however_written import HoweverWritten
 from intent_engine.speech.leaving import Leaving
 from intent_engine.speech.loops import goes_round
 from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
 from intent_engine.speech.recognizer import Encoded
+from intent_engine.speech.rows import Rows, total
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
 from intent_engine.speech.whisper_decoder import WhisperDecoder, own_decoder
 from intent_engine.speech.writing import Names, spellings, written
@@ -36,17 +38,6 @@ MOST_KEPT = 64
 """Pieces of what was heard freely, beyond which it is no command, and 0.2 MB for each are not kept."""
 ONWARD = 3
 """Pieces with which the model goes on after a beginning, where it is asked about many."""
-
-Rows: TypeAlias = Mapping[tuple[int, ...], npt.NDArray[np.float32]]
-"""How likely every piece is after some beginnings of a text: ``(vocabulary,)`` log probabilities, up to a constant in
-each."""
-
-
-def total(row: npt.NDArray[np.float32]) -> float:
-    """What all log probabilities of a row make together, in nats: the constant up to which they are such."""
-    top = row.max()
-    return float(top + np.log(np.exp(row - top).sum()))
-
 
 _NONE: Mapping[str, str] = MappingProxyType({})
 _NOTHING = PhraseSet(())
@@ -108,6 +99,10 @@ class Scoring(Leaving, ABC):
         """What the model made of a sound when it heard it freely: all that it wrote is a beginning. Nothing, if it has
         heard another since."""
         return self._decoded[1] if self._decoded[0] is encoded else {}
+
+    def however_written(self, encoded: Encoded, language: str | None = None) -> float:
+        """Mean log probability of what was heard freely, however it might be written; minus infinity: nobody knows."""
+        return -math.inf
 
     @abstractmethod
     def _pieces(self, encoded: Encoded, texts: Sequence[str], language: str | None) -> list[Any]:
@@ -180,6 +175,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         super().__init__(model, **options)
         self._decoder = own_decoder(self) if options.get("compute_type") in (None, "int8") else None
         self._trees = RecentTrees()
+        self._writing: HoweverWritten | None = None
 
     def longer(self, seconds: float) -> float:
         return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
@@ -211,6 +207,11 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
                 break
         self._decoded = (encoded, rows if len(rows) <= MOST_KEPT else {})
         return list(pieces), sum(scores) / max(len(pieces), 1)
+
+    def however_written(self, encoded: Encoded, language: str | None = None) -> float:
+        if self._writing is None:
+            self._writing = HoweverWritten(self.tokenizer(language))
+        return self._writing.clearness(self.decoded(encoded))
 
     def end_piece(self, language: str | None = None) -> int:
         end: int = self.tokenizer(language).eot

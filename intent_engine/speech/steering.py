@@ -31,7 +31,7 @@ from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.pace import too_few, too_many
 from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rivals import Rivals
-from intent_engine.speech.scoring import Rows
+from intent_engine.speech.rows import Rows
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.weighing import doubted
 from intent_engine.speech.writing import written
@@ -71,10 +71,6 @@ FARFETCHED = 0.02
 orders of coffee given to a robot 49 are left at this."""
 RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
-DOUBTFUL_SCORE = -0.6
-"""Mean log probability of the free words below which others are looked at, though they are a sentence already,"""
-DOUBTFUL_SENTENCE = -0.8
-"""and of more than a few words that are no stop. How they are written is part of it: "30" or "thirty"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,8 +142,8 @@ class Steering(Clearness):
         refused = addressed and self.refused(encoded, free, meaning, language)
         if not free or (refused and not self._may_be_dictated(words, language)):
             return Opinion(self, samples, encoded, heard, settled=True)
-        doubtful = DOUBTFUL_SCORE if len(words) <= FEW_WORDS or meaning.stops else DOUBTFUL_SENTENCE
-        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 and mean > doubtful
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+        exact = exact and self.clearly_heard(encoded, mean, language, few=len(words) <= FEW_WORDS or meaning.stops)
         in_time = not (too_many(words, samples) or too_few(words, samples))
         dictated = self.grammar.dictated(free, language) if exact and in_time and not meaning.stops else ()
         if dictated:

@@ -25,7 +25,7 @@ def known_words(matcher: Matcher) -> frozenset[str]:
         found |= slot.known
     found |= matcher.patterns.words
     found.update(word for words in (*grammar.fillers, *grammar.wake, *grammar.operators.sequence) for word in words)
-    for name in matcher.locations or ():
+    for name in matcher.locations.written() if matcher.locations is not None else ():
         found.update(Utterance.of(name, grammar.language).words)
     return frozenset(found)
 
