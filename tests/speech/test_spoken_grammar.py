@@ -367,3 +367,12 @@ def test_a_number_beyond_its_limits_must_be_far_likelier_unless_it_was_heard_so(
     within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
     views = {within: (View(-5.0, -1.0, 1.0),), beyond: (View(-1.5, -1.0, apart),)}
     assert gates.ranked(views)[0].words[-1] == first
+
+
+def test_the_other_names_of_places_are_known_words(engine):
+    """Else "head lounge" is half unknown, like talk, and "go to the family room" compared with all other sentences."""
+    grammar = SpokenGrammar(engine)
+    for said in ("go to the family room", "head lounge", "navigate to the charging station"):
+        words = said.split()
+        assert grammar.share_known(words) == 1
+        assert not grammar.unknown(words, grammar.parse(said))
