@@ -104,7 +104,7 @@ class Interpreter:
         words, phrases = said.words, self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
             return self._stopped(text)
-        if phrases.only_stops_by_sound(words):
+        if phrases.stop_by_sound.may_stand_in(words) and self._stops.by_sound(said):
             return self._stopped(text)
         if self._dictation and (dictated := self._dictation.taken(text, state, spoken)) is not None:
             core = phrases.without_fillers(said)

@@ -30,7 +30,7 @@ class Phrases:
         )  # fmt: skip
         self.wake = PhraseSet(grammar.wake)
         self.stop = PhraseSet(operators.stop)
-        self._stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
+        self.stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
         self.negation = PhraseSet(operators.negation)
         self.correction = PhraseSet(operators.correction)
         self.cancel = PhraseSet(operators.cancel)
@@ -101,9 +101,7 @@ class Phrases:
 
     def only_stops_by_sound(self, words: list[str]) -> bool:
         """Whether an utterance is nothing but these, some of them written by their sound."""
-        return self._stop_by_sound.may_stand_in(words) and self._only(
-            self._stop_by_sound, words, self.after_opening(words)
-        )
+        return self._only(self.stop_by_sound, words, self.after_opening(words))
 
     def _only(self, stops: PhraseSet, words: list[str], position: int) -> bool:
         found = False

@@ -61,6 +61,11 @@ class Stops:
         return False
 
     @step(Kind.STOP)
+    def by_sound(self, said: Utterance) -> bool:
+        """Whether an utterance is nothing but stops, some of them written by their sound: "break"."""
+        return self._phrases.only_stops_by_sound(said.words)
+
+    @step(Kind.STOP)
     def between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
         words = said.words
