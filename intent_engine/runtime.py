@@ -278,8 +278,7 @@ class Runtime:
         if utterance.job is None:
             self._decoding.decode(utterance, final=True)
         self._waiting.append(utterance)
-        if self._stepped:
-            self._collect(time, None)
+        self._collect(time, None)
 
     def _collect(self, time: float, utterance: SpokenUtterance | None) -> None:
         """Take up decodes that are ready: judge an utterance under way, act on those that ended."""

@@ -14,7 +14,7 @@ from speech_stage import Voiced, framed
 from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock
 from intent_engine.runtime import HeardKind
-from intent_engine.speech import leaving
+from intent_engine.speech import leaving, second_opinion
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.leaving import Leavable, LeftError
@@ -55,6 +55,7 @@ def noisy(spoken) -> np.ndarray:
 def test_it_is_left_wherever_it_is_and_harms_nothing(recognizer, noisy, monkeypatch):
     """At the first question to a model, the third, the ninth, ... ; the answer after it is the one before it."""
     assert isinstance(recognizer, Leavable)
+    monkeypatch.setattr(second_opinion, "SOON", math.inf)  # else a machine that is busy meanwhile hears it otherwise
     whole = recognizer.transcribe(noisy)
     left = 0
     for looks in (0, 2, 8, 14, 30, 60):
@@ -182,3 +183,34 @@ def test_what_nobody_will_act_on_is_left(engine, what):
         summary = runtime.run(Broken(recognizer))
     assert recognizer.let_go.wait(LONG)
     assert (summary.errors, summary.accepted) == (0, 0)
+
+
+def test_what_is_known_between_two_frames_is_done_between_them(engine):
+    """A command that nothing can change, and whose decode takes longer than the silence after it: the end of the decode
+    wakes the source, and no other sound has to come."""
+
+    class Late(Slow):
+        def first(self) -> Transcript:
+            text = "turn left ninety degrees"
+            return Transcript(text, free_text=text, gap=0.0)
+
+    recognizer = Late()
+    events = []
+
+    class Wakes(InTurn):
+        def frames(self) -> Iterator[Frame]:
+            for frame in framed(np.full(2 * SAMPLE_RATE, 0.1, np.float32)):
+                yield frame
+                if frames_after(1.0, frame) == 4:
+                    recognizer.let_go.set()
+                    assert self._woken.wait(LONG), "the decode has ended"
+                    yield Frame(np.zeros(0, np.float32), frame.time)
+                    kinds.extend(event.kind for event in events)
+
+    kinds: list[HeardKind] = []
+    clock = MonotonicClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        voice = Voiced((0.5, 1.0))
+        runtime = Runtime(engine, executor, recognizer, voice=voice, on_event=events.append, noise_filter=None)
+        runtime.run(Wakes(recognizer))
+    assert HeardKind.SUBMITTED in kinds
