@@ -23,9 +23,7 @@ _STYLES = {"ok": "green", "warning": "yellow", "missing": "bold red"}
 
 @verb
 def doctor(
-    model: Annotated[
-        str, typer.Option("--model", "-m", help="Whisper model: a name (tiny.en, base, ...) or a folder.")
-    ] = ("tiny.en"),
+    model: Annotated[str, typer.Option("--model", "-m", help="Whisper model: a name or a folder.")] = "tiny.en",
     device: Annotated[
         str | None, typer.Option(help="Microphone: its number, name, or a part of the name.", show_default="default")
     ] = None,

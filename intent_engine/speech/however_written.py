@@ -56,7 +56,7 @@ class HoweverWritten:
             return []
         blank = text[: len(text) - len(text.lstrip())]
         plain = word.lower()
-        spelled = {plain, *in_words([plain])[:1], *in_digits([plain])} if len(in_words([plain])) == 1 else {plain}
-        ways = {way for one in spelled for way in (one, one.capitalize(), one.upper())}
+        in_one = (one for one in (in_words([plain]), in_digits([plain])) if len(one) == 1)  # "21" is two words
+        ways = {way for one in (plain, *(only for (only,) in in_one)) for way in (one, one.capitalize(), one.upper())}
         written = (self._tokenizer.encode(blank + way) for way in sorted(ways))
         return sorted({piece, *(pieces[0] for pieces in written if len(pieces) == 1)})

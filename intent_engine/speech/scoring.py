@@ -209,6 +209,8 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         return list(pieces), sum(scores) / max(len(pieces), 1)
 
     def however_written(self, encoded: Encoded, language: str | None = None) -> float:
+        if language not in (None, "en"):  # not measured, and other languages write other numbers
+            return -math.inf
         if self._writing is None:
             self._writing = HoweverWritten(self.tokenizer(language))
         return self._writing.clearness(self.decoded(encoded))
