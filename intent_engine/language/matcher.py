@@ -10,7 +10,7 @@ from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart
 from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.free_text import ARTICLES, FREE_KINDS, FreeText
+from intent_engine.language.free_text import ARTICLES_IN, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
@@ -21,12 +21,13 @@ from intent_engine.language.slot_values import NamesOf, SlotValues
 from intent_engine.language.spacing import Spacing
 from intent_engine.language.spoken_patterns import SpokenPatterns
 from intent_engine.language.template import parse_template
-from intent_engine.language.template_tree import Choice, Node, Reference, Word, references
+from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
+from intent_engine.language.template_tree import Sequence as TemplateSequence
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["Matcher"]
+__all__ = ["NOT_AFTER_THE_VERB", "Matcher"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
@@ -34,6 +35,10 @@ NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever")
 """How a negated command begins in speech, besides the negation itself."""
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
+NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht",),)}
+"""What stands behind the first words of a command that shall not be done, in some languages."""
+BEHIND = ("\0behind", "\0sound behind")
+"""Names that no template has."""
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
@@ -173,6 +178,7 @@ class Matcher:
         end.final = True
         fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
         sounds = [words for words in fillers if len("".join(words)) <= SOUND_LETTERS]
+        sounds += [words for words in fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
         self.networks.add_names("sounds", [(words, "") for words in sounds])
         self.networks.add_names("fillers", [(words, "") for words in fillers if words not in sounds])
         self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
@@ -189,8 +195,11 @@ class Matcher:
             for place in (begin, end):
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
+        if not stop_anywhere:
+            self._add_polite(fillers, sounds)
+        kind = "sentence" if stop_anywhere else "polite"
         for index in range(len(self.sentences)):
-            middle.edges.append(Edge(end, call=Call(f"sentence:{index}")))
+            middle.edges.append(Edge(end, call=Call(f"{kind}:{index}")))
         for key in self.patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
@@ -201,6 +210,22 @@ class Matcher:
             begin.edges.append(Edge(alone, call=Call("stop")))
         end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
         return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
+
+    def _add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> None:
+        """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
+        Küche", "fahr nicht in die Küche"."""
+        language = self.grammar.language
+        behind = set(NOT_AFTER_THE_VERB.get(language, ()))
+        if language != "en":
+            behind.update(words for words in fillers if len(words) == 1)
+        either = Optional(Choice(tuple(Reference(name, name, 0) for name in BEHIND)))
+        calls = {BEHIND[0]: Call("behind", apart=True), BEHIND[1]: Call("sounds behind", mark=SOUND, apart=True)}
+        self.networks.add_names("behind", [(words, "") for words in sorted(behind.difference(sounds))])
+        self.networks.add_names("sounds behind", [(words, "") for words in sorted(behind.intersection(sounds))])
+        for index, (_, sentence) in enumerate(self.sentences):
+            node = _with_behind_first(sentence.template, either) if behind else sentence.template
+            scope = self._scope(sentence.template) | calls
+            self.networks.add_template(f"polite:{index}", self._spoken(node), scope)
 
     def _add_networks(self) -> None:
         grammar = self.grammar
@@ -219,7 +244,7 @@ class Matcher:
                     slot.allow,
                     free.unfinished_in(slot),
                     free.alone,
-                    slot.known | ARTICLES if slot.known else slot.known,
+                    slot.known | ARTICLES_IN.get(grammar.language, frozenset()) if slot.known else slot.known,
                     slot.without,
                 )
         for slot in grammar.slots.values():
@@ -339,6 +364,16 @@ class Matcher:
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""
         return is_number(word, self.grammar.language)
+
+
+def _with_behind_first(node: Node, more: Node) -> Node:
+    """A template with more behind the first of its words, whichever of several ways it goes."""
+    match node:
+        case Choice(items):
+            return Choice(tuple(_with_behind_first(item, more) for item in items))
+        case TemplateSequence((first, *rest)) if not isinstance(first, Optional):
+            return TemplateSequence((first, more, *rest))
+    return node
 
 
 @cache

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers import english, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
@@ -342,6 +342,23 @@ def find(text: str, language: str = "en") -> list[Found]:
     return found
 
 
+def _foreign_numbers(language: str, table: Units, joint: str) -> Mapping[str, str]:
+    """The numbers that people say, word by word besides: what a recogniser looks for. Any others are read too."""
+    spelled = [" ".join(words) for words in said.usual(language)]
+    if not spelled:
+        return {}
+    found = {"spelled": "(" + "|".join(spelled) + ")"}
+    ways = ["{spelled}"]
+    if parts := sorted(table.words.get("half", frozenset()) | table.words.get("quarter", frozenset())):
+        found["part"] = "[{one}] (" + "|".join(parts) + ")"
+        found["fraction"] = "({part}|" + foreign.TEMPLATES["fraction"] + ")"
+        ways += [f"{{spelled}} {joint} {{part}}", "{part}"]
+    if point := foreign.point_word(language):
+        ways.append(f"{{spelled}} {point} {{spelled}} [{{spelled}}]")
+    found["number"] = "(" + "|".join((*ways, foreign.TEMPLATES["number"])) + ")"
+    return found
+
+
 @cache
 def templates(language: str) -> Mapping[str, str]:
     """The spoken forms of quantities as named sentence templates, for matching and looking ahead.
@@ -358,6 +375,8 @@ def templates(language: str) -> Mapping[str, str]:
     joint = "(" + "|".join(sorted(table.words["and"])) + ")"
     per = "(" + "|".join(sorted(table.words["per"])) + ")"
     base["one"] = f"{one} [whole|full|single]" if language == "en" else one
+    if language != "en":
+        base |= _foreign_numbers(language, table, joint)
     # "Half of the meter", but not "half the meter", for which "half a meter" was heard.
     article = f"[{of} [{one}|the]|{one}]" if language == "en" else f"[{of}] [{one}]"
     base["count"] = (

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple, TypeAlias
 
+from intent_engine.language.numbers import foreign, said
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
 from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, tidy
@@ -51,16 +52,6 @@ _TURNS: Mapping[str, float] = {
 _WHOLE = (*range(1, 21), 25, 30, 35, 40, 45, 50, 60, 70, 75, 80, 90, 100, 110, 120, 135, 150, 180, 200, 225, 250, 270,
           300, 333, 360, 400, 450, 500, 720, 750, 999, 1000)  # fmt: skip
 _DECIMALS = ("0.5", "1.5", "2.5", "0.2", "0.3", "0.75", "1.25", "3.4", "7.05", "12.5", "22.5", "37.8")
-_WORDS: Mapping[str, Mapping[int, str]] = {
-    "de": {2: "zwei", 3: "drei", 4: "vier", 5: "fünf", 10: "zehn", 20: "zwanzig", 45: "fünfundvierzig", 90: "neunzig"},
-    "es": {2: "dos", 3: "tres", 4: "cuatro", 5: "cinco", 10: "diez", 20: "veinte", 45: "cuarenta y cinco",
-           90: "noventa"},
-    "fr": {2: "deux", 3: "trois", 4: "quatre", 5: "cinq", 10: "dix", 20: "vingt", 45: "quarante-cinq",
-           90: "quatre-vingt-dix"},
-    "it": {2: "due", 3: "tre", 4: "quattro", 5: "cinque", 10: "dieci", 20: "venti", 45: "quarantacinque",
-           90: "novanta"},
-}  # fmt: skip
-"""Some number words of languages other than English, whose numbers are all known."""
 
 
 @cache
@@ -71,7 +62,7 @@ def spoken_forms(
 
     Args:
         kind: one of ``QUANTITY_KINDS``.
-        language: its units and number words are used; beyond English few number words are known, and digits serve.
+        language: its units and number words are used; where no words are known, digits serve.
         unit: of the slot; a bare number can be said if there is one.
         minimum: SI, inclusive; None: no limit.
         maximum: SI, inclusive; None: no limit.
@@ -149,8 +140,8 @@ def _whole_numbers(language: str) -> Iterator[_Number]:
         yield str(number), float(number)
         if language == "en":
             yield " ".join(in_words([str(number)])), float(number)
-        elif number in _WORDS.get(language, ()):
-            yield _WORDS[language][number], float(number)
+        elif number > 1 and foreign.number(words := said.spell(number, language), language) == number:
+            yield " ".join(words), float(number)  # "one" is an article; and text2num lacks a few
 
 
 def _decimal_numbers(english: bool) -> Iterator[_Number]:

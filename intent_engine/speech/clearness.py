@@ -6,17 +6,20 @@ nothing in the grammar: only by how much likelier the model finds the one than t
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
+from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import ALIKE, DIGITS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import PhraseSet, Utterance
-from intent_engine.speech.narration import NARRATING, SUBJECTS
+from intent_engine.speech.narration import NARRATING, SUBJECTS, SUBJECTS_IN
 from intent_engine.speech.recognizer import Encoded
-from intent_engine.speech.rows import Rows
+from intent_engine.speech.rows import Rows, total
 from intent_engine.speech.scoring import Scoring
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import spellings, written
@@ -77,6 +80,18 @@ class Clearness(Scoring):
         doubtful, clear = (DOUBTFUL_SCORE, CLEAR_WORDS) if few else (DOUBTFUL_SENTENCE, CLEAR_SENTENCE)
         return mean > doubtful or self.however_written(encoded, language) > clear
 
+    def heard_clearly(self, encoded: Encoded, language: str | None) -> frozenset[str]:
+        """The words of what was heard freely each piece of which was as likely as a clear word's is."""
+        rows, tokenizer = self.decoded(encoded), self.tokenizer(language)
+        heard = max(rows, key=len, default=())
+        unclear: set[str] = set()
+        for word, begin, end in _in_words(heard, tokenizer):
+            known = [rows[heard[:place]] for place in range(begin, end) if heard[:place] in rows]
+            scores = [float(row[heard[begin + at]]) - total(row) for at, row in enumerate(known)]
+            if len(known) < end - begin or sum(scores) < len(scores) * math.log(CLEAR):
+                unclear.update(self.grammar.words(word, language))
+        return frozenset(self.grammar.words(tokenizer.decode(list(heard)), language)) - unclear
+
     def clearness(
         self,
         encoded: Encoded,
@@ -116,12 +131,10 @@ class Clearness(Scoring):
                 for word, score in zip(words, self._by_word(encoded, words, language), strict=True)
                 if isinstance(word, FreeWord)
             }
-        if language not in (None, "en"):
-            return {}
         rivals = [
             (word, margin, other)
             for at, word in enumerate(words)
-            for instead, margin in _sounding_like(words, at)
+            for instead, margin in _sounding_like(words, at, language)
             if self.grammar.possible(other := (*words[:at], instead, *words[at + 1 :]), (), language)
         ]
         if not rivals:
@@ -185,10 +198,10 @@ class Clearness(Scoring):
         # What follows is hardly likelier after a "don't".
         if heard and (ahead := min(self._heard_apart(encoded, one, language) for one in forbidden)) >= SURELY_SAID:
             return ahead
-        spelled = {True: in_digits(words), False: list(words)}
+        spelled = {True: in_digits(words, language), False: list(words)}
         scores = self.score(encoded, [written(one, language) for one in spelled.values()], language)
         said, digits = max(zip(scores, spelled, strict=True))
-        forbidden = [in_digits(one) if digits else one for one in forbidden]
+        forbidden = [in_digits(one, language) if digits else one for one in forbidden]
         if not heard and (ahead := self._begins_apart(encoded, spelled[digits], forbidden, language)) >= SURELY_SAID:
             return ahead
         return said - max(self.score(encoded, [written(one, language) for one in forbidden], language))
@@ -213,12 +226,14 @@ class Clearness(Scoring):
         """Words with which a sentence is no command, of those that were heard clearly: in noise anything is heard."""
         spoken = [Utterance.of(word, language or "en").words for word in free.split()]
         words = [word for one in spoken for word in one]
-        begin = self.grammar.lead(words, language) if language in (None, "en") else len(words)
+        begin, telling = self.grammar.lead(words, language), self.grammar.narrating(language)
+        # English asks "should we go", and may mean it; who begins so in another language tells or asks something.
+        subjects = SUBJECTS if language in (None, "en") else {*SUBJECTS_IN.get(language, ()), *telling}
         least: list[tuple[int, str, float]] = []
         count = 0
         for place, one in enumerate(spoken):
-            least += [(place, word, CLEAR) for word in one if word in NARRATING]
-            least += [(place, word, CLEAR_SUBJECT) for word in one[:1] if count == begin and word in SUBJECTS]
+            least += [(place, word, CLEAR) for word in one if word in telling]
+            least += [(place, word, CLEAR_SUBJECT) for word in one[:1] if count == begin and word in subjects]
             count += len(one)
         if not least:
             return []
@@ -226,9 +241,20 @@ class Clearness(Scoring):
         return [word for place, word, clear in least if heard[place][1] > math.log(clear)]
 
 
-def _sounding_like(words: Sequence[str], at: int) -> Iterator[tuple[str, float]]:
+def _in_words(pieces: Sequence[int], tokenizer: Any) -> Iterator[tuple[str, int, int]]:
+    """The words that pieces of a text make, each with the places of its first piece and after its last."""
+    texts: list[str] = [tokenizer.decode([piece]) for piece in pieces]
+    begins = [place for place, text in enumerate(texts) if place == 0 or text[:1].isspace()]
+    for begin, end in itertools.pairwise((*begins, len(pieces))):
+        yield tokenizer.decode(list(pieces[begin:end])), begin, end
+
+
+def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Iterator[tuple[str, float]]:
     """What a word of a number may have been, each with the nats by which it must be likelier."""
     word, after = words[at], "".join(words[at + 1 : at + 2])
+    if language not in (None, "en"):
+        yield from ((other, RIVAL_MARGIN) for other in foreign.ALIKE.get(language, {}).get(word, ()))
+        return
     if word in ALIKE:
         yield ALIKE[word], RIVAL_MARGIN + (-TEEN if word.endswith("ty") else TEEN)
     if word in FOR_FORTY and after in DIGITS:

@@ -26,7 +26,7 @@ import numpy.typing as npt
 
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.numbers.spelled import in_words, number_words
 from intent_engine.speech.writing import Names, written
 
 __all__ = ["DEEP", "USUAL", "WORD", "Effort", "GuidedSearch", "NextPieces", "word_count"]
@@ -302,7 +302,7 @@ class GuidedSearch:
             if path.digits and "." not in path.digits:
                 yield self._on(path, row, self._point, digits=path.digits + ".")
             if path.digits and not path.digits.endswith("."):
-                spelled = in_words([path.digits]) if self._language in (None, "en") else [path.digits]
+                spelled = in_words([path.digits], self._language)
                 yield from self._after(path, row, spelled, heard, found)
         elif path.inside is not None:
             yield from self._into(path, row, path.inside, path.words, path.state)
@@ -381,9 +381,8 @@ class GuidedSearch:
             words = {word for span in _spans(heard) for _, word in self._search.like(state, span)}
         # A short sound that fits anywhere ("so") would explain whatever was misheard.
         words.update(word for word in sounds if word[:1].isalnum() and (len(word) >= LONG_FILLER or not likely))
-        pieces = _Pieces(numbers=not NUMBER_WORDS.isdisjoint(likely))
-        if self._language not in (None, "en"):
-            pieces.numbers = True
+        numbers = number_words(self._language)  # of a language of which none are known, any word may be one
+        pieces = _Pieces(numbers=not (numbers and numbers.isdisjoint(likely)))
         for word in words:
             for spelled in self._in_pieces(word, first):
                 at = pieces

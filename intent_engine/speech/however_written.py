@@ -23,10 +23,12 @@ class HoweverWritten:
 
     Args:
         tokenizer: with ``encode`` and ``decode``, as faster-whisper's.
+        language: of the words.
     """
 
-    def __init__(self, tokenizer: Any) -> None:
+    def __init__(self, tokenizer: Any, language: str | None = None) -> None:
         self._tokenizer = tokenizer
+        self._language = language
         self._same: dict[int, list[int]] = {}
 
     def clearness(self, rows: Rows) -> float:
@@ -56,7 +58,8 @@ class HoweverWritten:
             return []
         blank = text[: len(text) - len(text.lstrip())]
         plain = word.lower()
-        in_one = (one for one in (in_words([plain]), in_digits([plain])) if len(one) == 1)  # "21" is two words
+        numbers = in_words([plain], self._language), in_digits([plain], self._language)
+        in_one = (one for one in numbers if len(one) == 1)  # "21" is two words
         ways = {way for one in (plain, *(only for (only,) in in_one)) for way in (one, one.capitalize(), one.upper())}
         written = (self._tokenizer.encode(blank + way) for way in sorted(ways))
         return sorted({piece, *(pieces[0] for pieces in written if len(pieces) == 1)})

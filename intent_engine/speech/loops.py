@@ -22,7 +22,8 @@ def fold_loop(text: str) -> str:
     """A sentence said over and over, as a speech model does with short input, once.
 
     Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
-    sentences ("Right. Right."); of a few words with no full stop between them it is something people say. A long
+    sentences ("Right. Right.", "Follow me Follow me"); of a few words with nothing between them that shows two
+    sentences it is something people say. A long
     sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
     the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
     is what was said. So it is where two and more follow that are the same, and like it ("turn right for 40 5 degrees
@@ -34,7 +35,7 @@ def fold_loop(text: str) -> str:
         unit = plain[:length]
         repeats = _times(unit, plain)
         rest = plain[repeats * length :]
-        whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?"
+        whole = length >= LONG_SENTENCE or words[length - 1][-1] in ".!?" or _begins_anew(words, length)
         if repeats >= (2 if whole else 3) and _begins(unit, rest):
             return " ".join(words[:length])
         again = plain[length : 2 * length]
@@ -47,6 +48,11 @@ def fold_loop(text: str) -> str:
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
     return text
+
+
+def _begins_anew(words: list[str], length: int) -> bool:
+    """Whether a sentence of several words begins once more with a capital, after other words that have none."""
+    return words[length][:1].isupper() and any(word[:1].islower() for word in words[1:length])
 
 
 def goes_round(text: str) -> bool:

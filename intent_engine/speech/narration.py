@@ -1,23 +1,27 @@
 """Who tells something gives no command: "when you go to the kitchen", "we go to the kitchen".
 
 A recogniser that is led along a grammar would leave such words out. Those that it heard clearly were said, and a
-command that has no place for them was not. English words only.
+command that has no place for them was not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
-__all__ = ["NARRATING", "SUBJECTS", "leaves_out", "told"]
+if TYPE_CHECKING:
+    from intent_engine.language.grammar import Grammar
+
+__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "narrating", "told"]
 
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
     | {"were", "had", "has", "should", "he", "she", "they", "not", "never", "no", "dont", "cannot", "cant", "wont"}
     | {"without", "except", "neither", "nor", "nobody", "nothing", "nowhere"}
 )
-"""Words with which a sentence is no command, wherever they stand."""
+"""English words with which a sentence is no command, wherever they stand."""
 SUBJECTS: Mapping[str, str] = {
     **dict.fromkeys(("i", "im", "id", "ive", "ill"), "i"),
     **dict.fromkeys(("you", "youre", "youd", "youve", "youll"), "you"),
@@ -26,6 +30,11 @@ SUBJECTS: Mapping[str, str] = {
 }
 """Words with which a statement begins, each with the person that it stands for: "I'd like" may be heard as "I like". A
 command may have them elsewhere ("can you put it down"). "It's" is none of them: "spin" is heard so in noise."""
+SUBJECTS_IN: Mapping[str, Mapping[str, str]] = {
+    "en": SUBJECTS,
+    "de": {word: word for word in ("ich", "du", "er", "sie", "es", "wir", "ihr", "man")},
+}
+"""The same by language."""
 TELLING = frozenset(
     {"is", "isnt", "are", "arent", "am", "was", "wasnt", "has", "hasnt", "does", "doesnt", "goes", "went"}
 )
@@ -36,12 +45,23 @@ MISHEARD = 0.4
 """Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 
 
+def narrating(grammar: Grammar) -> frozenset[str]:
+    """Words with which a sentence is no command, wherever they stand: of other languages than English those that no
+    free slot takes ("nicht", "wenn"), but for such as commands are joined and corrected with, and stopped."""
+    if grammar.language == "en":
+        return NARRATING
+    operators = grammar.operators
+    joining = (*operators.sequence, *operators.contrast, *operators.correction, *operators.cancel, *operators.stop)
+    elsewhere = (*joining, *operators.pronoun, *grammar.fillers, *grammar.wake)
+    return operators.closed.difference(words[0] for words in elsewhere if len(words) == 1)
+
+
 def leaves_out(words: Sequence[str], story: Iterable[str], heard: Collection[str]) -> bool:
     """Whether a sentence has no place for one of the words that tell a story.
 
     Args:
         words: of the sentence.
-        story: words of :data:`NARRATING` that were heard, and one of :data:`SUBJECTS` with which it began.
+        story: words of :func:`narrating` that were heard, and one of :data:`SUBJECTS_IN` with which it began.
         heard: all words that were heard: no other was heard in place of one of these.
     """
     persons = {SUBJECTS[word] for word in words if word in SUBJECTS}

@@ -16,8 +16,7 @@ import numpy.typing as npt
 
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.free_text import ARTICLES
-from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.numbers.spelled import in_digits, number_words
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS
@@ -63,6 +62,7 @@ class Rivals:
         self._corrections = corrections or PhraseSet(())
         self._tokenizer = tokenizer
         self._language = language
+        self._number_words = number_words(language)
         self._names = names
         self._detours = Detours(search)
         self._firsts: dict[tuple[str, bool], list[int]] = {}
@@ -95,7 +95,7 @@ class Rivals:
         several = {
             place + more
             for place in range(len(words))
-            if (count := _number_from(words, place)) > 1
+            if (count := self._number_from(words, place)) > 1
             for more in range(count)
         }
         return {
@@ -137,7 +137,7 @@ class Rivals:
             if begin is not None:
                 row = rows[begin]
                 said = max(float(row[piece]) for piece in self._first_pieces(word, place == 0))
-                if number := words[place : place + _number_from(words, place)]:
+                if number := words[place : place + self._number_from(words, place)]:
                     said = max(said, self._likelihood(number, begin, chances) + chances.total(begin))
                     found += [
                         (behind, (*words[:place], *onward), word)
@@ -199,6 +199,12 @@ class Rivals:
 
     # -- numbers ------------------------------------------------------------------------------------
 
+    def _number_from(self, words: Sequence[str], place: int) -> int:
+        """Of how many words the number is that begins at a place; 0 if none begins there."""
+        if place and words[place - 1] in self._number_words:
+            return 0
+        return sum(1 for _ in itertools.takewhile(self._number_words.__contains__, words[place:]))
+
     def digits(self, words: Sequence[str], rows: Rows) -> list[tuple[int, ...]]:
         """Beginnings of numbers in digits that a model has still to be asked about, which writes them digit by digit:
         its first piece is the same for all numbers.
@@ -212,7 +218,7 @@ class Rivals:
         sign, *digits = self._digits
         wanted = []
         for place, begin in self._begins(words, rows, widely=True).items():
-            if begin is None or not _number_from(words, place):
+            if begin is None or not self._number_from(words, place):
                 continue
             signed = (*begin, sign)
             if signed not in rows:
@@ -236,12 +242,13 @@ class Rivals:
         said = self._likelihood(number, begin, chances)
         found = sorted(
             (said - self._likelihood([other], begin, chances), other)
-            for other in NUMBER_WORDS.intersection(others)
+            for other in self._number_words.intersection(others)
             if [other] != list(number)
         )
         values: dict[tuple[str, ...], tuple[float, str]] = {}
         for behind, other in found:
-            values.setdefault(in_digits([other]), (behind, other))  # "forty", and not "fourty" too
+            # "Forty", and not "fourty" too.
+            values.setdefault(in_digits([other], self._language), (behind, other))
         return list(values.values())[:NUMBERS]
 
     def _likelihood(self, number: Sequence[str], begin: tuple[int, ...], chances: _Chances) -> float:
@@ -276,13 +283,6 @@ class Rivals:
                     self._kept.clear()
                 self._kept[state, first] = known
         return known
-
-
-def _number_from(words: Sequence[str], place: int) -> int:
-    """Of how many words the number is that begins at a place; 0 if none begins there."""
-    if place and words[place - 1] in NUMBER_WORDS:
-        return 0
-    return sum(1 for _ in itertools.takewhile(NUMBER_WORDS.__contains__, words[place:]))
 
 
 class _Chances:

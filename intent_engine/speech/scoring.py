@@ -34,6 +34,8 @@ ENCODED_PER_SECOND = 50
 """Vectors of Whisper's encoder."""
 LEAST = 1e-12
 """Least probability of a piece."""
+MEASURED = (None, "en", "de")
+"""Languages of which it was measured how clear words are, however they are written."""
 MOST_KEPT = 64
 """Pieces of what was heard freely, beyond which it is no command, and 0.2 MB for each are not kept."""
 ONWARD = 3
@@ -175,7 +177,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         super().__init__(model, **options)
         self._decoder = own_decoder(self) if options.get("compute_type") in (None, "int8") else None
         self._trees = RecentTrees()
-        self._writing: HoweverWritten | None = None
+        self._writing: dict[str | None, HoweverWritten] = {}
 
     def longer(self, seconds: float) -> float:
         return max(RETRY_SECONDS, seconds + RETRY_MARGIN)
@@ -209,11 +211,11 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         return list(pieces), sum(scores) / max(len(pieces), 1)
 
     def however_written(self, encoded: Encoded, language: str | None = None) -> float:
-        if language not in (None, "en"):  # not measured, and other languages write other numbers
+        if language not in MEASURED:
             return -math.inf
-        if self._writing is None:
-            self._writing = HoweverWritten(self.tokenizer(language))
-        return self._writing.clearness(self.decoded(encoded))
+        if language not in self._writing:
+            self._writing[language] = HoweverWritten(self.tokenizer(language), language)
+        return self._writing[language].clearness(self.decoded(encoded))
 
     def end_piece(self, language: str | None = None) -> int:
         end: int = self.tokenizer(language).eot

@@ -8,14 +8,13 @@ import itertools
 import math
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.matcher import NOT_AFTER_THE_VERB
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import PhraseSet, Utterance
@@ -23,16 +22,18 @@ from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.dictating import DICTATED, begin_of
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
+from intent_engine.speech.known_grammar import KnownGrammar
 from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.narration import NARRATING, leaves_out, told
 from intent_engine.speech.opinion import Reading
-from intent_engine.speech.usual import UsualNumbers
-from intent_engine.speech.vocabulary import known_in_slots, known_words, said_in_slots, words_as_written
+from intent_engine.speech.vocabulary import (
+    said_in_slots,
+    said_of_signs,
+)
 from intent_engine.speech.wake_words import UNADDRESSED, WakeWords
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
-    from intent_engine.language.matcher import Matcher
 
 __all__ = ["FORBIDDING", "SpokenGrammar"]
 
@@ -65,34 +66,10 @@ FORBIDDING = ("don't",), ("do", "not"), ("never",)
 ENUMERATED = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
 """The number before a sentence in a list, which nobody said: "1. Play my workout playlist." Models have it from texts
 that they were trained on."""
+NOT_WITHIN = 3
+"""First words of a command, behind any of which a "nicht" may stand: "fahr nicht ...", "dreh dich nicht ..."."""
 OTHERWISE = 2
 """Other ways to say a command, of which a "don't" is looked for too."""
-
-
-@dataclass(slots=True)
-class _Known:
-    """What is known of the grammar of one language, until it is reloaded."""
-
-    matcher: Matcher
-    words: frozenset[str]
-    corrections: PhraseSet
-    """"I mean", "no", "make that","""
-    correcting: frozenset[str]
-    """and their words, which a sentence that is corrected has besides."""
-    negations: PhraseSet
-    """"Not", "never","""
-    wake: WakeWords
-    empty: PhraseSet
-    """What says nothing: "please","""
-    leading: PhraseSet
-    """also at the beginning: "and then"."""
-    in_slots: frozenset[str]
-    as_written: Mapping[str, str]
-    search: UtteranceSearch
-    usual: UsualNumbers
-    least: float
-    """Confidence from which anything is acted on."""
-    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
 
 
 class SpokenGrammar:
@@ -104,7 +81,7 @@ class SpokenGrammar:
 
     def __init__(self, engine: IntentEngine) -> None:
         self._engine = engine
-        self._kept: dict[str | None, _Known] = {}
+        self._kept: dict[str | None, KnownGrammar] = {}
 
     def parse(self, text: str, language: str | None = None) -> Interpretation:
         """What a text means."""
@@ -141,7 +118,7 @@ class SpokenGrammar:
         """The words of a text that was heard, together or apart as the grammar writes them, numbers as words."""
         said = Utterance.of(ENUMERATED.sub("", text), language or "en")
         words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
-        return in_words(words) if language in (None, "en") else words
+        return in_words(said_of_signs(words, language), language)
 
     def as_written(self, language: str | None = None) -> Mapping[str, str]:
         """Words that the grammar or the map writes with a capital or an apostrophe, by the same small and plain."""
@@ -196,6 +173,10 @@ class SpokenGrammar:
         """Phrases that take back what was said before them."""
         return self._known(language).corrections
 
+    def narrating(self, language: str | None = None) -> frozenset[str]:
+        """Words with which a sentence is no command, wherever they stand: "when", "not"."""
+        return self._known(language).narrating
+
     def negated(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether any of some words make a sentence that is not done, or no command: "never"."""
         if language in (None, "en") and not NARRATING.isdisjoint(words):
@@ -220,13 +201,18 @@ class SpokenGrammar:
 
     def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
-        don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow. None of
-        what is no command, of a stop, and of other languages than English."""
+        don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow; or, in
+        German, with a "nicht" behind its first words. None of what is no command, of a stop, and of languages of which
+        that is not known."""
         meaning = self.parse(" ".join(words), language)
-        if language not in (None, "en") or not meaning.actions or meaning.stops:
+        if not meaning.actions or meaning.stops:
             return []
         called = self.wake(language).after(words)
         lead = called + self.lead(words[called:], language)
+        if language not in (None, "en"):
+            behind = NOT_AFTER_THE_VERB.get(language, ())
+            places = range(lead + 1, min(lead + 1 + NOT_WITHIN, len(words)))
+            return [(*words[:at], *no, *words[at:]) for no in behind for at in places]
         begin, rest = tuple(words[:lead]), tuple(words[lead:])
         begins = {begin} if called else {(): None, begin: None}
         return [(*kept, *no, *rest) for kept in begins for no in FORBIDDING]
@@ -288,17 +274,22 @@ class SpokenGrammar:
         return begin_left_out(words, self.lead(words, language), led)
 
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
-        """Whether an exact sentence is what people say: without words in free slots that no list has, without a word
-        inside that says nothing ("turn like by sixteen degrees"), and without a turn of more than a circle ("five
-        fourteen degrees" was "by fourteen"). Else it may be another that was heard a little wrong."""
-        return not (_circles(meaning) or self._empty_inside(words, language) or self.unknown(words, meaning, language))
+        """Whether an exact sentence is what people say: without words in free slots that no list has, and without a
+        turn of more than a circle ("five fourteen degrees" was "by fourteen"). Else it may be another that was heard a
+        little wrong; so it may with words that are :meth:`empty_inside`."""
+        return not (_circles(meaning) or self.unknown(words, meaning, language))
 
-    def _empty_inside(self, words: Sequence[str], language: str | None) -> bool:
-        """Whether words that say nothing stand between others of a sentence."""
+    def empty_inside(self, words: Sequence[str], language: str | None = None) -> list[str]:
+        """The words that say nothing and stand between others of a sentence: "turn like by sixteen degrees"."""
         nothing = self._known(language).empty
         inside = range(self.lead(words, language) + 1, len(words))
-        empty = [at for at in inside if nothing.at(words, at)]
-        return any(not self.says_nothing(words[at:], language) for at in empty)
+        phrases = [(at, nothing.at(words, at)) for at in inside]
+        return [
+            word
+            for at, length in phrases
+            if length and not self.says_nothing(words[at:], language)
+            for word in words[at : at + length]
+        ]
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
@@ -389,32 +380,11 @@ class SpokenGrammar:
     def _own(self, language: str | None) -> str | None:
         return language if language in self._engine.languages else None
 
-    def _known(self, language: str | None) -> _Known:
+    def _known(self, language: str | None) -> KnownGrammar:
         matcher = self._engine.matcher(self._own(language))
         known = self._kept.get(language)
         if known is None or known.matcher is not matcher:
-            words = known_words(matcher)
-            search = UtteranceSearch(matcher.likely, words)
-            asked = [intent.min_confidence for intent in matcher.grammar.intents.values()]
-            least = min([SURE_ENOUGH, *(one for one in asked if one is not None)])
-            grammar = matcher.grammar
-            corrections = grammar.operators.correction
-            usual = UsualNumbers(matcher.grammar)
-            known = self._kept[language] = _Known(
-                matcher,
-                words,
-                PhraseSet(corrections),
-                frozenset(word for words in corrections for word in words),
-                PhraseSet(grammar.operators.negation),
-                WakeWords(grammar),
-                PhraseSet(grammar.fillers),
-                PhraseSet((*grammar.fillers, *grammar.operators.opening)),
-                known_in_slots(matcher),
-                words_as_written(matcher),
-                search,
-                usual,
-                least,
-            )
+            known = self._kept[language] = KnownGrammar.of(matcher)
         return known
 
     def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
@@ -424,7 +394,7 @@ class SpokenGrammar:
             known.found.clear()
         found = known.found.get(heard)
         if found is None:
-            found = known.found[heard] = known.search.nearest(heard, CANDIDATES, NARRATING)
+            found = known.found[heard] = known.search.nearest(heard, CANDIDATES, known.narrating)
         return found
 
     def _telling(self, words: Sequence[str], language: str | None) -> int:

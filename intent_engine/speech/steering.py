@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.interpretation import Status
+from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.clearness import CLEAR, Clearness
@@ -151,12 +151,18 @@ class Steering(Clearness):
             sentences = ((*dictated, DICTATED),)
             return Opinion(self, samples, encoded, sure, sentences, settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
-        if exact and (meaning.stops or (in_time and self.grammar.plain(words, meaning, language))):
+        if exact and (meaning.stops or (in_time and self._plain(encoded, words, meaning, language))):
             close = self._close(encoded, words, language)
             unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
             return Opinion(self, samples, encoded, sure, (tuple(words), *close), settled=True)
         return Opinion(self, samples, encoded, heard)
+
+    def _plain(self, encoded: Encoded, words: Sequence[str], meaning: Interpretation, language: str | None) -> bool:
+        """Whether a sentence is what people say, and words that say nothing were heard clearly: "fahr bitte in ..."."""
+        said = set(self.grammar.empty_inside(words, language))
+        clearly = not said or said <= self.heard_clearly(encoded, language)
+        return clearly and self.grammar.plain(words, meaning, language)
 
     def _may_be_dictated(self, words: Sequence[str], language: str | None) -> bool:
         """Whether what shall not be done may stand in a dictated text: "right down, do not forget the keys"."""

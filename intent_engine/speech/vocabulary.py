@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.as_written import as_written
-from intent_engine.language.free_text import ARTICLES
+from intent_engine.language.free_text import ARTICLES_IN
 from intent_engine.language.matcher import Matcher, spoken_trees
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.spelled import number_words
+from intent_engine.language.numbers.units import units
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary, words_in
 
-__all__ = ["known_in_slots", "known_words", "said_in_slots", "words_as_written"]
+__all__ = ["known_in_slots", "known_words", "said_in_slots", "said_of_signs", "words_as_written"]
+
+SIGNS = ("degrees", "percent")
+"""What signs are read as, "45°", in every language."""
 
 
 def known_words(matcher: Matcher) -> frozenset[str]:
     """Every word that a list of the grammar has: those of sentences, values, quantities, places and free slots."""
     grammar = matcher.grammar
-    found = set(NUMBER_WORDS) | vocabulary(grammar) | ARTICLES
+    found = {*number_words(grammar.language), *vocabulary(grammar), *ARTICLES_IN.get(grammar.language, ())}
     for node in spoken_trees(grammar.language).values():
         found.update(words_in(node))
     for slot in grammar.slots.values():
@@ -33,7 +37,7 @@ def known_words(matcher: Matcher) -> frozenset[str]:
 def known_in_slots(matcher: Matcher) -> frozenset[str]:
     """Words that the value of a slot may have, where they are what a list says: "meter" is a word, but no thing."""
     grammar = matcher.grammar
-    found = set(ARTICLES) | matcher.patterns.values
+    found = set(ARTICLES_IN.get(grammar.language, ())) | matcher.patterns.values
     for slot in grammar.slots.values():
         found |= slot.known
         found.update(word for value, _ in slot.values for word in str(value).split())
@@ -41,6 +45,14 @@ def known_in_slots(matcher: Matcher) -> frozenset[str]:
         found.update(Utterance.of(name, grammar.language).words)
         found.update(name.split())  # a slot has the place as the map writes it: "Bay B12", "X-ray"
     return frozenset(found)
+
+
+def said_of_signs(words: Sequence[str], language: str | None) -> list[str]:
+    """Words with the units of a language for those that signs are read as: "grad"."""
+    table = units(language or "en")
+    if table is None or language in (None, "en"):
+        return list(words)
+    return [table.first_name(word) if word in SIGNS else word for word in words]
 
 
 def words_as_written(matcher: Matcher) -> dict[str, str]:

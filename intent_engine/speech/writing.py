@@ -8,7 +8,9 @@ from typing import Any
 
 from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.normalize import TITLES, elided, without_accents
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.numbers.units import units
 from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["Names", "spellings", "written"]
@@ -47,15 +49,16 @@ def written(words: Sequence[str], language: str | None, *, sentence: bool = True
 
 
 def spellings(words: Sequence[str], language: str | None, names: Names | None = None) -> list[tuple[str, ...]]:
-    """Words as they may be spelled: numbers in words, and in digits; names small and plain, and with a capital; in
-    English "José", and "Jose"; a wake word without a comma after it, and with one.
+    """Words as they may be spelled: numbers in words, and in digits, "60%" and in other languages than English "45°";
+    names small and plain, and with a capital; in English "José", and "Jose"; a wake word without a comma after it, and
+    with one.
 
     Args:
         words: normalised.
         language: of the words.
         names: how words are written that are not small and plain; None: all are.
     """
-    numbers = (tuple(words), _percent(in_digits(words))) if language in (None, "en") else (tuple(words),)
+    numbers = dict.fromkeys((tuple(words), *_with_signs(in_digits(words, language), language)))
     named = [tuple(map(names.large, spelled)) for spelled in numbers] if names is not None else []
     found = dict.fromkeys((*numbers, *named))
     if language in (None, "en") and not all(map(str.isascii, words)):
@@ -65,12 +68,25 @@ def spellings(words: Sequence[str], language: str | None, names: Names | None = 
     return list(found)
 
 
-def _percent(words: Sequence[str]) -> tuple[str, ...]:
-    """Words with "60%" for 60 percent."""
+def _with_signs(words: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+    """Words with "60%" for 60 percent; and in other languages than English, which is written "45 degrees", with the
+    comma of a number, and with "45°" besides."""
+    if language in (None, "en"):
+        return [_signed(words, {"percent": "%"})]
+    plain = [word.replace(".", ",") if is_numeral(word) else word for word in words]
+    table = units(language)
+    names = {} if table is None else {word: key for (word, *more), key in table.names.items() if not more}
+    percents = {word: "%" for word, key in names.items() if key == "percent"}
+    degrees = {word: "°" for word, key in names.items() if key == "deg"}
+    return [_signed(plain, percents), _signed(plain, percents | degrees)]
+
+
+def _signed(words: Sequence[str], signs: Mapping[str, str]) -> tuple[str, ...]:
+    """Words with signs at the numbers before them in place of some."""
     found: list[str] = []
     for word in words:
-        if word == "percent" and found and found[-1][-1:].isdigit():
-            found[-1] += "%"
+        if word in signs and found and found[-1][-1:].isdigit():
+            found[-1] += signs[word]
         else:
             found.append(word)
     return tuple(found)

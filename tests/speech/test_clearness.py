@@ -45,6 +45,18 @@ def test_a_name_must_be_clear_as_it_is_written(whisper, spoken, monkeypatch):
     assert unclear_words(whisper, whisper.encode(spoken), ("call", FreeWord("flurb")), "en") == ("flurb",)
 
 
+def test_the_words_that_were_heard_clearly(whisper, spoken):
+    encoded = whisper.encode(spoken)
+    heard, *_ = whisper.greedy(encoded, "en")
+    words = whisper.grammar.words(heard, "en")
+    assert words == ["go", "forward", "two", "meters"]
+    clearly = whisper.heard_clearly(encoded, "en")
+    assert {"forward", "meters"} <= clearly <= set(words)
+    assert (
+        whisper.heard_clearly(whisper.encode(np.zeros_like(spoken)), "en") == frozenset()
+    )  # of which nothing is known
+
+
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):
     encoded = whisper.encode(spoken)
     words = ["turn", "left", "fifteen", "degrees"]

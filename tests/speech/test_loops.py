@@ -17,6 +17,10 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
         ("Go to the kitchen. Go to the kitchen. Go to the kitchen.", "Go to the kitchen."),
         ("grasp the bottle now, grasp the bottle now, gr", "grasp the bottle now,"),
         ("stop stop stop st", "stop"),
+        ("Folge mir Folge mir", "Folge mir"),
+        ("follow me follow me", "follow me follow me"),
+        ("Follow me Anna Follow me Anna", "Follow me Anna"),
+        ("Guten Tag Guten Tag", "Guten Tag Guten Tag"),
         (
             "Give me a large latte with milk and sugar. Give me a large latte wi",
             "Give me a large latte with milk and sugar.",

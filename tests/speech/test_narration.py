@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.speech.narration import SUBJECTS, TELLING, leaves_out, told
+from intent_engine.engine import IntentEngine
+from intent_engine.speech.narration import NARRATING, SUBJECTS, TELLING, leaves_out, narrating, told
 
 
 @pytest.mark.parametrize(
@@ -28,6 +29,17 @@ from intent_engine.speech.narration import SUBJECTS, TELLING, leaves_out, told
 def test_a_statement_is_no_command(text, story, left_out):
     """ "We go to the kitchen" tells of somebody; who begins so and wants it done says "I want you to"."""
     assert leaves_out(text.split(), story, heard=[]) is left_out
+
+
+def test_the_words_of_every_language_with_which_nothing_is_done(root):
+    english, german = (
+        IntentEngine.from_files(root / "grammars" / f"{name}.yaml").matcher(name).grammar for name in ("en", "de")
+    )
+    assert narrating(english) == NARRATING
+    found = narrating(german)
+    assert found >= {"nicht", "nie", "wenn", "ich", "wer"}
+    # With these commands are joined, corrected, stopped and made polite.
+    assert found.isdisjoint({"und", "dann", "nein", "stopp", "halt", "es"})
 
 
 def test_no_word_is_misheard_as_one_that_was_heard():

@@ -34,6 +34,26 @@ def test_it_is_read_as_the_same_words(words):
     assert Utterance.of(written(words, "en"), "en").words == words
 
 
+@pytest.mark.parametrize(
+    ("words", "language", "spelled"),
+    [
+        ("dreh dich um fünfundvierzig grad", "de", ["45 grad", "45°"]),
+        ("fahr eins komma fünf meter", "de", ["1,5 meter"]),
+        ("fahr einen meter", "de", []),
+        ("mit zwanzig prozent", "de", ["20%"]),
+        ("avance de deux mètres", "fr", ["2 mètres"]),
+        ("gira noventa grados", "es", ["90 grados", "90°"]),
+        ("turn sixty percent", "en", ["60%"]),
+    ],
+)
+def test_numbers_are_written_in_digits_too(words, language, spelled):
+    ways = [" ".join(way) for way in spellings(words.split(), language)]
+    assert ways[0] == words
+    assert len(ways) == 1 + len(spelled)
+    for way, end in zip(ways[1:], spelled, strict=True):
+        assert way.endswith(end)
+
+
 def test_a_name_is_what_the_model_has_only_so_or_the_grammar_writes_so(whisper):
     names = Names(whisper.tokenizer("en"), {"hotel": "Hotel", "mri": "MRI"})
     words = "marco julia beatles hotel mri kitchen queen b i a id two90"

@@ -10,14 +10,17 @@ from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.units import units
 
 __all__ = [
+    "ALIKE",
     "TEMPLATES",
     "fraction",
     "in_digits",
+    "is_article",
     "is_number_word",
     "is_ordinal_word",
     "number",
     "numbers_at",
     "ordinal",
+    "point_word",
 ]
 
 LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
@@ -35,6 +38,17 @@ RESPELLED: Mapping[str, Mapping[str, str]] = {
 }  # fmt: skip
 """Spellings that text2num does not know, as it knows them."""
 
+_TEENS_AND_TENS = (
+    ("dreizehn", "dreißig"), ("vierzehn", "vierzig"), ("fünfzehn", "fünfzig"), ("sechzehn", "sechzig"),
+    ("siebzehn", "siebzig"), ("achtzehn", "achtzig"), ("neunzehn", "neunzig"),
+)  # fmt: skip
+ALIKE: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    "de": {
+        "zwei": ("drei",), "drei": ("zwei",),
+        **{one: (other,) for pair in _TEENS_AND_TENS for one, other in (pair, pair[::-1])},
+    },
+}  # fmt: skip
+"""Numbers that even people ask back about, each with the others: for "zwei" there is a "zwo"."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
     "fraction": "{#word} [{#word}]",
@@ -176,6 +190,18 @@ def _ending_in_half(word: str, language: str) -> float | None:
         return 1.5
     whole = _text2num(word.removesuffix("einhalb"), language) if word.endswith("einhalb") else None
     return whole + 0.5 if whole is not None else None
+
+
+def is_article(words: Sequence[str], language: str) -> bool:
+    """Whether words are a one that is mostly none: "ein", "une"."""
+    table = units(language)
+    return len(words) == 1 and table is not None and words[0] in table.words.get("one", ())
+
+
+def point_word(language: str) -> str:
+    """What is said for the point of a number: "komma"; nothing where that is not known."""
+    table = units(language)
+    return min(table.words.get("point", ()), default="") if table is not None else ""
 
 
 def _part(word: str, words: Mapping[str, frozenset[str]]) -> float | None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 
-from intent_engine.language.numbers import english
+from intent_engine.language.numbers import english, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
 
-__all__ = ["in_digits", "in_words", "number_end", "number_otherwise"]
+__all__ = ["in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -40,12 +40,32 @@ def _spell_whole(number: int) -> tuple[str, ...]:
     return (*tens, _ONES[number % 10]) if number % 10 else tens
 
 
-def in_words(words: Sequence[str]) -> list[str]:
-    """English numerals as words; others and all other words as they are."""
+def in_words(words: Sequence[str], language: str | None = "en") -> list[str]:
+    """Numerals as words of a language (None: English); others and all other words as they are."""
     spelled: list[str] = []
     for word in words:
-        spelled.extend(_spell(word) if is_numeral(word) else (word,))
+        spelled.extend(_spelled(word, language or "en") if is_numeral(word) else (word,))
     return spelled
+
+
+def _spelled(numeral: str, language: str) -> tuple[str, ...]:
+    if language == "en":
+        return _spell(numeral)
+    whole, _, rest = numeral.partition(".")
+    parts = [whole, *rest]  # after the point digit by digit
+    words = [said.spell(int(part), language) if part.isdecimal() else () for part in parts]
+    point = foreign.point_word(language) if rest else ""
+    if not all(words) or (rest and not point):
+        return (numeral,)
+    return (*words[0], *([point] if rest else []), *(word for digit in words[1:] for word in digit))
+
+
+@cache
+def number_words(language: str | None = "en") -> frozenset[str]:
+    """The words that numbers of a language are made of (None: English); of other languages those that people say."""
+    if language in (None, "en"):
+        return english.NUMBER_WORDS
+    return frozenset(word for words in said.usual(language) for word in words)
 
 
 def _spoken(words: Sequence[str], at: int) -> tuple[float, int] | None:
@@ -61,8 +81,10 @@ def number_end(words: Sequence[str], at: int) -> int:
     return found[1] if found is not None else at
 
 
-def in_digits(words: Sequence[str]) -> tuple[str, ...]:
-    """English number words as digits, as a recogniser likes to write them."""
+def in_digits(words: Sequence[str], language: str | None = "en") -> tuple[str, ...]:
+    """Number words of a language (None: English) as digits, as a recogniser likes to write them."""
+    if language not in (None, "en"):
+        return _foreign_in_digits(words, language)
     result: list[str] = []
     at = 0
     while at < len(words):
@@ -73,6 +95,18 @@ def in_digits(words: Sequence[str]) -> tuple[str, ...]:
         else:
             result.append(words[at])
             at += 1
+    return tuple(result)
+
+
+def _foreign_in_digits(words: Sequence[str], language: str) -> tuple[str, ...]:
+    """The same of another language, also of what is not whole; an article is none ("ein")."""
+    result: list[str] = []
+    at = 0
+    while at < len(words):
+        value, end = next(foreign.numbers_at(words, at, language), (-1.0, at + 1))
+        kept = is_numeral(words[at]) or foreign.is_article(words[at:end], language)
+        result += words[at:end] if kept or not 0 <= value <= said.LARGEST else [f"{value:.10g}"]
+        at = end
     return tuple(result)
 
 

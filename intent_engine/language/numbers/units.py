@@ -58,6 +58,12 @@ class Units:
                 return unit, begin
         return None
 
+    def first_name(self, word: str) -> str:
+        """The usual name of a unit for a name of it, where it is one word: "grad" for the "degrees" of a sign. The same
+        of what is no unit."""
+        key = self.names.get((word,))
+        return next((name for (name, *more), other in self.names.items() if other == key and not more), word)
+
     def spoken(self, kind: str) -> str:
         """All words of a kind as one template."""
         return "(" + "|".join(" ".join(words) for words in self.by_kind.get(kind, {})) + ")"
