@@ -278,7 +278,8 @@ def _extended(
     factor = FACTORS[kind][key]
     joined = words[after] in table.words.get("and", ())
     onward = after + 1 if joined else after
-    if joined and onward < len(words):
+    # "1.5 meters and a half" is what a recogniser may make of "one meter and a half".
+    if joined and onward < len(words) and tidy(value / factor).is_integer():
         part = english.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
         if part is not None and part[0] < 1 and _unit(words, part[1], kind, table) is None:
             yield value + part[0] * factor, part[1]

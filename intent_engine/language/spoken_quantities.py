@@ -243,10 +243,10 @@ def _mixed(names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> It
                 if rest >= many:
                     continue
                 value = number * sizes[key] + rest * sizes[small]
-                for said in (str(rest), " ".join(in_words([str(rest)]))):
-                    yield f"{top} {name} {said}", value
-                    yield f"{top} {name} {said} {_plural(names[small])}", value
-                    yield f"{top} {name} and {said} {_plural(names[small])}", value
+                for words in (str(rest), " ".join(in_words([str(rest)]))):
+                    yield f"{top} {name} {words}", value
+                    yield f"{top} {name} {words} {_plural(names[small])}", value
+                    yield f"{top} {name} and {words} {_plural(names[small])}", value
             yield f"{top} {name} and a half", (number + 0.5) * sizes[key]
 
 

@@ -270,7 +270,7 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
             if bottom is not None and bottom[0]:
                 yield value / bottom[0], bottom[1]
                 return
-        if following[:1] == ("and",):
+        if following[:1] == ("and",) and value.is_integer():
             part = fraction(words, here + 1)
             if part is not None and part[0] < 1:
                 yield from _scaled(words, (value + part[0], part[1]))

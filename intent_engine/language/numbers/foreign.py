@@ -101,7 +101,7 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
                     yield (value + half[0]) * scale, half[1]
                 yield value * scale, at + 2
             half = _and_half(words, at + 1, language)
-            if half is not None:
+            if half is not None and value.is_integer():
                 yield value + half[0], half[1]
             yield value, at + 1
         return
