@@ -29,7 +29,7 @@ from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Settings
-from intent_engine.speech.models import recognizer_for
+from intent_engine.speech.models import recognizer_for, usual_model
 from intent_engine.speech.recognizer import Recognizer, Transcript
 from intent_engine.speech.reflex import reflex_for
 from intent_engine.speech.weights import find_weights
@@ -48,14 +48,15 @@ QUICK = 12
 class Transcribe:
     """faster-whisper as its documentation shows it, with the same weights and compute type as ours."""
 
-    def __init__(self) -> None:
+    def __init__(self, model: str = MODEL, language: str = "en") -> None:
         from faster_whisper import WhisperModel
 
-        self._model: Any = WhisperModel(str(find_weights(MODEL).path), device="cpu", compute_type="int8")
+        self._model: Any = WhisperModel(str(find_weights(model).path), device="cpu", compute_type="int8")
+        self._language = language
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
-        segments, _ = self._model.transcribe(samples, language="en")
+        segments, _ = self._model.transcribe(samples, language=self._language)
         text = " ".join(segment.text.strip() for segment in segments)
         return Transcript(text, free_text=text, decode_seconds=time.perf_counter() - began)
 
@@ -74,8 +75,10 @@ class Ways:
     def of(cls, engine: IntentEngine, *, reflex: bool = True, live: bool = False) -> Ways:
         """Both ways; ``live``: for sound in its own time, beside which the reflex listens in a thread."""
         robot = load_robot(default_robot())
-        ours = recognizer_for(engine, MODEL)
-        peer: Recognizer = Transcribe()
+        (language,) = engine.languages
+        model = usual_model([language])
+        ours = recognizer_for(engine, model)
+        peer: Recognizer = Transcribe(model, language)
         late = Settings(**{f"wait_{kind}": PEER_WAIT for kind in WAITS} | {"wait_continued": 0.0})
         avoid_pauses()
         return cls(
@@ -123,15 +126,16 @@ def needs(path: Path, what: str) -> None:
         raise FileNotFoundError(f"no {path}: {what}")
 
 
-def speech_set(kind: str = "speech") -> Path:
+def speech_set(kind: str = "speech", language: str = "en") -> Path:
     """The labels of a synthesised set, ``speech`` or ``paused``; made, if it is not there yet.
 
     Raises:
         FileNotFoundError: it cannot be made here.
     """
-    labels = ROOT / "out" / f"{kind}_set" / "labels.jsonl"
+    other = "" if language == "en" else f"_{language}"
+    labels = ROOT / "out" / f"{kind}_set{other}" / "labels.jsonl"
     if not labels.exists():
-        options = [] if kind == "speech" else [f"--{kind}"]
+        options = ["--language", language, *([] if kind == "speech" else [f"--{kind}"])]
         done = subprocess.run([sys.executable, str(ROOT / "scripts" / "make_speech_set.py"), *options], check=False)
         if done.returncode:
             raise FileNotFoundError("the set of synthetic commands: scripts/make_speech_set.py says what to install")

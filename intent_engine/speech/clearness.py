@@ -17,8 +17,9 @@ from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import ALIKE, DIGITS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.utterance import PhraseSet, Utterance
-from intent_engine.speech.narration import NARRATING, SUBJECTS, SUBJECTS_IN
-from intent_engine.speech.recognizer import Encoded
+from intent_engine.speech.left_out import end_left_out
+from intent_engine.speech.narration import NARRATING, SUBJECTS_IN
+from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rows import Rows, total
 from intent_engine.speech.scoring import Scoring
 from intent_engine.speech.spoken_grammar import SpokenGrammar
@@ -91,6 +92,30 @@ class Clearness(Scoring):
             if len(known) < end - begin or sum(scores) < len(scores) * math.log(CLEAR):
                 unclear.update(self.grammar.words(word, language))
         return frozenset(self.grammar.words(tokenizer.decode(list(heard)), language)) - unclear
+
+    def left_out(
+        self, encoded: Encoded, words: Sequence[str], heard: Sequence[str], transcript: Transcript
+    ) -> tuple[str, ...]:
+        """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
+        alone hears anything there. But after a sentence that could have gone on, whatever was heard there may be how:
+        of "rückwärts" there was an "Ökmetz".
+
+        Args:
+            encoded: the sound.
+            words: of the sentence.
+            heard: the words that were heard freely.
+            transcript: of them.
+        """
+        language = transcript.language
+        left_out = self.grammar.left_out(words, [heard], language)
+        if not left_out:
+            return ()
+        scores = self.word_scores(encoded, transcript.free_text, language)
+        clearly = {
+            one for word, score in scores if score > math.log(CLEAR) for one in self.grammar.words(word, language)
+        }
+        end = "" if self.grammar.settled(words, language) else " ".join(end_left_out(words, [heard]))
+        return tuple(part for part in left_out if part == end or clearly.issuperset(part.split()))
 
     def clearness(
         self,
@@ -227,8 +252,7 @@ class Clearness(Scoring):
         spoken = [Utterance.of(word, language or "en").words for word in free.split()]
         words = [word for one in spoken for word in one]
         begin, telling = self.grammar.lead(words, language), self.grammar.narrating(language)
-        # English asks "should we go", and may mean it; who begins so in another language tells or asks something.
-        subjects = SUBJECTS if language in (None, "en") else {*SUBJECTS_IN.get(language, ()), *telling}
+        subjects = SUBJECTS_IN.get(language or "en", {})
         least: list[tuple[int, str, float]] = []
         count = 0
         for place, one in enumerate(spoken):

@@ -266,6 +266,10 @@ class SpokenGrammar:
         end = end_left_out(words, heard)
         return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
 
+    def settled(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether no more of a sentence may follow than the manner of it."""
+        return self._known(language).matcher.settled(words)
+
     def begin_left_out(
         self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
     ) -> Sequence[str]:

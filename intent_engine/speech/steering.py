@@ -230,7 +230,8 @@ class Steering(Clearness):
         otherwise = self.grammar.said_otherwise(heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
-        return replace(transcript, unclear=unclear, left_out=self._left_out(heard, best))
+        left_out = self.left_out(heard.encoded, best, heard.heard, transcript)
+        return replace(transcript, unclear=unclear, left_out=left_out)
 
     def _hardly_heard_before(self, heard: Opinion) -> list[str]:
         """The words before a dictated text that were heard, but not clearly."""
@@ -243,19 +244,6 @@ class Steering(Clearness):
             for word in self.grammar.words(said, language)
             if word in heard.dictated and score < math.log(CLEAR)
         ]
-
-    def _left_out(self, heard: Opinion, words: Sequence[str]) -> tuple[str, ...]:
-        """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
-        alone hears anything there."""
-        free, language = heard.transcript.free_text, heard.transcript.language
-        left_out = self.grammar.left_out(words, [heard.heard], language)
-        if not left_out:
-            return ()
-        scores = self.word_scores(heard.encoded, free, language)
-        clearly = {
-            one for word, score in scores if score > math.log(CLEAR) for one in self.grammar.words(word, language)
-        }
-        return tuple(part for part in left_out if clearly.issuperset(part.split()))
 
     # -- the sentences of the grammar --------------------------------------------------------------
 

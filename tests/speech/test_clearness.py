@@ -11,6 +11,7 @@ import pytest
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FreeWord
 from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.speech.recognizer import Transcript
 
 NOT = "Do not ", "Don't ", "Never "
 NOT_SAID = re.compile(r"\b(do not|don't|never)\b", re.IGNORECASE)
@@ -55,6 +56,23 @@ def test_the_words_that_were_heard_clearly(whisper, spoken):
     assert (
         whisper.heard_clearly(whisper.encode(np.zeros_like(spoken)), "en") == frozenset()
     )  # of which nothing is known
+
+
+@pytest.mark.parametrize(
+    ("words", "score", "left_out"),
+    [
+        ("go two meters", -3.0, ("okmetz",)),  # it could have gone on: "backwards"
+        ("go forward two meters", -3.0, ()),
+        ("go forward two meters", -0.1, ("okmetz",)),
+    ],
+)
+def test_what_was_heard_after_a_sentence_that_could_go_on_may_be_how(
+    whisper, spoken, monkeypatch, words, score, left_out
+):
+    free = f"{words} okmetz"
+    monkeypatch.setattr(whisper, "word_scores", lambda *_: [(word, score) for word in free.split()])
+    heard = Transcript(free, -1.0, free, language="en")
+    assert whisper.left_out(whisper.encode(spoken), words.split(), free.split(), heard) == left_out
 
 
 def test_a_number_that_sounds_like_another(whisper, spoken, monkeypatch):

@@ -38,17 +38,20 @@ RESPELLED: Mapping[str, Mapping[str, str]] = {
 }  # fmt: skip
 """Spellings that text2num does not know, as it knows them."""
 
-_TEENS_AND_TENS = (
-    ("dreizehn", "dreißig"), ("vierzehn", "vierzig"), ("fünfzehn", "fünfzig"), ("sechzehn", "sechzig"),
-    ("siebzehn", "siebzig"), ("achtzehn", "achtzig"), ("neunzehn", "neunzig"),
+_GERMAN_ALIKE = (
+    ("zwei", "drei"), ("drei", "dreißig"), ("vier", "vierzig"), ("fünf", "fünfzig"), ("sechs", "sechzig"),
+    ("sieben", "siebzig"), ("acht", "achtzig"), ("neun", "neunzig"), ("dreizehn", "dreißig"), ("vierzehn", "vierzig"),
+    ("fünfzehn", "fünfzig"), ("sechzehn", "sechzig"), ("siebzehn", "siebzig"), ("achtzehn", "achtzig"),
+    ("neunzehn", "neunzig"),
 )  # fmt: skip
 ALIKE: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "de": {
-        "zwei": ("drei",), "drei": ("zwei",),
-        **{one: (other,) for pair in _TEENS_AND_TENS for one, other in (pair, pair[::-1])},
-    },
-}  # fmt: skip
-"""Numbers that even people ask back about, each with the others: for "zwei" there is a "zwo"."""
+        word: tuple(other for pair in _GERMAN_ALIKE if word in pair for other in pair if other != word)
+        for word in dict.fromkeys(word for pair in _GERMAN_ALIKE for word in pair)
+    }
+}
+"""Numbers that are taken for each other, each with the others: for "zwei" there is a "zwo", and of "drei Sekunden" a
+model makes 30."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
     "fraction": "{#word} [{#word}]",
