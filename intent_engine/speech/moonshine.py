@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -121,9 +121,9 @@ class MoonshineRecognizer(Leaving):
         (states,) = self.model.encoder.run(None, {"input_values": samples[np.newaxis].astype(np.float32)})
         return Encoded(states, samples.size / SAMPLE_RATE)
 
-    def detect(self, encoded: Encoded) -> str:
+    def detect(self, encoded: Encoded, among: Collection[str] = ()) -> dict[str, float]:
         """The language of the speech: the only one that it knows."""
-        return "en"
+        return {"en": 0.0}
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         if samples.size == 0:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
@@ -62,8 +62,8 @@ class Scoring(Leaving, ABC):
         """The sound as the model needs it, padded to at least so many seconds."""
 
     @abstractmethod
-    def detect(self, encoded: Encoded) -> str:
-        """The language of the speech."""
+    def detect(self, encoded: Encoded, among: Collection[str] = ()) -> dict[str, float]:
+        """The languages that the speech may be (empty: any), each with its log probability, the likeliest first."""
 
     @abstractmethod
     def greedy(self, encoded: Encoded, language: str | None = None) -> tuple[str, float, bool]:

@@ -83,6 +83,11 @@ class SpokenGrammar:
         self._engine = engine
         self._kept: dict[str | None, KnownGrammar] = {}
 
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Of the grammars."""
+        return self._engine.languages
+
     def parse(self, text: str, language: str | None = None) -> Interpretation:
         """What a text means."""
         return self._engine.parse(text, language=self._own(language))

@@ -6,8 +6,10 @@ input, so it is given the speech padded to five seconds, and ten only when the f
 
 from __future__ import annotations
 
+import math
 import time
 import warnings
+from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
 
@@ -38,6 +40,8 @@ SMALL_MODEL = 200_000_000
 one thread decoded "base" in 78 ms (median), two in 85, and in 0.11 s against 0.15 where it took longest."""
 TOKENS_PER_SECOND = 7
 """More than anybody speaks; bounds a decode that runs away."""
+LEAST = 1e-9
+"""Probability of a language that is none."""
 MAX_LENGTH = 448
 """Tokens that Whisper's decoder can hold."""
 
@@ -113,12 +117,19 @@ class WhisperRecognizer:
         """The CTranslate2 model."""
         return self._model.model
 
-    def detect(self, encoded: Encoded) -> str:
-        """The language of the speech."""
+    def detect(self, encoded: Encoded, among: Collection[str] = ()) -> dict[str, float]:
+        """The languages that the speech may be, each with its log probability, the likeliest first.
+
+        Args:
+            encoded: the speech.
+            among: those that it may be; empty, or none that the model knows: any. Of a short command a model may think
+                of all.
+        """
         if not self.multilingual:
-            return "en"
-        results = self._model.model.detect_language(encoded.features)
-        return str(results[0][0][0]).strip("<|>")
+            return {"en": 0.0}
+        (likely,) = self._model.model.detect_language(encoded.features)
+        found = {str(token).strip("<|>"): math.log(max(chance, LEAST)) for token, chance in likely}
+        return {one: chance for one, chance in found.items() if one in among} or found
 
     # -- the whole ---------------------------------------------------------------------------------
 
@@ -137,7 +148,7 @@ class WhisperRecognizer:
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         encoded = self.encode(samples)
-        language = self.language or self.detect(encoded)
+        language = self.language or next(iter(self.detect(encoded)))
         text, score, looped = self.greedy(encoded, language)
         if final and (looped or score < MIN_SCORE):
             again, better, loops = self.greedy(self.encode(samples, RETRY_SECONDS), language)

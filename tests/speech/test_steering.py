@@ -8,7 +8,7 @@ from speech_stage import framed
 
 from intent_engine.interpretation import Status
 from intent_engine.runtime import HeardKind
-from intent_engine.speech import steering
+from intent_engine.speech import guide
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -29,7 +29,7 @@ def hears(whisper, monkeypatch):
 def test_what_was_made_ready_is_not_made_at_the_first_words(engine, whisper, spoken, monkeypatch):
     whisper.steer(engine)
     whisper.prepare()
-    monkeypatch.delattr(steering, "GuidedSearch")
+    monkeypatch.delattr(guide, "GuidedSearch")
     assert whisper.transcribe(spoken).text == "go forward 2 meters"
     whisper.steer(engine)
     with pytest.raises(NameError):
