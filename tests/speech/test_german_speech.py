@@ -57,7 +57,7 @@ def test_what_is_no_command_is_none(engine, hears, text):
     assert not acted_on
 
 
-# -- German or English --------------------------------------------------------------------------------------------------
+# -- German or English ------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
