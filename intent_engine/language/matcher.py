@@ -195,9 +195,8 @@ class Matcher:
             for place in (begin, end):
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
-        if not stop_anywhere:
-            self._add_polite(fillers, sounds)
-        kind = "sentence" if stop_anywhere else "polite"
+        polite = not stop_anywhere and self._add_polite(fillers, sounds)
+        kind = "polite" if polite else "sentence"
         for index in range(len(self.sentences)):
             middle.edges.append(Edge(end, call=Call(f"{kind}:{index}")))
         for key in self.patterns.networks:
@@ -211,21 +210,21 @@ class Matcher:
         end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
         return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
 
-    def _add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> None:
+    def _add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> bool:
         """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
-        Küche", "fahr nicht in die Küche"."""
+        Küche", "fahr nicht in die Küche"; False, if nothing does."""
         language = self.grammar.language
-        behind = set(NOT_AFTER_THE_VERB.get(language, ()))
-        if language != "en":
-            behind.update(words for words in fillers if len(words) == 1)
+        behind = {*NOT_AFTER_THE_VERB.get(language, ()), *(words for words in fillers if len(words) == 1)}
+        if language == "en" or not behind:
+            return False
         either = Optional(Choice(tuple(Reference(name, name, 0) for name in BEHIND)))
         calls = {BEHIND[0]: Call("behind", apart=True), BEHIND[1]: Call("sounds behind", mark=SOUND, apart=True)}
         self.networks.add_names("behind", [(words, "") for words in sorted(behind.difference(sounds))])
         self.networks.add_names("sounds behind", [(words, "") for words in sorted(behind.intersection(sounds))])
         for index, (_, sentence) in enumerate(self.sentences):
-            node = _with_behind_first(sentence.template, either) if behind else sentence.template
             scope = self._scope(sentence.template) | calls
-            self.networks.add_template(f"polite:{index}", self._spoken(node), scope)
+            self.networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
+        return True
 
     def _add_networks(self) -> None:
         grammar = self.grammar
