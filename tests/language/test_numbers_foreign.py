@@ -148,6 +148,12 @@ def test_what_is_no_number(language: str, said: str) -> None:
     assert evaluate(words(said), "number", language) is None
 
 
+@pytest.mark.parametrize(("language", "said"), [("es", "1,5 metros y medio"), ("fr", "1,5 mètre et demi")])
+def test_a_decimal_and_a_half_is_no_quantity(language: str, said: str) -> None:
+    assert evaluate(words(said.replace(",", ".")), "distance", language) is None
+    assert evaluate(words(said.replace(",5", "")), "distance", language) == 1.5
+
+
 @pytest.mark.parametrize("language", ["de", "es", "fr", "it"])
 @settings(max_examples=60, deadline=None)
 @given(number=st.integers(0, 10**9))

@@ -188,6 +188,9 @@ def test_what_is_said_and_what_a_grammar_hears(engine: IntentEngine, kind: str, 
         ("distance", "four of the inches"),
         ("angle", "two turn"),  # "I want to turn"
         ("distance", "four meters and a half in"),  # "... in a meter per second"
+        ("distance", "1.5 meters and a half"),  # a recogniser's "one meter and a half"
+        ("distance", "1.5 and a half meters"),
+        ("distance", "half a meter and a half"),
         ("distance", "75 -300 mm"),
         ("distance", "1/0 meters"),
         ("distance", "infinity meters"),

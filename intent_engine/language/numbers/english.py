@@ -297,7 +297,7 @@ def _hundreds_and_fraction(words: Sequence[str], at: int) -> Found | None:
             continue
         whole = cardinal(words[:place], at)
         part = fraction(words, place + 1)
-        if whole is not None and whole[1] == place and part is not None and part[0] < 1:
+        if whole is not None and whole[1] == place and part is not None and part[0] < 1 and whole[0].is_integer():
             return whole[0] + part[0], part[1]
     return None
 
