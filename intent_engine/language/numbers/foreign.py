@@ -117,17 +117,26 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
             yield value, end
 
 
-def in_digits(words: Sequence[str], language: str) -> tuple[str, ...]:
-    """Words with the whole numbers among them in digits, as maps have them: "halle drei" is "halle 3"."""
+def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tuple[str, ...]:
+    """Words with the numbers among them in digits: "halle drei" is "halle 3". An article is none ("ein").
+
+    Args:
+        words: normalised.
+        language: of the words.
+        whole: only whole numbers, as maps have them; else all, as recognisers write them.
+    """
     found: list[str] = []
     at = 0
     while at < len(words):
         value, end = next(numbers_at(words, at, language), (-1.0, at + 1))
         if _whole(words[at : at + 1], language) == 0:
             value, end = 0.0, at + 1  # text2num has 4 for "null vier"
-        whole = value >= 0 and value.is_integer()
-        found.append(str(int(value)) if whole else words[at])
-        at = end if whole else at + 1
+        other = value < 0 or (whole and not value.is_integer())
+        if other:
+            end = at + 1
+        kept = other or is_numeral(words[at]) or is_article(words[at:end], language)
+        found += words[at:end] if kept else [str(int(value)) if value.is_integer() else f"{value:.10g}"]
+        at = end
     return tuple(found)
 
 

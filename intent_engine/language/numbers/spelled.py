@@ -84,7 +84,7 @@ def number_end(words: Sequence[str], at: int) -> int:
 def in_digits(words: Sequence[str], language: str | None = "en") -> tuple[str, ...]:
     """Number words of a language (None: English) as digits, as a recogniser likes to write them."""
     if language not in (None, "en"):
-        return _foreign_in_digits(words, language)
+        return foreign.in_digits(words, language, whole=False)
     result: list[str] = []
     at = 0
     while at < len(words):
@@ -95,18 +95,6 @@ def in_digits(words: Sequence[str], language: str | None = "en") -> tuple[str, .
         else:
             result.append(words[at])
             at += 1
-    return tuple(result)
-
-
-def _foreign_in_digits(words: Sequence[str], language: str) -> tuple[str, ...]:
-    """The same of another language, also of what is not whole; an article is none ("ein")."""
-    result: list[str] = []
-    at = 0
-    while at < len(words):
-        value, end = next(foreign.numbers_at(words, at, language), (-1.0, at + 1))
-        kept = is_numeral(words[at]) or foreign.is_article(words[at:end], language)
-        result += words[at:end] if kept or not 0 <= value <= said.LARGEST else [f"{value:.10g}"]
-        at = end
     return tuple(result)
 
 
