@@ -6,10 +6,8 @@ nothing in the grammar: only by how much likelier the model finds the one than t
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
@@ -20,7 +18,7 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.left_out import end_left_out
 from intent_engine.speech.narration import NARRATING, SUBJECTS_IN
 from intent_engine.speech.recognizer import Encoded, Transcript
-from intent_engine.speech.rows import Rows, total
+from intent_engine.speech.rows import Rows
 from intent_engine.speech.scoring import Scoring
 from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.writing import spellings, written
@@ -81,17 +79,11 @@ class Clearness(Scoring):
         doubtful, clear = (DOUBTFUL_SCORE, CLEAR_WORDS) if few else (DOUBTFUL_SENTENCE, CLEAR_SENTENCE)
         return mean > doubtful or self.however_written(encoded, language) > clear
 
-    def heard_clearly(self, encoded: Encoded, language: str | None) -> frozenset[str]:
-        """The words of what was heard freely each piece of which was as likely as a clear word's is."""
-        rows, tokenizer = self.decoded(encoded), self.tokenizer(language)
-        heard = max(rows, key=len, default=())
-        unclear: set[str] = set()
-        for word, begin, end in _in_words(heard, tokenizer):
-            known = [rows[heard[:place]] for place in range(begin, end) if heard[:place] in rows]
-            scores = [float(row[heard[begin + at]]) - total(row) for at, row in enumerate(known)]
-            if len(known) < end - begin or sum(scores) < len(scores) * math.log(CLEAR):
-                unclear.update(self.grammar.words(word, language))
-        return frozenset(self.grammar.words(tokenizer.decode(list(heard)), language)) - unclear
+    def heard_clearly(self, encoded: Encoded, free: str, language: str | None) -> frozenset[str]:
+        """The words of a text that was heard freely, that were heard clearly."""
+        scores = self.word_scores(encoded, free, language)
+        clear = (word for word, score in scores if score > math.log(CLEAR))
+        return frozenset(one for word in clear for one in self.grammar.words(word, language))
 
     def left_out(
         self, encoded: Encoded, words: Sequence[str], heard: Sequence[str], transcript: Transcript
@@ -110,10 +102,7 @@ class Clearness(Scoring):
         left_out = self.grammar.left_out(words, [heard], language)
         if not left_out:
             return ()
-        scores = self.word_scores(encoded, transcript.free_text, language)
-        clearly = {
-            one for word, score in scores if score > math.log(CLEAR) for one in self.grammar.words(word, language)
-        }
+        clearly = self.heard_clearly(encoded, transcript.free_text, language)
         end = "" if self.grammar.settled(words, language) else " ".join(end_left_out(words, [heard]))
         return tuple(part for part in left_out if part == end or clearly.issuperset(part.split()))
 
@@ -263,14 +252,6 @@ class Clearness(Scoring):
             return []
         heard = self.word_scores(encoded, free, language)
         return [word for place, word, clear in least if heard[place][1] > math.log(clear)]
-
-
-def _in_words(pieces: Sequence[int], tokenizer: Any) -> Iterator[tuple[str, int, int]]:
-    """The words that pieces of a text make, each with the places of its first piece and after its last."""
-    texts: list[str] = [tokenizer.decode([piece]) for piece in pieces]
-    begins = [place for place, text in enumerate(texts) if place == 0 or text[:1].isspace()]
-    for begin, end in itertools.pairwise((*begins, len(pieces))):
-        yield tokenizer.decode(list(pieces[begin:end])), begin, end
 
 
 def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Iterator[tuple[str, float]]:

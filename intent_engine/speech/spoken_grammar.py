@@ -26,10 +26,7 @@ from intent_engine.speech.known_grammar import KnownGrammar
 from intent_engine.speech.left_out import begin_left_out, end_left_out
 from intent_engine.speech.narration import NARRATING, leaves_out, told
 from intent_engine.speech.opinion import Reading
-from intent_engine.speech.vocabulary import (
-    said_in_slots,
-    said_of_signs,
-)
+from intent_engine.speech.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.wake_words import UNADDRESSED, WakeWords
 
 if TYPE_CHECKING:

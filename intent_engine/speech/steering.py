@@ -69,8 +69,8 @@ FARFETCHED = 0.02
 347 commands whose words were no sentence, half of them in noise, none was lost that would have been done, and of 60
 orders of coffee given to a robot 49 are left at this."""
 EITHER_LANGUAGE = 3.0
-"""nats by which a language may be less likely than another, and be the one that was spoken: of 60 English commands by
-synthetic voices all were English by 5.4 nats and more, of 60 German ones 7 seemed to be English, 6 of them by less."""
+"""nats by which a language may be less likely than another, and be the one that was spoken: of 53 English commands by
+synthetic voices all were English by 5.4 nats and more, of 60 German ones 8 seemed to be English, 7 of them by less."""
 LANGUAGE_WEIGHT = 0.3
 """of a nat of that beside one of the mean of what is heard in it."""
 RETRY_SCORE = -1.0
@@ -144,7 +144,7 @@ class Steering(Clearness):
             sentences = ((*dictated, DICTATED),)
             return Opinion(self, samples, encoded, sure, sentences, settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
-        if exact and (meaning.stops or (in_time and self._plain(encoded, words, meaning, language))):
+        if exact and (meaning.stops or (in_time and self._plain(encoded, free, words, meaning, language))):
             close = self._close(encoded, words, language)
             unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
@@ -152,8 +152,8 @@ class Steering(Clearness):
         return Opinion(self, samples, encoded, heard)
 
     def _spoken_language(self, encoded: Encoded) -> str:
-        """The language of the speech; where it may be one as well as another, that in which it is a command, or else is
-        heard more clearly."""
+        """The language of the speech; where it may be one as well as another, that in which it is a command, or says
+        that something shall not be done, or else is heard more clearly."""
         likely = self.detect(encoded, self.grammar.languages)
         near = [one for one, chance in likely.items() if max(likely.values()) - chance < EITHER_LANGUAGE]
         if len(near) == 1:
@@ -161,15 +161,18 @@ class Steering(Clearness):
 
         def fits(language: str) -> tuple[bool, float]:
             text, mean, _ = self.greedy(encoded, language)
-            command = self.grammar.parse(text, language).status is Status.ACCEPTED
-            return command, mean + LANGUAGE_WEIGHT * likely[language]
+            meaning = self.grammar.parse(text, language)
+            understood = bool(meaning.actions) or meaning.refuses
+            return understood, mean + LANGUAGE_WEIGHT * likely[language]
 
         return max(near, key=fits)
 
-    def _plain(self, encoded: Encoded, words: Sequence[str], meaning: Interpretation, language: str | None) -> bool:
+    def _plain(
+        self, encoded: Encoded, free: str, words: Sequence[str], meaning: Interpretation, language: str | None
+    ) -> bool:
         """Whether a sentence is what people say, and words that say nothing were heard clearly: "fahr bitte in ..."."""
         said = set(self.grammar.empty_inside(words, language))
-        clearly = not said or said <= self.heard_clearly(encoded, language)
+        clearly = not said or said <= self.heard_clearly(encoded, free, language)
         return clearly and self.grammar.plain(words, meaning, language)
 
     def _may_be_dictated(self, words: Sequence[str], language: str | None) -> bool:

@@ -51,11 +51,8 @@ def test_the_words_that_were_heard_clearly(whisper, spoken):
     heard, *_ = whisper.greedy(encoded, "en")
     words = whisper.grammar.words(heard, "en")
     assert words == ["go", "forward", "two", "meters"]
-    clearly = whisper.heard_clearly(encoded, "en")
-    assert {"forward", "meters"} <= clearly <= set(words)
-    assert (
-        whisper.heard_clearly(whisper.encode(np.zeros_like(spoken)), "en") == frozenset()
-    )  # of which nothing is known
+    assert {"forward", "meters"} <= whisper.heard_clearly(encoded, heard, "en") <= set(words)
+    assert "elephants" not in whisper.heard_clearly(encoded, f"{heard} elephants", "en")
 
 
 @pytest.mark.parametrize(

@@ -33,7 +33,6 @@ def hears(engine):
 @pytest.mark.parametrize(
     "text",
     [
-        "komm bitte zur Ladestation",
         "geh einen halben Meter zurück",
         "fahr fünf Meter geradeaus",
         "dreh dich um fünfundvierzig Grad nach rechts",
@@ -50,7 +49,7 @@ def test_a_command_is_heard(engine, hears, text):
     assert heard.sureness >= 0.7
 
 
-@pytest.mark.parametrize("text", ["fahr nicht in die Küche", "dreh dich nicht um", "er geht zwei Meter vor"])
+@pytest.mark.parametrize("text", ["fahr nicht in die Küche", "dreh dich nicht um", "er hat den Ball genommen"])
 def test_what_is_no_command_is_none(engine, hears, text):
     heard = hears(text)
     acted_on = engine.parse(heard.text).actions and heard.sureness >= 0.7 and not (heard.unclear or heard.left_out)
@@ -103,8 +102,9 @@ def test_a_language_without_a_grammar_is_not_heard(either, spoken):
         (1.0, {"en": ("Calm hair", -0.1), "de": ("Komm her", -0.9)}, "de"),
         (1.0, {"en": ("Calm hair", -0.9), "de": ("Kommher ja", -0.1)}, "de"),
         (1.0, {"en": ("Come here", -0.5), "de": ("Komm her", -0.5)}, "en"),
+        (1.0, {"en": ("Come here", -0.9), "de": ("Komm nicht her", -0.1)}, "de"),
     ],
-    ids=["not near", "a command in one", "clearer in one", "the likelier"],
+    ids=["not near", "a command in one", "clearer in one", "the likelier", "what shall not be done"],
 )
 def test_where_it_may_be_either(either, monkeypatch, behind, written, language):
     _, recognizer = either
