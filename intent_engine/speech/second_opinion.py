@@ -25,6 +25,7 @@ import numpy as np
 from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
+from intent_engine.speech.again import heard_again
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside, cores
 from intent_engine.speech.clearness import RIVAL_MARGIN
@@ -211,18 +212,38 @@ class SecondOpinion:
 
     def _searched(self, look: _Look) -> Transcript:
         """What both make of a sound when they have searched the grammar, side by side: once more and deeper, if it
-        would be asked back else."""
+        would be asked back else; and what they make of it when they hear it again, if it is not sure then."""
+        began = time.perf_counter()
+        both = self._sought(look, began)
+        if time.perf_counter() - began > SOON:
+            return both
+        return heard_again(both, look.samples, self._grammar, self._heard)
+
+    def _sought(self, look: _Look, began: float) -> Transcript:
+        """What both find in the grammar."""
         assert look.second is not None
         before = look.second
-        began = time.perf_counter()
-        searched = self._aside(lambda second: second.search(before))
-        first, other = self._first.search(look.first), searched.result()
-        both, _ = self._weighed(first, other, far=True)
+        first, other, both = self._side_by_side(look.first, before)
         known = self._grammar.acted_on(both.sureness, both.language) or self._meaning(both).refuses
         if known or time.perf_counter() - began > SOON:
             return both
         dug = self._aside(lambda second: second.dig(before, other))
         both, _ = self._weighed(self._first.dig(look.first, first), dug.result(), far=True)
+        return both
+
+    def _side_by_side(self, first: Opinion, second: Opinion) -> tuple[Opinion, Opinion, Transcript]:
+        """What each finds in the grammar, and what both make of that."""
+        searched = self._aside(lambda model: model.search(second))
+        found, other = self._first.search(first), searched.result()
+        both, _ = self._weighed(found, other, far=True)
+        return found, other, both
+
+    def _heard(self, samples: Samples, searching: bool) -> Transcript:
+        """What both make of a sound at first sight, or when they have searched the grammar, without digging."""
+        look = self._look(samples)
+        if look.second is None or not (look.doubtful and searching):
+            return look.transcript
+        *_, both = self._side_by_side(look.first, look.second)
         return both
 
     def _stops(self, heard: Transcript) -> bool:

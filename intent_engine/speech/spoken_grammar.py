@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING
 
 from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import NOT_AFTER_THE_VERB
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.reading import SlotReading
 from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.dictating import DICTATED, begin_of
@@ -201,6 +203,10 @@ class SpokenGrammar:
         """Whether a sentence that is so sure may be acted on. (A stop is, from less, and however unclear.)"""
         return confidence >= self._known(language).least
 
+    def forgiving(self, language: str | None = None) -> bool:
+        """Whether something of it is acted on from less than is usual: to be wrong costs less than to be asked."""
+        return self._known(language).least < SURE_ENOUGH
+
     def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
         don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow; or, in
@@ -315,13 +321,22 @@ class SpokenGrammar:
         have: whoever may be called can be called anything."""
         matcher, known = self._known(language).matcher, self._known(language).words
         said = list(words[self.lead(words, language) :])
-        readings = matcher.read(said)
-        if not readings or readings[0].problem:
-            return False
-        free = [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS and not slot.slot.known]
+        free = [slot for slot in self._free_slots(words, language) or () if not slot.slot.known]
         taken = {place for slot in free for place in range(slot.start, slot.end)}
         strange = {place for place, word in enumerate(said) if word not in known and not matcher.is_number(word)}
         return bool(taken) and strange <= taken
+
+    def holds_any_words(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence with a slot that could hold any others as well, with a list or without; or are
+        none that is known."""
+        return self._free_slots(words, language) != []
+
+    def _free_slots(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
+        """The slots of a sentence that take any words; None: it is no sentence."""
+        readings = self._known(language).matcher.read(list(words[self.lead(words, language) :]))
+        if not readings or readings[0].problem:
+            return None
+        return [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS]
 
     def share_known(self, words: Sequence[str], language: str | None = None) -> float:
         """Share of some words that the grammar has, anywhere; 1 of none."""

@@ -434,3 +434,18 @@ def test_the_other_names_of_places_are_known_words(engine):
         words = said.split()
         assert grammar.share_known(words) == 1
         assert not grammar.unknown(words, grammar.parse(said))
+
+
+@pytest.mark.parametrize(
+    ("words", "any_"),
+    [
+        ("take the cup", True),
+        ("please put the ball on the table", True),
+        ("turn left ninety degrees", False),
+        ("go to the kitchen", False),
+        ("stop", False),
+        ("what a nice day", True),
+    ],
+)
+def test_whether_a_slot_could_hold_any_other_words(engine, words, any_):
+    assert SpokenGrammar(engine).holds_any_words(words.split(), "en") is any_

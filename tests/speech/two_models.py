@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from intent_engine.speech.again import LATER
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.dictating import as_heard, as_written
 from intent_engine.speech.evidence import View, letters_apart
@@ -94,8 +95,12 @@ class Says:
         self.opinion = replace(answer, settled=answer.settled or settled)
         self.found = found or answer
         self.listened: list[int] = []
+        self.listened_again: list[int] = []
+        """The same a moment later."""
         self.buried: Thinks | None = None
         """What is found by digging."""
+        self.later: Thinks | None = None
+        """What is heard a moment later; None: the same."""
         self.compared = self.searched = self.dug = 0
         self.closed = False
         self.left: threading.Event | None = None
@@ -106,8 +111,11 @@ class Says:
 
     def listen(self, samples: np.ndarray) -> Thinks:
         assert self.prepared.is_set()
-        self.listened.append(samples.size)
-        return self.opinion
+        if samples[:LATER].any():
+            self.listened.append(samples.size)
+            return self.opinion
+        self.listened_again.append(samples.size - LATER)
+        return self.later or self.opinion
 
     def glance(self, samples: np.ndarray) -> Transcript:
         return replace(self.opinion.transcript, draft=not self.opinion.settled)
