@@ -4,7 +4,8 @@
 A motion that could go on is begun after a short silence, so that the robot answers at once. What follows, and is no
 command by itself, is heard once more together with it. If both are one command that begins with the words of the first,
 then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn. Of what
-begins with "no", and is not understood, so much is clear that the motion was not meant: the robot stops.
+begins with "no", and is not understood, so much is clear that the motion was not meant: the robot stops. And a stop is
+done before its sentence is over: "going forward" after "stop" is the end of it.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ __all__ = ["Continuing", "Understood"]
 
 LONGEST = 10.0
 """s of sound that is heard once more."""
+STILL_STOPPING = 1.5
+"""s from the last words of a stop to the onset of others that may be the end of its sentence."""
 ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
@@ -70,6 +73,8 @@ class Continuing:
         self._judge = judge
         self._within = within
         self._said: _Said | None = None
+        self._stopped: tuple[str, float] | None = None
+        """The last stop in words, and when they ended; None: something else was done since."""
 
     def carried_out(self, utterance: SpokenUtterance, understood: Understood, goals: Sequence[Goal]) -> None:
         """A command was begun, by these goals."""
@@ -77,10 +82,16 @@ class Continuing:
         before = self._said.command if self._said is not None else None
         command = before.grown_to(whole, given) if before is not None else CarriedOut(whole, given)
         self._said = _Said(utterance.said(), utterance.last_voice, command)
+        self._stopped = None
+
+    def stopped(self, utterance: SpokenUtterance, meaning: Interpretation) -> None:
+        """The robot was stopped, before it was known whether the sentence was over."""
+        self.forget()
+        self._stopped = meaning.text, utterance.last_voice
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
-        self._said = None
+        self._said = self._stopped = None
 
     def heard_with(
         self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action], *, held: bool = False
@@ -112,6 +123,8 @@ class Continuing:
         assert heard is not None
         said = self._before(utterance)
         meaning = self._judge.meaning(heard, state, last)
+        if (stop := self._still_stopping(utterance, heard, meaning, state)) is not None:
+            return Understood(heard, stop, Step(stop.actions))
         if alone is None:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
         by_itself = self._judge.meaning(alone, state, last)
@@ -134,6 +147,17 @@ class Continuing:
             if withdrawn:
                 meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
+
+    def _still_stopping(
+        self, utterance: SpokenUtterance, heard: Transcript, meaning: Interpretation, state: Collection[str]
+    ) -> Interpretation | None:
+        """The stop of which an utterance is the end of the sentence; None: it is none."""
+        if self._stopped is None or meaning.status is not Status.ACCEPTED or meaning.stops:
+            return None
+        stop, ended = self._stopped
+        if utterance.began - ended > STILL_STOPPING:
+            return None
+        return self._judge.stop_going_on(stop, heard, state)
 
     def _belongs(
         self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation

@@ -141,6 +141,17 @@ class Judge:
         """What a text means in the language of a transcript."""
         return self.engine.parse(text, state=state, language=self._language(transcript), spoken=True)
 
+    def stop_going_on(self, stop: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """A stop with the words after it, if both are one sentence that stops: "stop" and "going forward", but not
+        "stop" and "go back"; None: they are not."""
+        matcher = self.engine.matcher(self._language(transcript))
+        words = [*plain(stop), *plain(transcript.text)]
+        for begin in range(len(plain(stop))):
+            readings = matcher.read(words[begin:])
+            if any(one.intent.action.type == "stop" and not one.problem for one in readings):
+                return self.text(f"{stop}, {transcript.text}", transcript, state)
+        return None
+
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
         sequence = PhraseSet(self._grammar(transcript).operators.sequence)

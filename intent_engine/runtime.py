@@ -396,7 +396,8 @@ class Runtime:
         stopping = meaning.stops
         if stopping:
             self._held = False
-            self._forget()
+            self._last = ()
+            self._continuing.stopped(utterance, meaning)
             self.executor.stop()
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
@@ -420,10 +421,6 @@ class Runtime:
         self._continuing.carried_out(utterance, understood, goals)
         return tuple(goals)
 
-    def _forget(self) -> None:
-        self._last = ()
-        self._continuing.forget()
-
     def _listen(self, samples: Samples, time: float) -> None:
         if self._reflex is None or self._held:
             return
@@ -439,7 +436,8 @@ class Runtime:
 
     def _failed(self, time: float, why: str) -> None:
         self._held = False
-        self._forget()
+        self._last = ()
+        self._continuing.forget()
         self._summary.errors += 1
         self.executor.stop()
         self._tell(HeardKind.ERROR, time, detail=why)

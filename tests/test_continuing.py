@@ -139,6 +139,30 @@ def test_a_stop_is_a_stop():
     assert said.goals == [GoalState.CANCELED]
 
 
+@given(
+    stop=st.sampled_from(["stop", "Stop.", "robot stop", "stop stop", "no, stop"]),
+    rest=st.sampled_from(["moving", "going", "turning", "rotating", "spinning", "pivoting"]).flatmap(
+        lambda verb: st.sampled_from([f"{verb} {way}" for way in ("", "forward", "back", "left", "clockwise")])
+    ),
+    pause=st.floats(0.3, 1.2),
+)
+def test_a_stop_that_is_done_before_its_sentence_is_over_stays_one(stop, rest, pause):
+    """ "Going forward" and "turning left" alone are commands of the grammar."""
+    said = Said(Script(stop, rest, "-"), pause)
+    whole = ENGINE.parse(f"stop {rest}")
+    if whole.stops:
+        assert all(event.interpretation.stops for event in said.done)
+        assert (said.pose.x, said.pose.yaw) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("rest", "pause"), [("go back one meter", 0.6), ("back one meter", 0.6), ("going back one meter", SOON + 0.3)]
+)
+def test_what_is_no_part_of_a_stop_is_done_after_it(rest, pause):
+    said = Said(Script("stop", rest, "-"), pause)
+    assert said.pose.x == pytest.approx(-1.0)
+
+
 @pytest.mark.parametrize(
     "script",
     [

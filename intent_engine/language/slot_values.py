@@ -66,7 +66,7 @@ class SlotValues:
             problem = f"{' '.join(said)!r} is not {article} {slot.type.replace('_', ' ')}"
             status = "unknown"
         elif isinstance(value, float) and (beyond := slot.beyond(value)) is not None:
-            problem, status = f"{slot.name} of {slot.written(value)} is {beyond[1]}", "limit"
+            problem, status = f"{label} of {slot.written(value)} is {beyond[1]}", "limit"
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
@@ -76,7 +76,7 @@ class SlotValues:
         words = " ".join(said)
         problem = ""
         if match.status == "unknown":
-            what = "place" if slot.type == "location" else slot.name
+            what = "place" if slot.type == "location" else label
             problem = f"no {what} is called {words!r}"
         elif match.status == "ambiguous":
             problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"

@@ -11,7 +11,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "Utterance", "plain"]
+__all__ = ["Openers", "PhraseSet", "Utterance", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -21,6 +21,7 @@ _ANNOTATION = re.compile(
 """What recognisers write for sounds that are not words."""
 
 
+_ENUMERATION = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
 _STUTTER = re.compile(r"\b[^aio] ")
 """A letter by itself, which may be a sound said twice."""
 
@@ -78,6 +79,12 @@ class PhraseSet:
             if length:
                 return position, length
         return None
+
+
+def without_enumeration(text: str) -> str:
+    """A text without the number before a sentence of a list: "1. Play my workout playlist." Nobody said it; models
+    write it, since they were trained on such texts."""
+    return _ENUMERATION.sub("", text) if text[:3].strip()[:1].isdigit() else text
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -19,7 +18,7 @@ from intent_engine.language.matcher import NOT_AFTER_THE_VERB
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.reading import SlotReading
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
 from intent_engine.speech.corrections import as_meant, corrected_like
 from intent_engine.speech.dictating import DICTATED, begin_of
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
@@ -62,9 +61,6 @@ unusual."""
 FORBIDDING = ("don't",), ("do", "not"), ("never",)
 """How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
 
-ENUMERATED = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
-"""The number before a sentence in a list, which nobody said: "1. Play my workout playlist." Models have it from texts
-that they were trained on."""
 NOT_WITHIN = 3
 """First words of a command, behind any of which a "nicht" may stand: "fahr nicht ...", "dreh dich nicht ..."."""
 OTHERWISE = 2
@@ -120,7 +116,7 @@ class SpokenGrammar:
 
     def words(self, text: str, language: str | None = None) -> list[str]:
         """The words of a text that was heard, together or apart as the grammar writes them, numbers as words."""
-        said = Utterance.of(ENUMERATED.sub("", text), language or "en")
+        said = Utterance.of(without_enumeration(text), language or "en")
         words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
         return in_words(said_of_signs(words, language), language)
 

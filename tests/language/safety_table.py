@@ -8,6 +8,21 @@ NOTHING = "nothing"
 """Stands for any status without an action."""
 
 PLAIN = {
+    "drive at half a meter per second for four seconds": "forward 2",
+    "move for two seconds": "forward 1",
+    "move two meters forward at a speed of 0.2 meters per second": "forward 2",
+    "take a step back": "back 0.3",
+    "turn around 180 degrees": "left 180",
+    "spin left at thirty degrees per second for three seconds": "left 90",
+    "set the cup on the table": "place cup table",
+    "send the robot to the kitchen": "to kitchen",
+    "quit moving": "stop",
+    "stay": "stop",
+    # A recogniser numbers sentences as lists do.
+    "1. Go forward": "forward 1",
+    "2. Turn left.": "left 43",
+    "1. A quarter of a meter straight ahead.": "forward 0.25",
+    "2. Meters forward": "forward 2",
     "go forward": "forward 1",
     "go forward two meters": "forward 2",
     "back up a couple of feet": "back 0.6096",
@@ -46,6 +61,7 @@ FILLED = {
     "(music)": NOTHING,
 }
 NEGATED = {
+    "1. Don't go forward": NOTHING,
     "don't go forward": NOTHING,
     "do not go forward": NOTHING,
     "dont go forward": NOTHING,
@@ -344,6 +360,9 @@ UNFINISHED = {
     "pick up the cup is": NOTHING,
     "put the ball on": NOTHING,
     "the left": NOTHING,
+    "the right one": NOTHING,
+    "the left two": NOTHING,
+    "go left one": NOTHING,
     "the right": NOTHING,
     "the back": NOTHING,
     "a forward": NOTHING,

@@ -32,6 +32,16 @@ def test_a_value_that_no_list_has_is_told_as_one_of_that_list(text, reason):
     assert reason in found.reason
 
 
+@pytest.mark.parametrize("text", ["to the kitchen", "three steps back", "go to the kitchen and then to the bedroom"])
+def test_an_amount_tells_nothing_where_something_else_is_not_understood(text):
+    """ "To the kitchen" is no turn by two degrees."""
+    assert "smallest" not in shipped().parse(text).reason
+
+
+def test_a_limit_is_told_of_what_the_sentence_calls_it():
+    assert shipped().parse("turn left two").reason == "angle of 2° is less than the smallest, 5°"
+
+
 @pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus"])
 def test_what_is_no_value_and_nothing_else_is_no_command(text):
     assert shipped().parse(text).reason == "not a command of this grammar"

@@ -117,7 +117,7 @@ class Commands:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
-        wrong = [reading for reading in readings if reading.problem and reading.heard_exactly]
+        wrong = [one for one in readings if one.problem and one.heard_exactly and not _far_off(one)]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -234,6 +234,13 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
     rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
     return rank, slot.end - slot.start, -nearest
+
+
+def _far_off(reading: Reading) -> bool:
+    """Whether an amount is beyond its limits and something else is not understood either: "to the kitchen" is no turn
+    by two degrees to a side called "kitchen"."""
+    problems = [slot.status for slot in reading.slots if slot.problem]
+    return len(problems) > 1 and "limit" in problems
 
 
 def _changes(reading: Reading) -> str:

@@ -20,7 +20,7 @@ from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.numbers.english import ZERO
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import Utterance, without_enumeration
 
 if TYPE_CHECKING:
     from intent_engine.language.nearest import Nearest
@@ -92,6 +92,11 @@ class Interpreter:
         """The same, with the commands of which the meaning is made."""
         if len(text) > MAX_CHARACTERS:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
+        sentence = without_enumeration(text)
+        if sentence is not text:
+            understood = self._meant(sentence, Utterance.of(sentence, self._language), state, spoken)
+            if understood[0].status is Status.ACCEPTED:
+                return understood  # else it may be how a number was written: "2. Meters ahead"
         said = Utterance.of(text, self._language)
         words = said.words
         if not words:
