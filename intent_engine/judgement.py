@@ -44,7 +44,7 @@ clean and at 10 dB, none had a gap above 1.5 where tiny.en was sure of it at 0.4
 
 HARDLY_A_WORD = -1.5
 """Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
-for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-reflex.md)."""
+for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-held-robot.md)."""
 
 SURE_THOUGH_HELD = 0.95
 """Confidence in another short command, from which it is done though a stop was heard in its sound: at 10 dB and less

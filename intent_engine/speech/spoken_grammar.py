@@ -54,7 +54,7 @@ UNKNOWN_WORD = 8.0
 UNUSUAL = 2.0
 """nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
 ``usual_max``, and a turn of more than a circle. Of 447 angles that people told a robot one was no multiple
-(docs/decisions/speech-second-opinion.md)."""
+(docs/decisions/speech-numbers.md)."""
 BEYOND_LIMITS = 5.0
 """The same of a number that its slot does not take, where no model heard it word by word. Where one did, it is only
 unusual."""
