@@ -19,7 +19,8 @@ class HeardKind(StrEnum):
     SPEECH = "speech"
     """Somebody began to speak."""
     PARTIAL = "partial"
-    """What was said so far, at a pause; may still change."""
+    """What was said so far, while somebody speaks or at a pause; may still change. What it would mean, and when the
+    last frame of speech was, are told at a pause alone."""
     OUTDATED = "outdated"
     """Somebody speaks on: what was said so far, told or not yet, is to be heard anew."""
     TRANSCRIPT = "transcript"

@@ -226,7 +226,15 @@ class Runtime:
             self._decoding.decode(utterance, final=False)
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
             self._decoding.decode(utterance, final=True)
+        elif self._speculate and utterance.job is None and not self._endpoint.silence:
+            self._follow(utterance, frame.time)
         return utterance
+
+    def _follow(self, utterance: SpokenUtterance, time: float) -> None:
+        """Listen along, so that little is left to do at the end."""
+        heard = self._decoding.follow(utterance)
+        if heard is not None and heard.text:
+            self._tell(HeardKind.PARTIAL, time, transcript=heard)
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
         """End an utterance, if the signal says so. What was said already is no part of what follows: "turn left" would

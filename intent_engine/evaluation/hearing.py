@@ -185,7 +185,7 @@ class _Notes:
         """s: when the transcript is there, in real time."""
 
     def take(self, event: Heard) -> None:
-        if event.kind is HeardKind.PARTIAL and event.transcript is not None:
+        if event.kind is HeardKind.PARTIAL and event.transcript is not None and event.speech_ended is not None:
             self._decoded(event.transcript, event.time)
             self._partial = event.transcript
         elif event.kind is HeardKind.OUTDATED and self._leaves:

@@ -7,11 +7,12 @@ import math
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.beside import start_beside
 from intent_engine.speech.leaving import Leavable
-from intent_engine.speech.recognizer import Glancing, Recognizer, Transcript
+from intent_engine.speech.recognizer import Following, Glancing, Recognizer, Transcript
 
 __all__ = ["DecodeThread"]
 
@@ -30,6 +31,7 @@ class DecodeThread:
         self.on_end: Callable[[], object] | None = None
         """Called in that thread when a decode has ended."""
         self._busy: Future[Transcript] | None = None
+        self._following: Future[Transcript] | None = None
         self._began = 0.0
 
     @property
@@ -40,8 +42,8 @@ class DecodeThread:
 
     @property
     def free(self) -> bool:
-        """Whether a decode can begin."""
-        return self._busy is None or self._busy.done()
+        """Whether a decode can begin: what only listens along gives way to it."""
+        return self._busy is None or self._busy.done() or self._busy is self._following
 
     def settle(self, most: float = math.inf) -> None:
         """Wait for the decode under way, but no longer than it may take, nor than ``most`` s."""
@@ -57,7 +59,7 @@ class DecodeThread:
 
     def leave(self) -> None:
         """Nobody waits for the decode under way any more: it ends soon, if the recogniser can be left."""
-        if not self.free and isinstance(self.recognizer, Leavable):
+        if self._busy is not None and not self._busy.done() and isinstance(self.recognizer, Leavable):
             self.recognizer.leave()
 
     def begin(self, samples: Samples, *, final: bool) -> Future[Transcript]:
@@ -69,7 +71,17 @@ class DecodeThread:
         recognizer = self.recognizer
         return self._begin(lambda: recognizer.glance(samples)) if isinstance(recognizer, Glancing) else None
 
+    def listen_along(self, samples: Samples) -> Future[Transcript] | None:
+        """Listen along while somebody speaks, as :meth:`begin`; None: the recogniser is busy, or cannot."""
+        recognizer = self.recognizer
+        if not isinstance(recognizer, Following) or not (self._busy is None or self._busy.done()):
+            return None
+        self._following = self._begin(lambda: recognizer.follow(samples))
+        return self._following
+
     def _begin(self, decode: Callable[[], Transcript]) -> Future[Transcript]:
+        before = self._busy if self._busy is self._following else None
+        self.leave()
         future: Future[Transcript] = Future()
         if (on_end := self.on_end) is not None:
             future.add_done_callback(lambda _: on_end())
@@ -77,8 +89,14 @@ class DecodeThread:
         self._began = time.monotonic()
 
         def work() -> None:
+            waited = 0.0
             try:
-                future.set_result(decode())
+                if before is not None and not before.done():  # two decodes at once would share one model
+                    asked = time.perf_counter()
+                    before.exception(self.patience)
+                    waited = time.perf_counter() - asked
+                found = decode()
+                future.set_result(replace(found, decode_seconds=found.decode_seconds + waited) if waited else found)
             except BaseException as error:  # whatever a recogniser raises must come back to the caller
                 future.set_exception(error)
 

@@ -97,6 +97,8 @@ class MoonshineRecognizer(Leaving):
     language: str | None = "en"
     multilingual = False
     device = "cpu"
+    draft: Beginning = ()
+    """As of :class:`~intent_engine.speech.scoring.Scoring`."""
 
     def __init__(
         self,
@@ -149,8 +151,9 @@ class MoonshineRecognizer(Leaving):
         tree = self._tree(encoded)
         pieces: Beginning = ()
         rows: dict[Beginning, _Floats] = {}
+        drafted = tree.drafted(self.draft)
         for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
-            row = tree.chances([pieces])[pieces]
+            row = drafted[pieces] if pieces in drafted else tree.chances([pieces])[pieces]
             if not pieces and encoded.seconds > WORD_SECONDS:
                 row = _something(row)
             rows[pieces] = row

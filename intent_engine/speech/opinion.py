@@ -123,6 +123,14 @@ class Steered(Recognizer, Protocol):
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
         ...
 
+    def follow(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Following.follow`."""
+        ...
+
+    def lose(self) -> None:
+        """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""
+        ...
+
     def stay(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leaving.stay`."""
         ...

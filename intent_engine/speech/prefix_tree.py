@@ -93,6 +93,10 @@ class PrefixTree:
             found.update(zip(again, rows, strict=True))
         return {one: found[one] for one in wanted}
 
+    def drafted(self, draft: Beginning) -> dict[Beginning, _Floats]:
+        """The chances after each beginning of what a text may begin with, in one call; nothing of an empty one."""
+        return self.chances(draft[:place] for place in range(len(draft) + 1)) if draft else {}
+
     def onward(
         self, beginnings: Sequence[Beginning], length: int, end: int, further: int = 0
     ) -> Iterator[tuple[Beginning, _Floats]]:

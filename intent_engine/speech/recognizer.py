@@ -7,7 +7,7 @@ from typing import Any, Protocol, runtime_checkable
 
 from intent_engine.speech.audio import Samples
 
-__all__ = ["Encoded", "Glancing", "Recognizer", "Transcript"]
+__all__ = ["Encoded", "Following", "Glancing", "Recognizer", "Transcript"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,4 +91,21 @@ class Glancing(Protocol):
         Args:
             samples: ``(n,)`` at 16 kHz, of which the last sounds may be missing.
         """
+        ...
+
+
+@runtime_checkable
+class Following(Protocol):
+    """A recogniser that can listen along while somebody speaks, so that little is left to do when they pause."""
+
+    def follow(self, samples: Samples) -> Transcript:
+        """The words so far, of speech that goes on: a draft, for what is heard next of the same speech.
+
+        Args:
+            samples: as for :meth:`Recognizer.transcribe`.
+        """
+        ...
+
+    def lose(self) -> None:
+        """Forget the last words that were followed: it would not have heard them in time."""
         ...

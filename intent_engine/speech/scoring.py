@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import time
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -13,11 +15,12 @@ import numpy.typing as npt
 
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.drafts import Drafts
 from intent_engine.speech.however_written import HoweverWritten
 from intent_engine.speech.leaving import Leaving
 from intent_engine.speech.loops import goes_round
 from intent_engine.speech.prefix_tree import PrefixTree, RecentTrees
-from intent_engine.speech.recognizer import Encoded
+from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.rows import Rows, total
 from intent_engine.speech.whisper import RETRY_SECONDS, WhisperRecognizer, logits_row, max_length
 from intent_engine.speech.whisper_decoder import WhisperDecoder, own_decoder
@@ -53,6 +56,13 @@ class Scoring(Leaving, ABC):
 
     _decoded: tuple[Encoded | None, Rows] = (None, {})
     """The sound that was last heard freely, and what the model made of it on the way."""
+
+    draft: tuple[int, ...] = ()
+    """Pieces with which what is heard freely next may begin. They are computed in one call, and those that the model
+    would write are not asked for one by one."""
+
+    language: str | None
+    """Of the speech; None: detected."""
 
     _names: tuple[Any, Mapping[str, str], Names] | None = None
     """Of the tokenizer and the grammar that were used last."""
@@ -97,6 +107,32 @@ class Scoring(Leaving, ABC):
             (beginning, ``(vocabulary,)`` log probabilities).
         """
 
+    def follow(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Following.follow`."""
+        began = time.perf_counter()
+        self.stay()
+        if self.language is None:
+            return Transcript("", draft=True)
+        encoded = self.encode(samples)
+        self.draft = self.drafts.of(samples)
+        text, score, _ = self.greedy(encoded, self.language)
+        self.drafts.keep(samples, self.pieces_written(encoded))
+        seconds = time.perf_counter() - began
+        return Transcript(text, score, text, language=self.language, decode_seconds=seconds, draft=True)
+
+    def lose(self) -> None:
+        """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""
+        self.drafts.lose()
+
+    @cached_property
+    def drafts(self) -> Drafts:
+        """What was written of the speech so far."""
+        return Drafts()
+
+    def pieces_written(self, encoded: Encoded) -> tuple[int, ...]:
+        """The pieces that it wrote when it heard a sound freely, as :meth:`decoded`."""
+        return max(self.decoded(encoded), key=len, default=())
+
     def decoded(self, encoded: Encoded) -> Rows:
         """What the model made of a sound when it heard it freely: all that it wrote is a beginning. Nothing, if it has
         heard another since."""
@@ -135,7 +171,7 @@ class Scoring(Leaving, ABC):
 
     def _begins_large(self, encoded: Encoded, language: str | None) -> bool:
         """Whether what was heard freely begins with a capital, as a sentence does."""
-        heard = max(self.decoded(encoded), key=len, default=())
+        heard = self.pieces_written(encoded)
         return not self.tokenizer(language).decode(list(heard[:1])).strip()[:1].islower()
 
     def names(self, language: str | None = None) -> Names:
@@ -197,8 +233,9 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         rows: dict[tuple[int, ...], npt.NDArray[np.float32]] = {}
         pieces: tuple[int, ...] = ()
         scores = []
+        drafted = tree.drafted(self.draft)
         for _ in range(self.most_pieces(encoded)):
-            row = rows[pieces] = tree.chances([pieces])[pieces]
+            row = rows[pieces] = drafted[pieces] if pieces in drafted else tree.chances([pieces])[pieces]
             able = decoder.able(row, first=not pieces)
             piece = int(able[: tokenizer.no_timestamps].argmax())
             scores.append(float(able[piece]))
@@ -282,7 +319,7 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
 
     def _sign_heard(self, encoded: Encoded, signs: Sequence[int]) -> int:
         """The sign with which the model ended what it heard freely; else a full stop."""
-        heard = max(self.decoded(encoded), key=len, default=())
+        heard = self.pieces_written(encoded)
         return heard[-1] if heard and heard[-1] in signs else signs[0]
 
     def _copies(self, encoded: Encoded, count: int) -> Any:

@@ -134,6 +134,15 @@ class SecondOpinion:
         self._talk_seen = glanced.draft and self._talk(glanced)
         return glanced
 
+    def follow(self, samples: Samples) -> Transcript:
+        """As :meth:`~intent_engine.speech.recognizer.Following.follow`: the first model alone."""
+        self._prepared.result()
+        return self._first.follow(samples)
+
+    def lose(self) -> None:
+        """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""
+        self._first.lose()
+
     def leave(self) -> None:
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
         self._first.leave()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from intent_engine.speech.audio import FRAME_SAMPLES, Samples
+from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Samples
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.rnnoise import FilteredSpeech
 
@@ -52,6 +52,11 @@ class SpokenUtterance:
     def draft(self) -> bool:
         """Whether it was decoded, and the recogniser would hear it better with more care."""
         return self.result is not None and self.result.draft and not self.final
+
+    @property
+    def now(self) -> float:
+        """s since the source began: its last frame."""
+        return self.last_voice + self.silent * FRAME_SECONDS
 
     def take(self, samples: Samples) -> None:
         """One frame more."""

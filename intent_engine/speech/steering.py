@@ -80,9 +80,6 @@ RETRY_SCORE = -1.0
 class Steering(Clearness):
     """What a model that can be asked what it thinks of words becomes with a grammar: a recogniser for one engine."""
 
-    language: str | None
-    """Of the speech; None: detected."""
-
     def steer(self, engine: IntentEngine) -> None:
         """By the grammar of an engine; it may be reloaded at any time."""
         self.grammar = SpokenGrammar(engine)
@@ -126,8 +123,10 @@ class Steering(Clearness):
         self.check()
         sound = in_silence(samples, SHORT_SECONDS, QUIET_SECONDS)
         encoded = self.encode(sound, self.longer(sound.size / SAMPLE_RATE)) if longer else self.encode(sound)
+        self.draft = self.drafts.of(samples)
         language = self.language or self._spoken_language(encoded)
         free, mean, _ = self.greedy(encoded, language)
+        self.drafts.keep(samples, self.pieces_written(encoded))
         heard = Transcript(free, mean, free, language=language)
         meaning = self.grammar.parse(free, language)
         words = self.grammar.words(free, language)

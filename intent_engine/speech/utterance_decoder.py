@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 
+from intent_engine.speech.beside import cores
 from intent_engine.speech.decoding import DecodeThread
-from intent_engine.speech.recognizer import Recognizer, Transcript
+from intent_engine.speech.recognizer import Following, Recognizer, Transcript
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
 __all__ = ["UtteranceDecoder"]
+
+OFTEN = 0.35
+"""s of speech after which it is listened along again,"""
+REST = 3.0
+"""and how many times as long as that took: a third of a core at most, on any machine."""
+LONGEST = 6.0
+"""s of speech beyond which nobody says a command, and it is not listened along."""
+GIVES_WAY = 0.035
+"""s in which nine of ten decodes that are left have ended, where time stands still and nothing can be left."""
 
 
 class UtteranceDecoder(DecodeThread):
@@ -23,9 +35,66 @@ class UtteranceDecoder(DecodeThread):
     def __init__(self, recognizer: Recognizer, patience: float, *, stepped: bool) -> None:
         super().__init__(recognizer, patience)
         self._stepped = stepped
+        self._able = cores() > 1
+        """Whether there is a core for listening along."""
+        self._now = 0.0
+        """s since the source began."""
+        self._next = 0.0
+        """s since the source began: when it is listened along again."""
+        self._along: tuple[float, Future[Transcript]] | None = None
+        """Since when it is listened along, and what will have been heard."""
+
+    def follow(self, utterance: SpokenUtterance) -> Transcript | None:
+        """Listen along while somebody speaks, now and then. Returns what was heard so, when it is known."""
+        self._now = utterance.now
+        heard = self._followed()
+        if (
+            self._able
+            and self._along is None
+            and OFTEN <= self._now - utterance.began < LONGEST
+            and self._now >= self._next
+        ):
+            job = self.listen_along(utterance.sound())
+            if job is not None:
+                self._along = self._now, job
+                if self._stepped:
+                    self.wait(job)
+        return heard
+
+    def _followed(self) -> Transcript | None:
+        """What was heard while it was listened along, if that is over."""
+        if self._along is None or not self._along[1].done():
+            return None
+        began, job = self._along
+        if job.exception() is None and self._stepped and self._now < began + job.result().decode_seconds:
+            return None
+        self._along = None
+        if job.exception() is not None:  # whoever is asked next has the same trouble, and tells it
+            return None
+        self._next = began + max(OFTEN, REST * job.result().decode_seconds)
+        return job.result()
+
+    def _begin(self, decode: Callable[[], Transcript]) -> Future[Transcript]:
+        if self._along is None:
+            return super()._begin(decode)
+        began, job = self._along
+        self._along = None
+        known = job.done() and job.exception() is None
+        if not (self._stepped and known and self._now < began + job.result().decode_seconds):
+            return super()._begin(decode)
+        # Time stands still, so it has heard what it would have had to leave.
+        if isinstance(self.recognizer, Following):
+            self.recognizer.lose()
+
+        def later() -> Transcript:
+            found = decode()
+            return replace(found, decode_seconds=found.decode_seconds + GIVES_WAY)
+
+        return super()._begin(later)
 
     def decode(self, utterance: SpokenUtterance, *, final: bool) -> None:
         """Decode what was said so far; nothing is begun while another decode is under way."""
+        self._now = utterance.now
         if not self.free:
             if not (self._stepped or self.hung):
                 return
@@ -34,6 +103,7 @@ class UtteranceDecoder(DecodeThread):
 
     def look(self, utterance: SpokenUtterance) -> None:
         """Glance at what was said so far, to be ready if it is clear already."""
+        self._now = utterance.now
         job = self.glance(utterance.sound()) if self.free else None
         if job is not None:
             self._decoded(utterance, job, glance=True)
