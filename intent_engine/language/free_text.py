@@ -35,6 +35,7 @@ UNFINISHED: Mapping[str, frozenset[str]] = {
 NO_THING: Mapping[str, frozenset[str]] = {
     "en": frozenset(
         ("to", "from", "with", "into", "onto", "for", "at", "in", "on", "under", "by", "through", "between", "against",
+         "over", "around",
          "beside", "behind", "near", "inside", "outside", "above", "below", "beneath", "towards", "toward", "and", "or",
          "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his", "every", "each",
          "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been", "being", "do", "does",
@@ -63,6 +64,17 @@ NO_THING: Mapping[str, frozenset[str]] = {
     ),
 }  # fmt: skip
 """No thing of a slot that lists things ends so: "pick up the cup from" goes on. A song may ("what I came for")."""
+MAY_BEGIN: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("its", "their", "his", "every", "each", "no", "very", "hold")),
+    "de": frozenset(
+        ("sehr", "jede", "jeder", "jedes", "jeden", "sein", "euer", "seine", "seinen", "ihr", "ihre", "ihren", "unser",
+         "unsere", "unseren", "eure", "euren")
+    ),
+    "fr": frozenset(("très", "chaque", "leur", "leurs")),
+    "es": frozenset(("muy", "cada", "su", "sus")),
+    "it": frozenset(("molto", "ogni")),
+}  # fmt: skip
+"""Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
 ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("a", "on", "over", "up", "down", "off", "out", "in", "back", "along", "to", "from", "at", "with"))
 }
@@ -82,6 +94,7 @@ class FreeText:
         self._fillers = PhraseSet(grammar.fillers)
         self._articles = ARTICLES_IN.get(grammar.language, ARTICLES)
         self._no_thing = NO_THING.get(grammar.language, frozenset())
+        self._no_beginning = self._no_thing - MAY_BEGIN.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
@@ -95,6 +108,8 @@ class FreeText:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
         said = words[start:end]
         wrong = slot.without.intersection(said)
+        if slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
+            wrong = frozenset((said[0],))
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)

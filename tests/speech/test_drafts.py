@@ -87,7 +87,11 @@ def test_only_of_the_same_sound_going_on(seconds, later, pieces, other, lost):
         drafts.keep(sound[: size + 1], (1, 2, 3))
         drafts.lose()
     found = drafts.of((sound[::-1] if other else sound)[:whole])
-    goes_on = size != whole >= size - UNSETTLED and size > UNSETTLED and whole >= min(size - UNSETTLED, int(0.3 * SAMPLE_RATE))
+    goes_on = (
+        size != whole >= size - UNSETTLED
+        and size > UNSETTLED
+        and whole >= min(size - UNSETTLED, int(0.3 * SAMPLE_RATE))
+    )
     assert found == (pieces if goes_on and not other and len(pieces) >= LEAST else ())
 
 
