@@ -20,7 +20,7 @@ from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
 from intent_engine.heard import Heard, HeardKind, Summary
-from intent_engine.interpretation import Status
+from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
 from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
@@ -39,6 +39,10 @@ SECOND_LOOK = 0.1
 """s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
+
+TORN = 0.5
+"""s after a gap in the sound, within which begins what may be the rest of a sentence."""
+_TORN = "sound was lost just before it, and perhaps its beginning; say it again"
 
 
 class Runtime:
@@ -100,6 +104,8 @@ class Runtime:
         self._last: tuple[Action, ...] = ()
         """What was last understood, for words that point back to it."""
         self._deaf = False
+        self._torn = -1.0
+        """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
         self._source: AudioSource | None = None
         self._base = 0.0
         self._recent: deque[Samples] = deque()  # the last sounds, with which an utterance may have begun
@@ -147,6 +153,7 @@ class Runtime:
         self._voice.reset()
         self._endpoint.reset()
         self._deaf = False
+        self._torn = -1.0
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         self._waiting = []
@@ -200,7 +207,7 @@ class Runtime:
         signal = self._endpoint.frame(probability)
         self._recent.append(frame.samples)
         if signal is Signal.STARTED:
-            utterance = SpokenUtterance(list(self._recent), frame.time, frame.time)
+            utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
             if self._reflex is not None:
@@ -226,15 +233,9 @@ class Runtime:
             self._decoding.decode(utterance, final=False)
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
             self._decoding.decode(utterance, final=True)
-        elif self._speculate and utterance.job is None and not self._endpoint.silence:
-            self._follow(utterance, frame.time)
+        elif self._speculate and utterance.job is None and (heard := self._decoding.follow(utterance)):
+            self._tell(HeardKind.PARTIAL, frame.time, transcript=heard)
         return utterance
-
-    def _follow(self, utterance: SpokenUtterance, time: float) -> None:
-        """Listen along, so that little is left to do at the end."""
-        heard = self._decoding.follow(utterance)
-        if heard is not None and heard.text:
-            self._tell(HeardKind.PARTIAL, time, transcript=heard)
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
         """End an utterance, if the signal says so. What was said already is no part of what follows: "turn left" would
@@ -257,6 +258,7 @@ class Runtime:
         self._endpoint.reset()
         self._voice.reset()
         self._continuing.forget()
+        self._torn = frame.time + TORN
         if utterance is not None:
             self._decoding.forget(utterance)
         if frame.deaf:
@@ -315,22 +317,10 @@ class Runtime:
                 self._finish(first, time)
 
     def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
-        job = utterance.job
-        if job is None:
-            return False
-        if not job.done():
-            if not (self._stepped or self._decoding.hung):
-                return False
-            self._decoding.give_up()
-            utterance.job = None if not utterance.ended else job
-            self._failed(time, f"the recogniser did not answer within {self._decoding.patience:g} s")
-            return True
-        error = job.exception()
-        if error is not None:
-            self._failed(time, f"the recogniser failed: {type(error).__name__}: {error}")
-            return True
-        utterance.result = job.result()
-        return True
+        over, failure = self._decoding.outcome(utterance)
+        if failure:
+            self._failed(time, failure)
+        return over
 
     def _drain(self) -> None:
         """The source has ended: wait for the decodes that are under way."""
@@ -387,6 +377,8 @@ class Runtime:
             return
         if self._held:
             meaning = self._judgement.held(transcript, meaning)
+        if utterance.torn and meaning.status is Status.ACCEPTED and not meaning.stops:
+            meaning = Interpretation(transcript.text, Status.REJECTED, reason=_TORN)
         if utterance.short and not meaning.stops:
             if self._held:
                 self._release(time, "too short to be another word than a stop")

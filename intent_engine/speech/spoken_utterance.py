@@ -30,6 +30,8 @@ class SpokenUtterance:
     """s since the source began"""
     last_voice: float
     """s since the source began: the last frame of speech."""
+    torn: bool = False
+    """Whether it may be the rest of a sentence, of which sound was lost."""
     silent: int = 0
     """Frames since then."""
     filtered: FilteredSpeech | None = None

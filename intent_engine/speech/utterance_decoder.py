@@ -71,8 +71,9 @@ class UtteranceDecoder(DecodeThread):
         self._along = None
         if job.exception() is not None:  # whoever is asked next has the same trouble, and tells it
             return None
-        self._next = began + max(OFTEN, REST * job.result().decode_seconds)
-        return job.result()
+        heard = job.result()
+        self._next = began + max(OFTEN, REST * heard.decode_seconds)
+        return heard if heard.text else None
 
     def _begin(self, decode: Callable[[], Transcript]) -> Future[Transcript]:
         if self._along is None:
@@ -120,6 +121,23 @@ class UtteranceDecoder(DecodeThread):
         """Wait for a decode, but no longer than it may take."""
         with contextlib.suppress(TimeoutError):  # it counts as hung then
             job.exception(timeout=self.patience)
+
+    def outcome(self, utterance: SpokenUtterance) -> tuple[bool, str]:
+        """Whether the decode of an utterance is over, and why it failed, if it did. One that hangs is given up."""
+        job = utterance.job
+        if job is None:
+            return False, ""
+        if not job.done():
+            if not (self._stepped or self.hung):
+                return False, ""
+            self.give_up()
+            utterance.job = None if not utterance.ended else job
+            return True, f"the recogniser did not answer within {self.patience:g} s"
+        error = job.exception()
+        if error is not None:
+            return True, f"the recogniser failed: {type(error).__name__}: {error}"
+        utterance.result = job.result()
+        return True, ""
 
     def _decoded(
         self, utterance: SpokenUtterance, job: Future[Transcript], *, final: bool = False, glance: bool = False

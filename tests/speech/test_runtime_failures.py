@@ -7,7 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from speech_stage import Frames, framed
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from speech_stage import Frames, Says, Voiced, framed
 
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
@@ -31,6 +33,40 @@ def test_nothing_is_done_with_words_of_which_some_are_missing(listen, go_forward
     first = [event for event in found.of(HeardKind.SUBMITTED) if event.time <= half * FRAME_SECONDS]
     assert first == []
     assert len(found.goals) == 1, "the second time it is whole"
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
+@given(gap=st.floats(0.4, 2.4), lost=st.floats(0.03, 1.0))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_nor_with_the_rest_of_a_sentence_that_begins_after_the_gap(listen, gap, lost):
+    """Of "don't you ever go forward", what comes after the gap is a command."""
+    frames = framed(np.zeros(5 * SAMPLE_RATE, np.float32))
+    place = next(at for at, frame in enumerate(frames) if frame.time > gap)
+    frames[place] = replace(frames[place], lost=lost)
+
+    class Detector(Voiced):
+        def reset(self) -> None: ...
+
+    found = listen(frames, Says("go forward two meters"), voice=Detector((0.5, 2.5)), noise_filter=None)
+    assert found.goals == []
+    assert found.moved == 0.0
+
+
+def test_but_a_stop_is_a_stop_and_what_is_said_later_is_done(listen):
+    frames = framed(np.zeros(9 * SAMPLE_RATE, np.float32))
+    place = next(at for at, frame in enumerate(frames) if frame.time > 1.2)
+    frames[place] = replace(frames[place], lost=0.2)
+
+    class Detector(Voiced):
+        def reset(self) -> None: ...
+
+    voice = Detector((0.5, 2.0), (4.0, 5.0))
+    stopped = listen(frames, Says("stop"), voice=voice, noise_filter=None)
+    assert [event.interpretation.stops for event in stopped.of(HeardKind.SUBMITTED)] == [True]
+    voice = Detector((0.5, 2.0), (4.0, 5.0))
+    found = listen(frames, Says("go back one meter", "go forward two meters"), voice=voice, noise_filter=None)
+    refused, _ = found.of(HeardKind.INTERPRETATION)
+    assert "sound was lost" in refused.interpretation.reason
     assert found.robot.pose().x == pytest.approx(2.0)
 
 
