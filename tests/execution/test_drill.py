@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+import signal
+import subprocess
+from pathlib import Path
 
-from intent_engine.execution.drill import DrillReport, Trial
+import pytest
+
+from intent_engine.execution.drill import DrillReport, Trial, busy
 from intent_engine.execution.drill.report import result
 from intent_engine.execution.drill.stops import flood, late_writes, robot_hangs, robot_raises, stop_under_load
 from intent_engine.execution.executor import Executor
@@ -30,6 +35,20 @@ def test_an_executor_that_does_not_stop_is_found(monkeypatch):
     trial = stop_under_load(FILE, 1)
     assert not trial.passed
     assert "the goal ended as executing" in trial.detail
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="asks Linux which signals a process hears")
+def test_what_keeps_the_machine_busy_does_not_hear_ctrl_c(monkeypatch):
+    """Whoever started it ends it; it would only print a traceback."""
+    started: list[subprocess.Popen] = []
+    popen = subprocess.Popen
+    monkeypatch.setattr(subprocess, "Popen", lambda *args, **more: started.append(popen(*args, **more)) or started[-1])
+    with busy(processes=1):
+        status = Path(f"/proc/{started[0].pid}/status").read_text()
+        (blocked,) = [line.split()[1] for line in status.splitlines() if line.startswith("SigBlk")]
+        assert int(blocked, 16) >> (signal.SIGINT - 1) & 1
+    assert started[0].returncode is not None
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
 def test_a_report_is_json_and_fails_with_one_of_its_trials():

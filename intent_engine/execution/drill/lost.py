@@ -15,6 +15,7 @@ from dataclasses import asdict
 from typing import Any
 
 from intent_engine.actions import from_json, to_json
+from intent_engine.execution.drill.load import deaf_to_ctrl_c
 from intent_engine.execution.drill.report import Log, Trial, first_zero, result
 from intent_engine.execution.drill.stage import long_motion, until
 from intent_engine.execution.executor import Executor
@@ -80,12 +81,13 @@ def program_lost(what: str, number: signal.Signals, file: RobotFile, runs: int) 
     times, faults = [], []
     for _ in range(runs):
         wire = _Wire()
-        process = subprocess.Popen(
-            [sys.executable, "-c", code.replace("WRITE", str(wire.write))],
-            pass_fds=(wire.write,),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-        )
+        with deaf_to_ctrl_c():
+            process = subprocess.Popen(
+                [sys.executable, "-c", code.replace("WRITE", str(wire.write))],
+                pass_fds=(wire.write,),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+            )
         try:
             if not until(wire.moving, 30.0):
                 faults.append("the robot never moved")
