@@ -14,7 +14,7 @@ from intent_engine.execution.motion import Keep
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending, Handler
 
-__all__ = ["Admission", "Policy", "checked"]
+__all__ = ["Admission", "Policy", "check_robot", "checked"]
 
 _NEEDS: dict[type[Any], Capability] = {
     Move: Capability.MOVE,
@@ -52,6 +52,23 @@ def checked(actions: list[Action], keep: Keep | str | Sequence[Keep | str], spok
     if spoken_at is not None and not math.isfinite(spoken_at):
         raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
     return keeps
+
+
+def check_robot(robot: object) -> None:
+    """See that a robot has the methods that will be called.
+
+    Raises:
+        TypeError: it has not; names those that are missing.
+    """
+    if isinstance(robot, type):
+        raise TypeError(f"Executor needs a robot, not the class {robot.__name__}: pass an instance of it")
+    needed = ["capabilities", "velocity", "stop", "pose"]
+    able = getattr(robot, "capabilities", ())
+    tasks = [need for need in (Capability.NAVIGATE, Capability.PICK, Capability.PLACE) if need in able]
+    needed += [*(need.value for need in tasks), *(["cancel"] if tasks else [])]
+    missing = [name for name in needed if not hasattr(robot, name)]
+    if missing:
+        raise TypeError(f"Executor needs a robot, and {robot!r:.100} is none: it has no {', '.join(missing)}")
 
 
 class Admission:

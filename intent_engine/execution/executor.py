@@ -22,7 +22,7 @@ from types import TracebackType
 
 from intent_engine.actions import Action, Stop
 from intent_engine.execution import shutdown
-from intent_engine.execution.admission import Admission, Policy, checked
+from intent_engine.execution.admission import Admission, Policy, check_robot, checked
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor, Host
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
@@ -55,6 +55,9 @@ class Executor:
         hold_limit: s; a hold that nobody released becomes a stop.
         queue_limit: how many goals may wait.
         handle_sigterm: stop the robot when the process is asked to end (where SIGTERM has no other handler yet).
+
+    Raises:
+        TypeError: the robot lacks methods, or is a class and not an instance.
     """
 
     STOP_PATIENCE = 0.005
@@ -79,6 +82,7 @@ class Executor:
         queue_limit: int = 64,
         handle_sigterm: bool = True,
     ) -> None:
+        check_robot(robot)
         self.robot = robot
         self.limits: Limits = limits or getattr(robot, "limits", None) or Limits()
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
