@@ -89,6 +89,43 @@ def test_listen_drives_another_process(intent_engine, tmp_path, go_forward, opti
     assert (last["linear"], last["angular"]) == (0.0, 0.0)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="descriptors of Unix")
+@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+def test_listening_ends_when_the_robot_goes_away(go_forward, options):
+    """While it goes on being spoken to: the standard input stays open."""
+    read, write = os.pipe()
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
+        try:
+            os.close(write)
+            process.stdin.write(raw(np.concatenate([go_forward, np.zeros(RATE, np.float32)])))
+            process.stdin.flush()
+            assert os.read(read, 1)
+            os.close(read)
+            assert process.wait(60) == 6
+        finally:
+            process.kill()
+        told = [json.loads(line) for line in process.stdout.read().splitlines()]
+        error = process.stderr.read().decode()
+    assert [event["state"] for event in told if event["event"] == "goal"][-1] == "aborted"
+    assert [event["event"] for event in told if event["event"] in ("error", "stop", "end")] == []
+    assert error.count("error: ") == 1
+    assert "the process behind the pipe is gone" in error.split("error: ")[1]
+    assert error.count("no stop could be written") <= 1
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+def test_a_robot_that_cannot_be_written_to(intent_engine, go_forward, options):
+    done = intent_engine(
+        "listen", "--pcm", "-", "--json", "--no-reflex", "--drive", "/dev/full", *options, stdin=raw(go_forward)
+    )
+    assert done.returncode == 6
+    assert "error: /dev/full: nothing can be written to the robot" in done.stderr
+    assert [event["event"] for event in events(done) if event["event"] in ("error", "stop", "end")] == []
+
+
 def test_only_a_simulated_robot_is_drawn(intent_engine, tmp_path):
     done = intent_engine("listen", "--drive", str(tmp_path / "out"), "--map")
     assert done.returncode == 2

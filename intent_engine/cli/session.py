@@ -10,14 +10,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from intent_engine.cli.terminal import note, redrawn, say
+from intent_engine.errors import RobotError
 from intent_engine.pauses import avoid_pauses
 
 if TYPE_CHECKING:
     from intent_engine.cli.reporter import Reporter
     from intent_engine.engine import IntentEngine
     from intent_engine.execution.clock import Clock
+    from intent_engine.execution.events import Event
     from intent_engine.execution.executor import Executor
     from intent_engine.execution.guardian import Guardian
+    from intent_engine.execution.robots.jsonl import JsonLinesRobot
     from intent_engine.execution.robots.robot import Robot
     from intent_engine.execution.robots.robot_file import RobotFile
     from intent_engine.execution.robots.simulated import SimulatedRobot
@@ -37,6 +40,25 @@ class Ended:
     summary: Summary
     failed: int
     """Goals that the robot could not do."""
+
+
+@dataclass
+class _Loss:
+    """Ends listening when the robot is gone, and keeps the reason: nobody is there to be told anything any more."""
+
+    robot: JsonLinesRobot
+    reporter: Reporter
+    runtime: Runtime
+    reason: str = ""
+
+    def __call__(self, event: Event) -> None:
+        if not self.reason and self.look():  # once: closing is a stop, which is an event too
+            self.reporter.mute_stops()
+            self.runtime.close()
+
+    def look(self) -> bool:
+        self.reason = self.reason or self.robot.lost
+        return bool(self.reason)
 
 
 @dataclass
@@ -77,6 +99,9 @@ class Session:
         Args:
             source: is closed in any case.
             check: may raise on what was heard, before the robot goes on.
+
+        Raises:
+            RobotError: there is nothing to drive, or what read the commands went away.
         """
         from intent_engine.cli.reporter import Reporter
         from intent_engine.execution.executor import Executor
@@ -95,11 +120,13 @@ class Session:
                 stack.enter_context(contextlib.closing(reflex))
             robot: Robot
             loop: Guardian | None = None
+            simulated: SimulatedRobot | None = None
+            driven: JsonLinesRobot | None = None
             if self.drive is None:
                 robot = simulated = self.robot.simulated(self.clock, places)
             else:
-                robot, loop = self._driven(stack, self.drive)
-                simulated = None
+                driven, loop = self._driven(stack, self.drive)
+                robot = driven
             self.reporter = reporter = Reporter(robot, as_json=self.as_json)
             options = self.robot.executor_options()
             if self.journal is not None:
@@ -118,6 +145,9 @@ class Session:
                 noise_filter="auto" if self.noise_filter else None,
                 on_event=reporter.heard,
             )
+            loss = _Loss(driven, reporter, runtime) if driven is not None else None
+            if loss is not None:
+                executor.subscribe(loss)
             avoid_pauses()
             reporter.start = self.clock.now()
             if self.live and simulated is not None and not self.as_json:
@@ -138,6 +168,8 @@ class Session:
             if check is not None:
                 check(summary)
             executor.wait()
+            if loss is not None and loss.look():
+                raise RobotError(f"{self.drive}: {loss.reason}\n    start what reads the commands again, and listen")
             reporter.end(summary, self.clock.now())
         self._draw(simulated)
         return Ended(summary, reporter.failed)
@@ -147,13 +179,12 @@ class Session:
         if self.reporter is not None:
             self.reporter.source(report)
 
-    def _driven(self, stack: contextlib.ExitStack, target: Path) -> tuple[Robot, Guardian | None]:
+    def _driven(self, stack: contextlib.ExitStack, target: Path) -> tuple[JsonLinesRobot, Guardian | None]:
         """A robot behind a file or pipe, and the process that writes its velocities.
 
         Raises:
             RobotError: nothing can be written there.
         """
-        from intent_engine.errors import RobotError
         from intent_engine.execution.guardian import Guardian
         from intent_engine.execution.robots.jsonl import JSONL_SINK, JsonLinesRobot
 

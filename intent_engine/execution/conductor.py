@@ -69,6 +69,8 @@ class Conductor:
         self._run: Run | None = None
         self._held_since: float | None = None
         self._feedback_at = math.inf
+        self._failures = 0
+        """How often the robot has failed since a goal was begun."""
         self.paused = self.estopped = self.closed = False
         self.fault = ""
         """Why the velocity loop must not be used."""
@@ -104,7 +106,7 @@ class Conductor:
             if not resting:
                 times.append(self._feedback_at)
         loop_due = self._loop.due()
-        if loop_due is not None:
+        if loop_due is not None and self._loop_is_asked:
             times.append(loop_due)
         first = min(times, default=math.inf)
         return None if math.isinf(first) else max(first, now)
@@ -116,7 +118,7 @@ class Conductor:
         while True:
             run = self._run
             try:
-                if not isinstance(run, MotionRun):
+                if not isinstance(run, MotionRun) and self._loop_is_asked:
                     self._loop.step(now)  # the zeros that end a motion
                 if run is None:
                     if not self._begin_next(now):
@@ -285,7 +287,7 @@ class Conductor:
                 return False
             self._loop.silence()
         goal = self._queue.popleft()
-        self._run = run
+        self._run, self._failures = run, 0
         self._gate.open()
         self._move(goal, GoalState.EXECUTING, now)
         self._feedback_at = now + self.FEEDBACK_PERIOD
@@ -387,17 +389,25 @@ class Conductor:
         self._loop.halt(now, write=False)
 
     def _robot_failed(self, run: Run | None, error: Exception, now: float) -> None:
-        """A robot raised, or the velocity loop is lost: zero, and the goal is aborted."""
+        """A robot raised, or the velocity loop is lost: zero, and the goal is aborted.
+
+        Zeros follow, and where they fail too, the robot is gone: it was told, and nothing more is written.
+        """
         self._gate.shut()
+        self._failures += 1
         stopped = self.stop_robot()
         reason: Reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
         if reason is Reason.VELOCITY_LOOP:
             self.fault = str(error)
-        self._halt_loop(run, now)
+        if self._loop.moving or self._loop_is_asked:
+            self._halt_loop(run, now)
+        else:
+            self._silence_loop()
         if run is not None and not stopped:
             self._let_go(run, now)
         if run is None or self._run is not run:
-            self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
+            if self._failures == 1:
+                self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
             return
         self._run = None
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
@@ -409,6 +419,17 @@ class Conductor:
             run.give_up(now)
         except Exception:
             log.exception("goal %d could not be given up", run.goal.id)
+
+    @property
+    def _loop_is_asked(self) -> bool:
+        """Whether the loop may still write the zeros that end a motion: not after two failures in a row."""
+        return self._failures < 2
+
+    def _silence_loop(self) -> None:
+        try:
+            self._loop.silence()
+        except Exception:
+            log.exception("the velocity loop raised in silence()")
 
     def _halt_loop(self, run: Run | None, now: float) -> None:
         try:

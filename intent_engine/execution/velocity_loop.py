@@ -47,6 +47,8 @@ class VelocityProcess:
         self._heard = time.monotonic()
         self._status_at = 0.0
         self._ending = False
+        self._broken = False
+        """The robot has failed since the last start, and the parent knows."""
 
     def run(self) -> None:
         """Follow the parent's orders until it says goodbye or is gone; end with zeros."""
@@ -106,7 +108,7 @@ class VelocityProcess:
         now = time.monotonic()
         match order["do"]:
             case "start":
-                self._id = order["id"]
+                self._id, self._broken = order["id"], False
                 self._follower.start(Motion.from_json(order["motion"]), now)
                 self._status_at = now
             case "brake":
@@ -144,16 +146,28 @@ class VelocityProcess:
         self._send(lost=self._id, error=f"the program said nothing for {silence * 1000:.0f} ms; the robot was stopped")
 
     def _failed(self, error: Exception) -> None:
-        self._halt_quietly()
+        """The robot raised: zero, and then silence where that fails too. The parent hears of it once."""
+        known, self._broken = self._broken, True
+        if self._follower.moving:
+            self._halt_quietly()
+        elif known:
+            self._follower.silence()  # else each zero that fails would be followed by others, without end
         with contextlib.suppress(Exception):
             self._sink.stop()
-        self._send(failed=self._id, error=f"{type(error).__name__}: {error}")
+        if not known:
+            self._tell_failure(error)
 
     def _halt_quietly(self) -> None:
         try:
             self._follower.halt(time.monotonic())
         except Exception as error:
-            self._send(failed=self._id, error=f"{type(error).__name__}: {error}")
+            self._follower.silence()
+            if not self._broken:
+                self._broken = True
+                self._tell_failure(error)
+
+    def _tell_failure(self, error: Exception) -> None:
+        self._send(failed=self._id, error=f"{type(error).__name__}: {error}")
 
     def _send(self, **message: Any) -> None:
         # Never wait for a parent that does not read: the robot comes first.

@@ -297,6 +297,86 @@ def test_a_loop_that_has_neither_program_nor_robot_ends():
     assert not thread.is_alive()
 
 
+class Dead:
+    """A sink that takes nothing."""
+
+    def __init__(self) -> None:
+        self.tried: list[str] = []
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        self.tried.append("velocity")
+        raise RobotError("nobody reads")
+
+    def stop(self) -> None:
+        self.tried.append("stop")
+
+
+def test_the_loop_tells_once_that_its_robot_is_gone_and_writes_no_more():
+    ours, theirs = socket.socketpair()
+    sink = Dead()
+    process = VelocityProcess(sink, LIMITS, Rates(rate=1000.0), theirs, None)
+    thread = threading.Thread(target=process.run, daemon=True)
+    thread.start()
+
+    def order(**what: object) -> None:
+        ours.sendall(json.dumps(what).encode() + b"\n")
+
+    with ours.makefile() as lines:
+        order(do="start", id=1, motion=Motion(False, 0.5, 5.0, 10.0).to_json())
+        heard = [json.loads(lines.readline())]
+        assert heard[0]["failed"] == 1
+        # What the program does when it hears this, and what a user does then.
+        for number in (2, 3, 4):
+            order(do="halt", id=number)
+        order(do="close")
+        thread.join(30.0)
+        assert not thread.is_alive()
+        theirs.close()
+        heard += [json.loads(each) for each in lines]
+    ours.close()
+    assert [message for message in heard if "failed" in message] == heard[:1]
+    assert [message["done"] for message in heard[1:]] == [2, 3, 4]
+    # The motion and its zero; each halt, which is obeyed whatever was before; the end.
+    assert sink.tried.count("velocity") <= 6
+    assert sink.tried[:3] == ["velocity", "velocity", "stop"]
+
+
+def test_a_robot_that_goes_away_from_a_guarded_program_is_told_of_once(tmp_path):
+    """Before, program and guardian told each other for ever, and the program could not even be interrupted."""
+    program = textwrap.dedent(
+        """
+        import os
+        from intent_engine.actions import Move
+        from intent_engine.execution.executor import Executor
+        from intent_engine.execution.guardian import Guardian
+        from intent_engine.execution.robots.jsonl import JSONL_SINK, JsonLinesRobot
+
+        read, write = os.pipe()
+        guardian = Guardian(JSONL_SINK, {"out": write}, pass_fds=(write,))
+        with Executor(JsonLinesRobot(write), loop=guardian, on_event=lambda e: print(e.kind, e.reason)) as robot:
+            (goal,) = robot.submit(Move(0.5, 50.0, 100.0))
+            os.read(read, 1)
+            os.close(read)
+            goal.result(30)
+            robot.submit(Move(0.5, 50.0, 100.0))[0].result(30)
+            robot.stop()
+        """
+    )
+    (tmp_path / "program.py").write_text(program)
+    with (tmp_path / "out").open("wb") as out, (tmp_path / "err").open("wb") as err:
+        process = subprocess.Popen([sys.executable, tmp_path / "program.py"], stdout=out, stderr=err)
+        try:
+            code = process.wait(60)
+        finally:
+            process.kill()
+            process.wait()
+    told = (tmp_path / "out").read_text().splitlines()
+    assert code == 0
+    assert not [line for line in told if line.startswith("error")]
+    assert told.count("goal robot_error") == 2  # each of the two goals
+    assert (tmp_path / "err").read_text().count("no stop could be written") == 1
+
+
 PARENT = textwrap.dedent(
     """
     import ctypes

@@ -11,6 +11,7 @@ import pytest
 from intent_engine.actions import Move, Navigate
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.events import EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
@@ -81,6 +82,68 @@ def test_a_broken_pipe_aborts_the_goal_and_stop_stays_quiet(pipe):
         (goal,) = executor.submit(Move(0.5, 1.0, 2.0))
         assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
         executor.stop()
+
+
+class Counting(JsonLinesRobot):
+    """Remembers what was to be written."""
+
+    def __init__(self, out: int) -> None:
+        super().__init__(out)
+        self.tried: list[str] = []
+
+    def _write(self, message: dict) -> None:
+        self.tried.append(next(iter(message)))
+        super()._write(message)
+
+
+def test_a_reader_that_goes_away_is_told_of_once_and_nothing_more_is_written(pipe, caplog):
+    read, write = pipe
+    robot, clock, events = Counting(write), VirtualClock(), []
+    with Executor(robot, clock=clock, on_event=events.append, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Move(0.5, 50.0, 100.0))
+        clock.advance(1.0)
+        os.close(read)
+        robot.tried.clear()
+        clock.advance(10.0)
+        assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
+        assert robot.tried == ["velocity", "stop", "velocity", "stop"]
+        assert executor.run_until_idle()
+        executor.stop()
+        assert executor.run_until_idle()
+    assert not [event for event in events if event.kind is EventKind.ERROR]
+    assert "is gone" in robot.lost
+    assert not caplog.records  # the goal says it
+
+
+def test_a_stop_that_finds_nobody_says_so_once(pipe, caplog):
+    read, write = pipe
+    robot = JsonLinesRobot(write)
+    robot.stop()
+    assert (robot.lost, caplog.text) == ("", "")
+    os.close(read)
+    for _ in range(3):
+        robot.stop()
+    assert caplog.text.count("no stop could be written") == 1
+
+
+def test_a_robot_that_is_there_again_is_driven_again(tmp_path):
+    """A named pipe whose reader was started again."""
+    path = tmp_path / "commands"
+    os.mkfifo(path)
+    first = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+    write = os.open(path, os.O_WRONLY)
+    robot, clock = JsonLinesRobot(write), VirtualClock()
+    with Executor(robot, clock=clock, handle_sigterm=False) as executor:
+        os.close(first)
+        assert executor.submit(Move(0.5, 0.1, 0.2))[0].result().state is GoalState.ABORTED
+        assert robot.lost
+        second = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+        assert executor.submit(Move(0.5, 0.1, 0.2))[0].result().succeeded
+        executor.run_until_idle()
+        assert robot.lost == ""
+        assert [line["velocity"]["linear"] for line in lines(second)[-3:]] == [0.0] * 3
+    os.close(write)
+    os.close(second)
 
 
 def test_a_reader_that_does_not_read_holds_up_no_stop(pipe):

@@ -12,10 +12,14 @@ import threading
 import pytest
 
 from intent_engine.actions import Custom, Move, Navigate, Stop
+from intent_engine.errors import RobotError
+from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.events import EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.robots.robot import TaskState
+from intent_engine.execution.motion import Motion, Travel
+from intent_engine.execution.robots.robot import Capability, TaskState
 from intent_engine.execution.robots.simulated import SimulatedRobot
 
 FORWARD = Move(0.5, 1.0, 2.0)
@@ -47,6 +51,78 @@ def test_a_robot_whose_stop_fails_has_its_task_cancelled_by_name(stage):
     s.clock.advance(3.0)
     assert goal.reason is Reason.STOP
     assert s.robot.pose() == where
+
+
+@pytest.mark.parametrize("robot", [None, 5, object()], ids=["None", "5", "object"])
+def test_what_is_no_robot_is_named_with_what_it_lacks(robot):
+    with pytest.raises(TypeError, match=r"is none: it has no capabilities, velocity, stop, pose$"):
+        Executor(robot)
+
+
+def test_a_class_is_no_robot():
+    with pytest.raises(TypeError, match="not the class SimulatedRobot: pass an instance"):
+        Executor(SimulatedRobot)
+
+
+def test_a_robot_needs_the_methods_of_what_it_can_do():
+    class Base:
+        capabilities = frozenset({Capability.MOVE})
+
+        def velocity(self, linear: float, angular: float, valid_for: float) -> None: ...
+
+        def stop(self) -> None: ...
+
+        def pose(self) -> None: ...
+
+    class Guide(Base):
+        capabilities = frozenset({Capability.MOVE, Capability.NAVIGATE})
+
+    Executor(Base(), clock=VirtualClock(), handle_sigterm=False).close()
+    with pytest.raises(TypeError, match=r"it has no navigate, cancel$"):
+        Executor(Guide())
+
+
+class BrokenLoop:
+    """A velocity loop that fails whenever it is asked; at last it gives up, so that a broken test ends."""
+
+    moving = False
+    written = (0.0, 0.0)
+
+    def __init__(self) -> None:
+        self.asked = 0
+
+    def start(self, motion: Motion, now: float) -> float:
+        return now + motion.duration
+
+    def brake(self, now: float) -> Travel:
+        return Travel()
+
+    def halt(self, now: float, write: bool = True) -> Travel:
+        return Travel()
+
+    def silence(self) -> None: ...
+
+    def travel(self, now: float) -> Travel:
+        return Travel()
+
+    def due(self) -> float | None:
+        return 0.0 if self.asked < 1000 else None
+
+    def step(self, now: float) -> None:
+        self.asked += 1
+        if self.asked < 1000:
+            raise RobotError("the robot is gone")
+
+
+def test_a_loop_that_fails_and_fails_is_asked_no_more():
+    told: list = []
+    loop = BrokenLoop()
+    with Executor(SimulatedRobot(), loop=loop, on_event=told.append, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(FORWARD)
+        assert goal.result(30.0).reason is Reason.ROBOT_ERROR
+        executor.stop()
+    assert loop.asked <= 4  # twice before there was a goal, and twice after it
+    assert len([event for event in told if event.kind is EventKind.ERROR]) <= 1
 
 
 def test_a_robot_that_raises_is_stopped_at_that_very_time(stage):

@@ -71,12 +71,18 @@ class JsonLinesRobot:
         self._pose: Pose | None = None
         self._answers = replies is not None
         self._closed = False
+        self._lost = ""
         if replies is not None:
             threading.Thread(target=self._listen, args=(replies,), name="jsonl-replies", daemon=True).start()
 
     @property
     def capabilities(self) -> frozenset[Capability]:
         return self._capabilities
+
+    @property
+    def lost(self) -> str:
+        """Why the last line could not be written, if it was no matter of waiting; empty: all is well."""
+        return self._lost
 
     def velocity(self, linear: float, angular: float, valid_for: float) -> None:
         if not (math.isfinite(linear) and math.isfinite(angular)):
@@ -85,10 +91,12 @@ class JsonLinesRobot:
 
     def stop(self) -> None:
         # A pipe that nobody reads any more: there is nothing left that could be told to stop.
+        lost = self._lost
         try:
             self._write({"stop": True})
         except RobotError as error:
-            log.warning("no stop could be written: %s", error)
+            if self._lost != lost or not lost:
+                log.warning("no stop could be written: %s", error)
         for task in list(self._tasks.values()):
             task.end(TaskState.CANCELED, "stopped")
 
@@ -135,8 +143,15 @@ class JsonLinesRobot:
                 if not select.select([], [self._out], [], max(end - time.monotonic(), 0.0))[1]:
                     raise RobotError("the process behind the pipe does not read")
                 line = line[os.write(self._out, line[: select.PIPE_BUF]) :]
+            self._lost = ""
+        except BlockingIOError:
+            raise RobotError("the process behind the pipe does not read") from None
+        except BrokenPipeError as error:
+            self._lost = f"the process behind the pipe is gone: {error}"
+            raise RobotError(self._lost) from None
         except (OSError, ValueError) as error:
-            raise RobotError(f"the process behind the pipe is gone: {error}") from None
+            self._lost = f"nothing can be written to the robot: {error}"
+            raise RobotError(self._lost) from None
         finally:
             self._lock.release()
 
