@@ -198,3 +198,20 @@ def test_standard_error_that_is_closed():
     line = f"{sys.executable} -m intent_engine.cli parse stop 2>&-; {sys.executable} -m intent_engine.cli parse 2>&-"
     done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout.splitlines()[0]) == (2, "accepted: stop (confidence 1.00)")
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (
+            "way.xyz",
+            "--plot: way.xyz cannot be drawn: '.xyz' is no kind of picture\n    end its name in .png, .svg or .pdf",
+        ),
+        ("/proc/way.png", "--plot: /proc/way.png cannot be written: No such file or directory"),
+        (".", "--plot: . is a folder"),
+    ],
+)
+def test_a_picture_that_cannot_be_drawn_is_told_before_anything_moves(intent_engine, name, said):
+    done = intent_engine("run", "examples/demo.flac", "--plot", name)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert said in done.stderr

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.outputs import check_picture
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
@@ -115,11 +116,13 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
     """The session that the options describe.
 
     Raises:
-        ConfigError: a file is missing or wrong.
+        ConfigError: a file is missing or wrong, or cannot be written.
     """
     from intent_engine.cli.session import Session
     from intent_engine.execution.robots.robot_file import load_robot
 
+    if telling.plot is not None:
+        check_picture(telling.plot, "--plot", "plot")
     return Session(
         engine=load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word),
         robot=load_robot(find("robots", hearing.robot)),

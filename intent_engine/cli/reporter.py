@@ -111,7 +111,8 @@ class Reporter:
 
     def executed(self, event: Event) -> None:
         """An event of the executor."""
-        # The executor logs what a listener raises. A reader that went away, or a full disk, is met by the session's own next line.
+        # The executor logs what a listener raises. A reader that went away, or a full disk, is met by the session's own
+        # next line.
         with self._lock, contextlib.suppress(BrokenPipeError, OutputError):
             time = event.time - self.start
             if event.kind is EventKind.GOAL and event.goal is not None and event.state is not None:

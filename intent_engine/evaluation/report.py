@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.actions import to_json as action_to_json
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.evaluation.scoring import Outcome, Score, Verdict
 
 __all__ = ["MISS_COLUMNS", "miss_cells", "misses", "outcome_json", "reflex_text", "score_table", "write_csv"]
@@ -110,14 +111,21 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
 
 
 def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
-    """Every recording in every condition, one a line; lists are joined by ``; ``."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """Every recording in every condition, one a line; lists are joined by ``; ``.
+
+    Raises:
+        ConfigError: the file cannot be written.
+    """
     rows = [outcome_json(outcome) for outcome in outcomes]
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]) if rows else [])
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({key: _cell(value) for key, value in row.items()})
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.DictWriter(file, list(rows[0]) if rows else [])
+            writer.writeheader()
+            for row in rows:
+                writer.writerow({key: _cell(value) for key, value in row.items()})
+    except OSError as error:
+        raise ConfigError(Problem(f"cannot be written: {error.strerror or error}", str(path))) from None
 
 
 def _cell(value: Any) -> Any:
