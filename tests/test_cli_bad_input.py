@@ -215,3 +215,11 @@ def test_a_picture_that_cannot_be_drawn_is_told_before_anything_moves(intent_eng
     done = intent_engine("run", "examples/demo.flac", "--plot", name)
     assert (done.returncode, done.stdout) == (2, "")
     assert said in done.stderr
+
+
+def test_raw_samples_in_a_file(intent_engine, tmp_path):
+    (tmp_path / "x.raw").write_bytes((32_767 * _speech(4.0)).astype("<i2").tobytes())
+    untold = intent_engine("run", tmp_path / "x.raw")
+    assert (untold.returncode, untold.stdout) == (3, "")
+    assert "give --rate and --format" in untold.stderr
+    assert intent_engine("run", tmp_path / "x.raw", "--rate", RATE, "--format", "s16le").returncode == 0
