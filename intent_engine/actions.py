@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from pathlib import Path
 from typing import Any, ClassVar, TypeAlias
@@ -181,11 +181,19 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
                     raise ValueError(f"{data['type']}.{name}[{key!r}] must be a string, number, boolean or null")
         elif not (isinstance(value, str) or (value is None and "None" in str(expected))):
             raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
+    missing = [item.name for item in fields(kind) if item.name not in values and _required(item)]
+    if missing:
+        *first, last = missing
+        raise ValueError(f"{data['type']} needs {', '.join(first)}{' and ' if first else ''}{last}")
     try:
         action: Action = kind(**values)
     except TypeError as error:
         raise ValueError(f"{data['type']}: {error}") from None
     return action
+
+
+def _required(item: Field[Any]) -> bool:
+    return item.default is MISSING and item.default_factory is MISSING
 
 
 @cache

@@ -120,3 +120,16 @@ def test_the_sign_of_an_action_is_the_direction():
 def test_the_format_has_a_version():
     jsonschema.Draft202012Validator.check_schema(json_schema())
     assert json_schema()["$id"] == "urn:intent-engine:actions:1"
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({"type": "move"}, "move needs linear_velocity, distance and duration"),
+        ({"type": "turn", "angle": 1}, "turn needs angular_velocity and duration"),
+        ({"type": "move", "linear_velocity": 1, "distance": 1}, "move needs duration"),
+    ],
+)
+def test_what_an_action_lacks_is_named(data, said):
+    with pytest.raises(ValueError, match=f"^{said}$"):
+        from_json(data)

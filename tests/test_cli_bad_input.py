@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import random
 import struct
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -160,3 +162,64 @@ def _one_error(done, code: int, says: str) -> None:
     assert says in done.stderr
     assert "Traceback" not in done.stderr
     assert done.stdout == "", "nothing was understood, so nothing was done"
+
+
+FULL = pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+
+
+@FULL
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+@pytest.mark.parametrize(
+    "command",
+    ["parse stop", "parse --json stop", "check en", "doctor", "--help", "--version", "run --json examples/demo.flac"],
+)
+def test_standard_output_on_a_full_disk(command, unbuffered):
+    done = subprocess.run(
+        ["sh", "-c", f"{sys.executable} -m intent_engine.cli {command} >/dev/full"],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONUNBUFFERED": unbuffered},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == "error: standard output cannot be written: No space left on device\n"
+    assert done.returncode == 2
+
+
+@pytest.mark.parametrize("command", ["parse stop", "parse --json stop", "check en", "--help"])
+def test_standard_output_that_is_closed(command):
+    line = f"{sys.executable} -m intent_engine.cli {command} >&-"
+    done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.stderr == "error: standard output cannot be written: it is closed\n"
+    assert done.returncode == 2
+
+
+def test_standard_error_that_is_closed():
+    line = f"{sys.executable} -m intent_engine.cli parse stop 2>&-; {sys.executable} -m intent_engine.cli parse 2>&-"
+    done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.splitlines()[0]) == (2, "accepted: stop (confidence 1.00)")
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (
+            "way.xyz",
+            "--plot: way.xyz cannot be drawn: '.xyz' is no kind of picture\n    end its name in .png, .svg or .pdf",
+        ),
+        ("/proc/way.png", "--plot: /proc/way.png cannot be written: No such file or directory"),
+        (".", "--plot: . is a folder"),
+    ],
+)
+def test_a_picture_that_cannot_be_drawn_is_told_before_anything_moves(intent_engine, name, said):
+    done = intent_engine("run", "examples/demo.flac", "--plot", name)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert said in done.stderr
+
+
+def test_raw_samples_in_a_file(intent_engine, tmp_path):
+    (tmp_path / "x.raw").write_bytes((32_767 * _speech(4.0)).astype("<i2").tobytes())
+    untold = intent_engine("run", tmp_path / "x.raw")
+    assert (untold.returncode, untold.stdout) == (3, "")
+    assert "give --rate and --format" in untold.stderr
+    assert intent_engine("run", tmp_path / "x.raw", "--rate", RATE, "--format", "s16le").returncode == 0

@@ -83,6 +83,17 @@ def test_a_slip_in_the_name_of_a_place_is_no_other_place(intent_engine, grammar)
     assert "slots.goal should be halll, is hall" in done.stdout
 
 
+def test_a_place_that_is_nearly_called_like_another_is_of_another_map(intent_engine):
+    """ "Küche" and "kitchen" have two letters of three in common."""
+    done = intent_engine("check", "--notes", "-g", "en", "-g", "de")
+    assert done.returncode == 0, done.stdout
+    assert "note: grammars/de.yaml:" in done.stdout
+    assert "'fahr in die Küche' was not tried: no place of the map is called 'küche'" in done.stdout
+    tested = intent_engine("test", "de")
+    assert tested.returncode == 0, tested.stdout
+    assert "places that the map has not: küche, " in tested.stderr
+
+
 def test_a_grammar_may_be_named_as_other_verbs_take_it(intent_engine, grammar):
     paths = [grammar(FINE), grammar(DOUBTFUL, "h.yaml")]
     by_option = intent_engine("check", paths[0], "--grammar", paths[1])

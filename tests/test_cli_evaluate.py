@@ -71,6 +71,20 @@ def test_a_model_alone(intent_engine):
         ([TEN, "--model", "enormous.xy", "--limit", "1"], 5, "enormous.xy"),
         ([TEN, "--second-model", "/no/such/folder", "--limit", "1"], 5, "no model folder at /no/such/folder"),
         ([TEN, "--limit", "0"], 2, "--limit"),
+        ([TEN, "--csv", "."], 2, "--csv: . is a folder\n    give the name of a file"),
+        ([TEN, "--csv", "/dev/full"], 2, "--csv: /dev/full cannot be written: No space left on device"),
+        ([TEN, "--csv", "README.md/out.csv"], 2, "--csv: README.md/out.csv cannot be written: "),
+        (
+            [TEN, "--plot", "x.bmpp"],
+            2,
+            "--plot: x.bmpp cannot be drawn: '.bmpp' is no kind of picture\n    end its name",
+        ),
+        ([TEN, "--plot", "x"], 2, "--plot: x cannot be drawn: the name has no ending"),
+        (
+            [TEN, "--plot", "/proc/x.png"],
+            2,
+            "/proc/x.png cannot be written: No such file or directory\n    give a file",
+        ),
     ],
 )
 def test_mistakes(intent_engine, arguments, code, said):
@@ -79,6 +93,14 @@ def test_mistakes(intent_engine, arguments, code, said):
     assert said in done.stderr
     assert "Traceback" not in done.stderr
     assert done.stdout == ""
+
+
+def test_a_file_of_before_is_kept_until_there_is_another(intent_engine, tmp_path):
+    (tmp_path / "out.csv").write_text("before")
+    done = intent_engine("evaluate", "nowhere", "--csv", tmp_path / "out.csv", "--plot", tmp_path / "out.png")
+    assert done.returncode == 2
+    assert [path.name for path in tmp_path.iterdir()] == ["out.csv"]
+    assert (tmp_path / "out.csv").read_text() == "before"
 
 
 def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_path):

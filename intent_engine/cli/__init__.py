@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import logging
 import os
 import sys
@@ -10,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-from intent_engine.cli.guard import DEBUG
+from intent_engine.cli.guard import DEBUG, output_lost
+from intent_engine.cli.streams import OutputError, prepare
 from intent_engine.cli.terminal import LogNotes
 from intent_engine.cli.verbs import MARKUP, Verbs
 
@@ -53,10 +53,13 @@ def _common(
 
 def main() -> None:
     """What the ``intent-engine`` script runs."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")  # a name with odd bytes is shown, not raised about
+    prepare()
     try:
-        app()
+        try:
+            app()
+        finally:
+            sys.stdout.flush()
     except KeyboardInterrupt:
         sys.exit(130)
+    except OutputError as error:
+        sys.exit(output_lost(error))

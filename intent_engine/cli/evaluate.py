@@ -12,6 +12,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.outputs import check_file, check_picture
 from intent_engine.cli.terminal import json_line, note, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.pauses import avoid_pauses
@@ -90,6 +91,10 @@ def evaluate(
     settings = waits(wait)
     if snr and not noise:
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
+    if csv is not None:
+        check_file(csv, "--csv")
+    if plot is not None:
+        check_picture(plot, "--plot", "evaluate")
     engine = load_engine(grammar, locations, language)
     labels = find_labels(folder)
     rows = evenly(read_labels(labels, engine), limit)

@@ -1,4 +1,4 @@
-"""Every verb ends through here: results, errors, bugs, Ctrl-C and a closed pipe, each with its exit code.
+"""Every verb ends through here: results, errors, bugs, Ctrl-C and a lost output, each with its exit code.
 
 Nothing that a user can do gives a traceback. A robot is stopped by the ``with`` that holds it, before this is reached.
 """
@@ -20,18 +20,21 @@ from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
+from intent_engine.cli.streams import OutputError, drop_output
 from intent_engine.cli.terminal import error_block
 from intent_engine.errors import IntentEngineError
 
 if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
-__all__ = ["DEBUG", "EXIT_BUG", "EXIT_INTERRUPTED", "EXIT_NOT_ACCEPTED", "EXIT_TERMINATED", "verb"]
+__all__ = ["DEBUG", "EXIT_BUG", "EXIT_INTERRUPTED", "EXIT_NOT_ACCEPTED", "EXIT_TERMINATED", "output_lost", "verb"]
 
 P = ParamSpec("P")
 
 EXIT_NOT_ACCEPTED = 1
 """What was asked for was done, and the answer is no: not a command, a failed example, a failed drill."""
+EXIT_OUTPUT = 2
+"""Standard output cannot be written: as any other file that cannot."""
 EXIT_BUG = 70
 """A fault of ours (EX_SOFTWARE of sysexits.h)."""
 EXIT_INTERRUPTED = 130
@@ -76,6 +79,8 @@ def _run(function: Callable[[], int | None]) -> int:
     except _Terminated:
         error_block("terminated; the robot is stopped")
         return EXIT_TERMINATED
+    except OutputError as error:
+        return output_lost(error)
     except BrokenPipeError:
         # Python flushes standard output once more at exit; give it somewhere to go.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -88,6 +93,14 @@ def _run(function: Callable[[], int | None]) -> int:
             f"To see where it happened, repeat the command as: intent-engine --debug {shlex.join(sys.argv[1:])}"
         )
         return EXIT_BUG
+
+
+def output_lost(error: OutputError) -> int:
+    """Tell that standard output cannot be written; the exit code."""
+    _trace()
+    drop_output()
+    error_block(f"standard output cannot be written: {error}")
+    return EXIT_OUTPUT
 
 
 def _trace() -> None:

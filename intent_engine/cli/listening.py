@@ -44,7 +44,7 @@ def run(
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
-    from intent_engine.speech.sources.file import FileSource
+    from intent_engine.speech.sources.file import FileSource, is_headerless
 
     if telling.watch and not realtime:
         raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
@@ -54,7 +54,8 @@ def run(
     if str(file) == "-":
         source, name = _pcm("-", samples, live=realtime), "standard input"
     else:
-        source, name = FileSource(file, realtime=realtime), str(file)
+        form = samples.form() if samples.given and is_headerless(file) else None
+        source, name = FileSource(file, realtime=realtime, form=form), str(file)
     made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock())
 
     def somebody_spoke(summary: Summary) -> None:
@@ -158,9 +159,9 @@ def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executo
 
 
 def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None = None) -> AudioSource:
-    from intent_engine.speech.sources.pcm import PcmFormat, PcmSource
+    from intent_engine.speech.sources.pcm import PcmSource
 
-    form = PcmFormat.of(samples.rate, samples.format, samples.channels)
+    form = samples.form()
     file: BinaryIO
     if where == "-":
         if sys.stdin is None or sys.stdin.isatty():

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.outputs import check_picture
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from intent_engine.cli.session import Session
     from intent_engine.execution.clock import Clock
     from intent_engine.speech.endpoint import Settings
+    from intent_engine.speech.sources.pcm import PcmFormat
 
 __all__ = ["Hearing", "NoNoiseFilter", "NoReflex", "RawSamples", "SecondModel", "Telling", "Wait", "session", "waits"]
 
@@ -67,9 +69,12 @@ Live = Annotated[bool, typer.Option("--live", help="Draw the way of the robot in
 JournalFile = Annotated[
     Path | None, typer.Option("--journal", help="Add what the robot did to this file, as JSON lines.")
 ]
-Rate = Annotated[int, typer.Option(help="Samples a second, of raw samples.")]
-Format = Annotated[str, typer.Option(help="Format of raw samples, as ffmpeg or ALSA names it: s16le, f32le, ...")]
-Channels = Annotated[int, typer.Option(help="Interleaved channels of raw samples.")]
+Rate = Annotated[int | None, typer.Option(help="Samples a second, of raw samples.", show_default="16000")]
+Format = Annotated[
+    str | None,
+    typer.Option(help="Format of raw samples, as ffmpeg or ALSA names it: s16le, f32le, ...", show_default="s16le"),
+]
+Channels = Annotated[int | None, typer.Option(help="Interleaved channels of raw samples.", show_default="1")]
 
 
 @dataclass(frozen=True)
@@ -94,9 +99,29 @@ class Hearing:
 class RawSamples:
     """The form of sound that has no header."""
 
-    rate: Rate = 16_000
-    format: Format = "s16le"
-    channels: Channels = 1
+    rate: Rate = None
+    format: Format = None
+    channels: Channels = None
+
+    @property
+    def given(self) -> bool:
+        """Whether somebody said anything of it."""
+        return self != RawSamples()
+
+    def form(self) -> PcmFormat:
+        """What was said, and the usual for the rest.
+
+        Raises:
+            AudioError: there is no such format.
+        """
+        from intent_engine.speech.sources.pcm import PcmFormat
+
+        usual = PcmFormat()
+        return PcmFormat.of(
+            usual.rate if self.rate is None else self.rate,
+            usual.encoding if self.format is None else self.format,
+            usual.channels if self.channels is None else self.channels,
+        )
 
 
 @dataclass(frozen=True)
@@ -115,11 +140,13 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
     """The session that the options describe.
 
     Raises:
-        ConfigError: a file is missing or wrong.
+        ConfigError: a file is missing or wrong, or cannot be written.
     """
     from intent_engine.cli.session import Session
     from intent_engine.execution.robots.robot_file import load_robot
 
+    if telling.plot is not None:
+        check_picture(telling.plot, "--plot", "plot")
     return Session(
         engine=load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word),
         robot=load_robot(find("robots", hearing.robot)),

@@ -8,6 +8,7 @@ from typing import Any
 
 from intent_engine.actions import to_json
 from intent_engine.cli.describe import STYLES, action_text, pose_text, slots_text
+from intent_engine.cli.streams import OutputError
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.goal import Goal, GoalState
@@ -110,8 +111,9 @@ class Reporter:
 
     def executed(self, event: Event) -> None:
         """An event of the executor."""
-        # The executor logs what a listener raises. A reader that went away is met by the session's own next line.
-        with self._lock, contextlib.suppress(BrokenPipeError):
+        # The executor logs what a listener raises. A reader that went away, or a full disk, is met by the session's own
+        # next line.
+        with self._lock, contextlib.suppress(BrokenPipeError, OutputError):
             time = event.time - self.start
             if event.kind is EventKind.GOAL and event.goal is not None and event.state is not None:
                 self._goal(time, event, event.goal, event.state)

@@ -10,7 +10,7 @@
 ``id``           a name for the row
 
 A row with a text alone means what the grammar makes of the text; no command, if the grammar makes nothing of it. Other
-keys are left alone.
+keys are left alone, but for those that are nearly one of these that the row has not.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 __all__ = ["Expected", "Row", "Step", "evenly", "find_labels", "read_labels", "steps_of"]
 
 FILE = "labels.jsonl"
+KEYS = ("audio", "text", "intent", "slots", "actions", "start", "end", "speech_end", "id")
 MOST_PROBLEMS = 10
 """Shown of one labels file; a wrong grammar makes one of every row."""
 COMPOUND = "compound"
@@ -191,6 +192,14 @@ def _labels(node: Any, phrases: Mapping[str, Any], seen: set[str]) -> set[str]:
     return found
 
 
+def _nearly(key: str, known: str) -> bool:
+    """Whether one key is the other with a slip; one of few letters is, with another letter, any word."""
+    from rapidfuzz.distance import OSA
+
+    plain = key.lower().replace("-", "_")
+    return plain == known or (len(known) > 3 and OSA.distance(plain, known) <= 1 + (len(known) > 5))
+
+
 @dataclass(frozen=True)
 class _Reader:
     """One line of a labels file."""
@@ -230,6 +239,9 @@ class _Reader:
             self.wrong("is no JSON object", hint='{"audio": "one.wav", "text": "go forward two meters"}')
             return None
         before = len(self.problems)
+        self._misspelt(data)
+        if len(self.problems) > before:
+            return None  # what else is wrong may come of it
         audio = self._audio(data)
         text = self._typed(data, "text", str, "a text")
         start = self._seconds(data, "start") or 0.0
@@ -242,6 +254,14 @@ class _Reader:
             return None
         name = str(data.get("id", f"{data['audio']}" + (f"@{start:g}" if start else "")))
         return Row(name, self.number, audio, expected, text, start, end, speech_end)
+
+    def _misspelt(self, data: Mapping[str, Any]) -> None:
+        """Note keys that are probably one of ours. A key that has nothing to do with them is somebody's own."""
+        free = [key for key in KEYS if key not in data]
+        for key in data:
+            meant = None if key in KEYS else next((known for known in free if _nearly(key, known)), None)
+            if meant is not None:
+                self.wrong(f"unknown key {key!r}", key, hint=f"did you mean {meant!r}?")
 
     def _audio(self, data: Mapping[str, Any]) -> Path | None:
         name = data.get("audio")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from intent_engine.errors import IntentEngineError
+from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.evaluation.scoring import Outcome, Score
 
 __all__ = ["plot_scores"]
@@ -21,7 +21,8 @@ def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path
         goal: share of commands that should be right, drawn as a line.
 
     Raises:
-        IntentEngineError: matplotlib is not installed, or cannot write the file.
+        IntentEngineError: matplotlib is not installed.
+        ConfigError: the file cannot be written.
     """
     try:
         from matplotlib.figure import Figure
@@ -63,10 +64,11 @@ def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path
         axes.spines[["top", "right"]].set_visible(False)
     if models:
         left.legend(frameon=False, loc="lower left")
-    path.parent.mkdir(parents=True, exist_ok=True)
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
         figure.savefig(path, dpi=150)
-    except (OSError, ValueError) as error:
-        raise IntentEngineError(
-            f"{path}: cannot be written ({error})\n    end its name in .png, .svg or .pdf"
-        ) from None
+    except ValueError as error:
+        hint = "end its name in .png, .svg or .pdf"
+        raise ConfigError(Problem(f"cannot be drawn: {error}", str(path), hint=hint)) from None
+    except OSError as error:
+        raise ConfigError(Problem(f"cannot be written: {error.strerror or error}", str(path))) from None

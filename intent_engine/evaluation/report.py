@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from intent_engine.actions import Action
 from intent_engine.actions import to_json as action_to_json
+from intent_engine.errors import ConfigError, Problem
+from intent_engine.evaluation.labels import Expected, Step
 from intent_engine.evaluation.scoring import Outcome, Score, Verdict
 
-__all__ = ["MISS_COLUMNS", "miss_cells", "misses", "outcome_json", "reflex_text", "score_table", "write_csv"]
+__all__ = [
+    "MISS_COLUMNS",
+    "expected_text",
+    "miss_cells",
+    "misses",
+    "outcome_json",
+    "reflex_text",
+    "score_table",
+    "write_csv",
+]
 
 COLUMNS = (
     "model",
@@ -27,7 +39,7 @@ COLUMNS = (
     "p99",
 )
 """The last three: time from the end of speech to the action."""
-MISS_COLUMNS = ("recording", "noise", "what came of it", "said", "heard", "done")
+MISS_COLUMNS = ("recording", "noise", "what came of it", "said", "heard", "expected", "done")
 
 
 def score_table(scores: Sequence[Score]) -> tuple[list[str], list[list[str]]]:
@@ -80,10 +92,50 @@ def miss_cells(outcome: Outcome) -> list[str]:
         outcome.row.id,
         outcome.condition.noise,
         outcome.verdict.value,
-        outcome.row.text or " ".join(step.intent for step in outcome.row.expected.steps),
+        outcome.row.text or "",
         outcome.heard,
-        ", ".join(outcome.intents) or "nothing",
+        expected_text(outcome.row.expected),
+        _done_text(outcome),
     ]
+
+
+def expected_text(expected: Expected) -> str:
+    """What a label wants, with its values: actions where it has them, else intents and slots."""
+    listed: list[str] = []
+    if expected.steps and not expected.by_text:
+        listed.append(_steps_text(expected.steps))
+    if expected.actions:
+        listed.append(_actions_text(expected.actions))
+    if expected.types:
+        listed.append("; ".join(expected.types))
+    return " and ".join(listed) or "nothing"
+
+
+def _done_text(outcome: Outcome) -> str:
+    """What was done, in the terms of its label."""
+    expected = outcome.row.expected
+    if expected.steps and expected.actions is None and expected.types is None and outcome.steps:
+        return _steps_text(outcome.steps)
+    return _actions_text(outcome.actions) or ", ".join(outcome.intents) or "nothing"
+
+
+def _steps_text(steps: Sequence[Step]) -> str:
+    return "; ".join(_named(step.intent, step.slots) for step in steps)
+
+
+def _actions_text(actions: Sequence[Action]) -> str:
+    return "; ".join(_action(action_to_json(action)) for action in actions)
+
+
+def _expected_json(expected: Expected) -> dict[str, Any]:
+    wanted: list[Any] | None = None
+    if expected.types is not None:
+        wanted = list(expected.types)
+    elif expected.actions is not None:
+        wanted = [action_to_json(action) for action in expected.actions]
+    elif not expected.steps:
+        wanted = []  # no command
+    return {"steps": [{"intent": step.intent, "slots": dict(step.slots)} for step in expected.steps], "actions": wanted}
 
 
 def outcome_json(outcome: Outcome) -> dict[str, Any]:
@@ -98,6 +150,7 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
         "text": outcome.row.text,
         "heard": outcome.heard,
         "free": outcome.free,
+        "expected": _expected_json(outcome.row.expected),
         "intents": list(outcome.intents),
         "actions": [action_to_json(action) for action in outcome.actions],
         "slots": outcome.slots,
@@ -110,14 +163,21 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
 
 
 def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
-    """Every recording in every condition, one a line; lists are joined by ``; ``."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    rows = [outcome_json(outcome) for outcome in outcomes]
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]) if rows else [])
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({key: _cell(value) for key, value in row.items()})
+    """Every recording in every condition, one a line; lists are joined by ``; ``.
+
+    Raises:
+        ConfigError: the file cannot be written.
+    """
+    rows = [{**outcome_json(outcome), "expected": expected_text(outcome.row.expected)} for outcome in outcomes]
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.DictWriter(file, list(rows[0]) if rows else [])
+            writer.writeheader()
+            for row in rows:
+                writer.writerow({key: _cell(value) for key, value in row.items()})
+    except OSError as error:
+        raise ConfigError(Problem(f"cannot be written: {error.strerror or error}", str(path))) from None
 
 
 def _cell(value: Any) -> Any:
@@ -129,12 +189,12 @@ def _cell(value: Any) -> Any:
 
 
 def _action(data: dict[str, Any]) -> str:
-    rest = " ".join(
-        f"{name}={value:.4g}" if isinstance(value, float) else f"{name}={value}"
-        for name, value in data.items()
-        if name != "type"
-    )
-    return f"{data['type']} {rest}".strip()
+    return _named(data["type"], {name: value for name, value in data.items() if name != "type"})
+
+
+def _named(name: str, values: Mapping[str, Any]) -> str:
+    rest = (f"{key}={value:.4g}" if isinstance(value, float) else f"{key}={value}" for key, value in values.items())
+    return " ".join([name, *rest])
 
 
 def _percent(share: float | None) -> str:

@@ -73,6 +73,8 @@ class Outcome:
     held_at: float | None = None
     """s since the sound began."""
     errors: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
+    """What was acted on, with its slots."""
 
 
 def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
@@ -101,6 +103,7 @@ def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
         _held(row, hearing),
         hearing.holds[0] if hearing.holds else None,
         tuple(hearing.errors),
+        tuple(steps),
     )
 
 

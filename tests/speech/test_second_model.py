@@ -71,6 +71,17 @@ def test_without_a_second_the_first_is_all_there_is(engine):
     recognizer.close()
 
 
+@pytest.mark.parametrize(("name", "near"), [("None", "'none'"), ("off", None), ("nope", "'none'"), ("bsae", "'base'")])
+def test_a_second_model_that_is_none(engine, name, near):
+    with pytest.raises(WeightsError) as caught:
+        second_model(engine, "tiny.en", name)
+    first, *rest = str(caught.value).splitlines()
+    assert first == f"no model is called {name!r}"
+    assert rest[-1].startswith("    --second-model knows tiny, ")
+    assert ", none, or the path" in rest[-1]
+    assert near is None or rest[0] == f"    did you mean {near}?"
+
+
 def test_a_second_model_that_nobody_named_is_left_out_where_it_cannot_be_made_ready(engine, tmp_path, monkeypatch):
     if not MOONSHINE_CAN_BE_HAD:
         pytest.skip("Moonshine's package is for Linux on x86-64")

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
-from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
+from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource, _libsndfile
+from intent_engine.speech.sources.pcm import FORMATS, PcmFormat
 
 TONE = (0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)).astype(np.float32)
 
@@ -106,6 +107,42 @@ def test_an_hour_takes_the_room_of_a_moment(tmp_path):
         tracemalloc.stop()
     assert count == pytest.approx((3600 + TAIL_SECONDS) / FRAME_SECONDS, abs=2)
     assert peak < 4_000_000, "an hour of float samples would be 230 MB"
+
+
+@pytest.mark.parametrize("name", ["a.raw", "a.PCM", "a.s16le"])
+@pytest.mark.parametrize(
+    ("form", "dtype"),
+    [
+        (PcmFormat(), "<i2"),
+        (PcmFormat(8_000, "s16be", 2), ">i2"),
+        (PcmFormat(48_000, "f32le"), "<f4"),
+        (PcmFormat(22_050, "f64be"), ">f8"),
+        (PcmFormat(16_000, "u8"), "u1"),
+        (PcmFormat(16_000, "s32le"), "<i4"),
+    ],
+)
+def test_raw_samples(tmp_path, name, form, dtype):
+    samples = 0.5 * np.sin(2 * np.pi * 440 * np.arange(form.rate) / form.rate)
+    kind = np.dtype(dtype)
+    if kind.kind != "f":
+        samples = samples * (2 ** (8 * kind.itemsize - 1) - 1) + 128 * (kind.kind == "u")
+    (tmp_path / name).write_bytes(np.repeat(samples.astype(kind), form.channels).tobytes())
+    source = FileSource(tmp_path / name, form=form)
+    assert (source.seconds, source.rate) == (1.0, form.rate)
+    heard = np.concatenate([frame.samples for frame in source.frames()])[:SAMPLE_RATE]
+    assert np.sqrt(np.mean(heard**2)) == pytest.approx(0.5 / np.sqrt(2), rel=0.02)
+
+
+def test_every_format_of_raw_samples_is_one_of_the_library():
+    for name in FORMATS:
+        form = _libsndfile(PcmFormat(encoding=name))
+        assert soundfile.check_format("RAW", form["subtype"], form["endian"])
+
+
+def test_raw_samples_of_which_nothing_is_known(tmp_path):
+    (tmp_path / "a.raw").write_bytes(bytes(32_000))
+    with pytest.raises(AudioError, match=r"raw samples(.|\n)*--rate 16000 --format s16le, or pipe it in: .*run - < "):
+        FileSource(tmp_path / "a.raw")
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes of Unix")

@@ -98,9 +98,30 @@ def test_nowhere(monkeypatch, download):
     assert ("downloads are off" in str(caught.value)) is not download
 
 
-def test_a_name_that_nobody_knows():
-    with pytest.raises(WeightsError, match=r"known names: tiny, tiny\.en, base"):
-        find_weights("gigantic")
+@pytest.mark.parametrize(
+    ("name", "near"),
+    [
+        ("tny.en", "'tiny.en'"),
+        ("Tiny.EN", "'tiny.en'"),
+        ("large-v9", "'large-v"),
+        ("moonshine", "'moonshine-base'"),
+        ("qqq", None),
+    ],
+)
+def test_a_name_that_nobody_knows(name, near):
+    with pytest.raises(WeightsError) as caught:
+        find_weights(name)
+    first, *rest = str(caught.value).splitlines()
+    assert first == f"no model is called {name!r}"
+    assert len(rest) == (2 if near else 1)
+    assert near is None or rest[0].startswith(f"    did you mean {near}")
+    assert rest[-1].startswith("    --model knows tiny, tiny.en, base, ")
+    assert "moonshine-base, or the path of a folder" in rest[-1]
+
+
+def test_a_name_of_ones_own_in_the_cache(home):
+    folder = cached(home / "hub", "mine")
+    assert find_weights("mine").path == folder
 
 
 def test_a_folder_that_is_not_there():

@@ -5,20 +5,39 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, Resampler
+from intent_engine.speech.sources.pcm import FORMATS, PcmFormat
 from intent_engine.speech.sources.whole import check_whole
 
-__all__ = ["FileSource"]
+__all__ = ["FileSource", "is_headerless"]
 
 MAX_SECONDS = 4 * 3600.0
 """A recording beyond this is a mistake; a session of commands has minutes."""
 TAIL_SECONDS = 0.8
 """Silence added at the end, so that the last command is heard to end."""
 BLOCK = 1 << 15
+HEADERLESS = (".raw", ".pcm", *(f".{name}" for name in FORMATS))
+"""Endings of files that hold nothing but samples."""
+SUBTYPES = {
+    "u8": "PCM_U8",
+    "s8": "PCM_S8",
+    "s16": "PCM_16",
+    "s24": "PCM_24",
+    "s32": "PCM_32",
+    "f32": "FLOAT",
+    "f64": "DOUBLE",
+}
+"""Samples -> what libsndfile calls them."""
+
+
+def is_headerless(path: str | Path) -> bool:
+    """Whether a file holds raw samples, by its name."""
+    return Path(path).suffix.lower() in HEADERLESS
 
 
 class FileSource:
@@ -27,16 +46,18 @@ class FileSource:
     Args:
         path: WAV, FLAC, OGG, AIFF; any rate, mono or more channels.
         realtime: play at the speed of the recording; else as fast as the reader takes it.
+        form: how raw samples lie in it, which no header tells; None: it has a header.
 
     Raises:
         AudioError: the file is missing, empty, cut off, no sound file, or longer than four hours.
     """
 
-    def __init__(self, path: str | Path, *, realtime: bool = False) -> None:
+    def __init__(self, path: str | Path, *, realtime: bool = False, form: PcmFormat | None = None) -> None:
         import soundfile
 
         self.path = Path(path)
         self._realtime = realtime
+        self._form = _libsndfile(form) if form is not None else {}
         self._closed = False
         if not self.path.exists():
             raise AudioError(f"{path}: no such file\n    give the path of a WAV or FLAC file")
@@ -51,23 +72,31 @@ class FileSource:
             raise AudioError(f"{path}: cannot be read: {(error.strerror or str(error)).lower()}") from None
         if self.path.stat().st_size == 0:
             raise AudioError(f"{path}: is empty (0 bytes)\n    record it again")
+        if form is None and is_headerless(self.path):
+            raise AudioError(
+                f"{path}: holds raw samples, by its name, and nothing says how they lie in it\n"
+                "    give --rate and --format, as --rate 16000 --format s16le, or pipe it in: intent-engine run - < "
+                f"{path}"
+            )
         try:
-            info = soundfile.info(str(self.path))
+            with soundfile.SoundFile(str(self.path), **self._form) as info:
+                self.rate: int = info.samplerate
+                channels, frames = info.channels, info.frames
         except (soundfile.LibsndfileError, RuntimeError, OSError):
             raise AudioError(
                 f"{path}: is no sound file that can be read\n    convert it: ffmpeg -i {self.path.name} speech.wav"
             ) from None
-        if info.samplerate <= 0 or info.channels <= 0 or info.frames <= 0:
+        if self.rate <= 0 or channels <= 0 or frames <= 0:
             raise AudioError(f"{path}: holds no sound\n    record it again")
-        self.seconds: float = info.frames / info.samplerate
+        self.seconds: float = frames / self.rate
         """Length of the recording in s."""
         if self.seconds > MAX_SECONDS:
             raise AudioError(
                 f"{path}: lasts {self.seconds / 3600:.1f} hours; at most {MAX_SECONDS / 3600:.0f} are taken\n"
                 "    cut out the part with the commands"
             )
-        self.rate: int = info.samplerate
-        check_whole(self.path)
+        if form is None:
+            check_whole(self.path)
 
     def frames(self) -> Iterator[Frame]:
         began = time.monotonic()
@@ -86,7 +115,7 @@ class FileSource:
         resampler = Resampler(self.rate)
         read = 0
         try:
-            with soundfile.SoundFile(str(self.path)) as file:
+            with soundfile.SoundFile(str(self.path), **self._form) as file:
                 expected = file.frames
                 while True:
                     block = file.read(BLOCK, dtype="float32", always_2d=True)
@@ -106,3 +135,14 @@ class FileSource:
 
     def close(self) -> None:
         self._closed = True
+
+
+def _libsndfile(form: PcmFormat) -> dict[str, Any]:
+    """A format of raw samples, as soundfile takes it."""
+    return {
+        "samplerate": form.rate,
+        "channels": form.channels,
+        "format": "RAW",
+        "subtype": SUBTYPES[form.encoding.removesuffix("le").removesuffix("be")],
+        "endian": "BIG" if form.encoding.endswith("be") else "LITTLE",
+    }

@@ -1,0 +1,91 @@
+"""The standard streams, such that every verb can write: closed ones too, and with errors that are told apart."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
+
+__all__ = ["OutputError", "drop_output", "prepare"]
+
+ODD = "backslashreplace"
+"""A name with odd bytes is shown, not raised about."""
+
+
+class OutputError(OSError):
+    """Standard output cannot be written; says why."""
+
+
+class _Output(io.RawIOBase):
+    """Standard output, whose errors say that they are its own.
+
+    Args:
+        under: what it is written to; None: it was closed before the program began.
+    """
+
+    name = "<stdout>"
+
+    def __init__(self, under: io.RawIOBase | None) -> None:
+        self._under = under
+        self.dropped = False
+        """Whether what is still written is for nobody."""
+
+    def writable(self) -> bool:
+        return True
+
+    def isatty(self) -> bool:
+        return self._under is not None and self._under.isatty()
+
+    def fileno(self) -> int:
+        if self._under is None:
+            raise io.UnsupportedOperation("standard output is closed")
+        return self._under.fileno()
+
+    def write(self, data: ReadableBuffer, /) -> int | None:
+        if self.dropped:
+            return memoryview(data).nbytes
+        if self._under is None:
+            raise OutputError("it is closed")
+        try:
+            return self._under.write(data)
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            raise OutputError(error.strerror or str(error)) from None
+
+
+def prepare() -> None:
+    """Make the streams of this process such; once, before anything is written."""
+    # Of a stream that is closed Python makes None.
+    if sys.stderr is None:
+        sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - it ends with the process
+    elif isinstance(sys.stderr, io.TextIOWrapper):
+        sys.stderr.reconfigure(errors=ODD)
+    before = sys.stdout
+    if before is None:
+        sys.stdout = io.TextIOWrapper(io.BufferedWriter(_Output(None)), "utf-8", errors=ODD)
+    elif isinstance(before, io.TextIOWrapper):
+        before.flush()
+        raw = getattr(before.buffer, "raw", None)
+        # Without buffers (python -u) there is nothing between text and file.
+        under = _Output(before.buffer if raw is None else raw)
+        sys.stdout = io.TextIOWrapper(
+            under if raw is None else io.BufferedWriter(under),
+            before.encoding,
+            errors=ODD,
+            line_buffering=before.line_buffering,
+            write_through=before.write_through,
+        )
+
+
+def drop_output() -> None:
+    """Give what is still to be written to nobody: Python writes it once more at exit, and would complain."""
+    buffer = getattr(sys.stdout, "buffer", None)
+    out = getattr(buffer, "raw", buffer)
+    if isinstance(out, _Output):
+        out.dropped = True

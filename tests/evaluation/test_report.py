@@ -1,0 +1,71 @@
+"""Outcomes for people, spreadsheets and programs: what was expected stands beside what was done."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from intent_engine.actions import Move, Turn
+from intent_engine.errors import ConfigError
+from intent_engine.evaluation.labels import Expected, Row, Step
+from intent_engine.evaluation.report import MISS_COLUMNS, expected_text, miss_cells, outcome_json, write_csv
+from intent_engine.evaluation.scoring import Condition, Outcome, Verdict
+
+MOVED = Move(0.5, 2.0, 4.0)
+TURN = Turn(1.5708, 0.5, 3.1416)
+MOVE_TEXT = "move linear_velocity=0.5 distance=2 duration=4"
+STEP = Step("turn", {"side": "left", "angle": 1.5708})
+
+
+def outcome(expected: Expected, *, text: str | None = None) -> Outcome:
+    row = Row("one", 1, Path("a.wav"), expected, text)
+    done = (Step("move", {"distance": 2.0}),)
+    return Outcome(row, Condition("m"), Verdict.WRONG, "go", "go", ("move",), (MOVED,), steps=done)
+
+
+@pytest.mark.parametrize(
+    ("expected", "said", "done", "data"),
+    [
+        (
+            Expected((STEP,)),
+            "turn side=left angle=1.571",
+            "move distance=2",
+            {"steps": [{"intent": "turn", "slots": {"side": "left", "angle": 1.5708}}], "actions": None},
+        ),
+        (Expected(types=("move", "turn")), "move; turn", MOVE_TEXT, {"steps": [], "actions": ["move", "turn"]}),
+        (
+            Expected((STEP,), actions=(TURN,), by_text=True),
+            "turn angle=1.571 angular_velocity=0.5 duration=3.142",
+            MOVE_TEXT,
+            {
+                "steps": [{"intent": "turn", "slots": {"side": "left", "angle": 1.5708}}],
+                "actions": [{"type": "turn", "angle": 1.5708, "angular_velocity": 0.5, "duration": 3.1416}],
+            },
+        ),
+        (
+            Expected((Step("turn"),), types=("turn",)),
+            "turn and turn",
+            MOVE_TEXT,
+            {"steps": [{"intent": "turn", "slots": {}}], "actions": ["turn"]},
+        ),
+        (Expected(), "nothing", MOVE_TEXT, {"steps": [], "actions": []}),
+        (Expected(actions=()), "nothing", MOVE_TEXT, {"steps": [], "actions": []}),
+    ],
+)
+def test_what_was_expected_stands_beside_what_was_done(tmp_path, expected, said, done, data):
+    one = outcome(expected)
+    assert expected_text(expected) == said
+    cells = dict(zip(MISS_COLUMNS, miss_cells(one), strict=True))
+    assert (cells["expected"], cells["done"]) == (said, done)
+    assert outcome_json(one)["expected"] == data
+    write_csv(tmp_path / "all.csv", [one])
+    with (tmp_path / "all.csv").open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert (row["expected"], row["actions"]) == (said, MOVE_TEXT)
+
+
+def test_a_spreadsheet_that_cannot_be_written():
+    with pytest.raises(ConfigError, match=r"/proc/x\.csv: cannot be written: "):
+        write_csv(Path("/proc/x.csv"), [outcome(Expected())])
