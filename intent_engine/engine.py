@@ -213,7 +213,11 @@ class IntentEngine:
             spoken: whether the wake word is needed, where the grammar has one.
             last: the actions of the utterance before, which "again" and "it" point to; empty if there was none;
                 None: not known, then such words are left as they are.
+
+        Raises:
+            TypeError: it is no ``str``.
         """
+        _only_text("parse", text)
         parsers = self._parsers if language is None else (self._interpreter(language),)
         return _understood(parsers, text, state, spoken, last)[0]
 
@@ -229,16 +233,19 @@ class IntentEngine:
         """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
         from intent_engine.language.explain import Witness
 
+        _only_text("explain", text)
         parsers = self._parsers if language is None else (self._interpreter(language),)
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
         """What is dictated in a text, with the words before it; None: nothing is."""
+        _only_text("dictated", text)
         return self._interpreter(language).dictated(text)
 
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
+        _only_text("prefix", text)
         matcher = self.matcher(language)
         said = Utterance.of(text, matcher.grammar.language) if len(text) < 2000 else Utterance(["\0"], [False])
         words = said.words
@@ -260,6 +267,11 @@ class IntentEngine:
         settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
         resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
         return Prefix(status, next_words(matcher, reached), count, settled, resting)
+
+
+def _only_text(method: str, text: object) -> None:
+    if not isinstance(text, str):
+        raise TypeError(f"{method} takes a str, not {type(text).__name__}")
 
 
 class _Parses(Protocol):

@@ -64,8 +64,8 @@ RECORDINGS = {
     "half a header": (_bytes("head.wav", b"RIFF\x24\x00\x00\x00WAVEfmt "), "no sound file"),
     "truncated wav": (lambda folder: _half(_write("cut.wav", _speech(8))(folder)), "is cut off: 50%"),
     "truncated flac": (lambda folder: _half(_write("cut.flac", _speech(8))(folder)), "breaks off"),
-    "silent": (_write("silent.wav", np.zeros(3 * RATE)), "nobody speaks in it"),
-    "not a number": (_write("nan.wav", np.full(2 * RATE, np.nan), subtype="FLOAT"), "nobody speaks in it"),
+    "silent": (_write("silent.wav", np.zeros(3 * RATE)), "nobody speaks in it (3.0 s)"),
+    "not a number": (_write("nan.wav", np.full(2 * RATE, np.nan), subtype="FLOAT"), "nobody speaks in it (2.0 s)"),
     "text": (_bytes("notes.wav", b"go forward two meters\n" * 50), "no sound file"),
     "picture": (_bytes("noise.flac", b"\x89PNG" + random.Random(1).randbytes(5000)), "no sound file"),
     "eight hours": (_eight_hours, "lasts 8.0 hours"),
@@ -223,3 +223,9 @@ def test_raw_samples_in_a_file(intent_engine, tmp_path):
     assert (untold.returncode, untold.stdout) == (3, "")
     assert "give --rate and --format" in untold.stderr
     assert intent_engine("run", tmp_path / "x.raw", "--rate", RATE, "--format", "s16le").returncode == 0
+
+
+def test_how_long_nobody_speaks_in_a_pipe(intent_engine):
+    done = intent_engine("run", "-", stdin=bytes(2 * 3 * RATE))
+    assert done.returncode == 3
+    assert "standard input: nobody speaks in it (3.0 s)" in done.stderr

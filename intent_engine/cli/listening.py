@@ -44,7 +44,7 @@ def run(
 ) -> int:
     """Play a recording to a simulated robot, and tell what is heard, understood and done."""
     from intent_engine.execution.clock import MonotonicClock, VirtualClock
-    from intent_engine.speech.sources.file import FileSource, is_headerless
+    from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource, is_headerless
 
     if telling.watch and not realtime:
         raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
@@ -60,8 +60,9 @@ def run(
 
     def somebody_spoke(summary: Summary) -> None:
         if summary.utterances == 0:
+            seconds = max(summary.seconds - TAIL_SECONDS, 0.0)  # without the silence that every source adds at its end
             raise AudioError(
-                f"{name}: nobody speaks in it ({summary.seconds:.1f} s)\n"
+                f"{name}: nobody speaks in it ({seconds:.1f} s)\n"
                 "    listen to it; if there is speech, it is too quiet or buried in noise"
             )
 
