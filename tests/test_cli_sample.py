@@ -32,7 +32,7 @@ def test_sentences_with_their_meaning(intent_engine):
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert len(lines) == 10
-    assert all(line.startswith("    turn side=") and "-> turn " in line for line in lines[1::2])
+    assert all(line.startswith("    turn ") and "side=" in line and "-> turn " in line for line in lines[1::2])
     assert done.stdout == intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 7).stdout
     assert done.stdout != intent_engine("sample", "-n", 5, "--intent", "turn", "--seed", 8).stdout
 

@@ -108,7 +108,7 @@ class FreeText:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
         said = words[start:end]
         wrong = slot.without.intersection(said)
-        if slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
+        if said and slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
             wrong = frozenset((said[0],))
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):

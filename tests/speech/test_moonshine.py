@@ -81,6 +81,9 @@ def test_something_was_said_unless_it_is_sure_of_nothing(moonshine, monkeypatch,
     words = moonshine.tokenizer().encode(" stop")
 
     class Scripted:
+        def drafted(self, draft):
+            return {}
+
         def chances(self, beginnings):
             (beginning,) = beginnings
             row = np.full(moonshine.model.decoder.small.shape[0], -20.0, np.float32)
