@@ -239,9 +239,7 @@ class _Reader:
             self.wrong("is no JSON object", hint='{"audio": "one.wav", "text": "go forward two meters"}')
             return None
         before = len(self.problems)
-        self._misspelt(data)
-        if len(self.problems) > before:
-            return None  # what else is wrong may come of it
+        data = self._without_slips(data)
         audio = self._audio(data)
         text = self._typed(data, "text", str, "a text")
         start = self._seconds(data, "start") or 0.0
@@ -255,13 +253,16 @@ class _Reader:
         name = str(data.get("id", f"{data['audio']}" + (f"@{start:g}" if start else "")))
         return Row(name, self.number, audio, expected, text, start, end, speech_end)
 
-    def _misspelt(self, data: Mapping[str, Any]) -> None:
-        """Note keys that are probably one of ours. A key that has nothing to do with them is somebody's own."""
-        free = [key for key in KEYS if key not in data]
+    def _without_slips(self, data: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Note keys that are probably one of ours, and read on as if they were. A key that has nothing to do with them
+        is somebody's own."""
+        meant = dict(data)
         for key in data:
-            meant = None if key in KEYS else next((known for known in free if _nearly(key, known)), None)
-            if meant is not None:
-                self.wrong(f"unknown key {key!r}", key, hint=f"did you mean {meant!r}?")
+            free = [known for known in KEYS if known not in meant and _nearly(key, known)]
+            if key not in KEYS and free:
+                self.wrong(f"unknown key {key!r}", key, hint=f"did you mean {free[0]!r}?")
+                meant[free[0]] = meant.pop(key)
+        return meant
 
     def _audio(self, data: Mapping[str, Any]) -> Path | None:
         name = data.get("audio")
