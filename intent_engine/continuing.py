@@ -85,9 +85,13 @@ class Continuing:
         self._stopped = None
 
     def stopped(self, utterance: SpokenUtterance, meaning: Interpretation) -> None:
-        """The robot was stopped, before it was known whether the sentence was over."""
+        """The robot was stopped, before it was known whether the sentence was over. With a "no, wait!" the command
+        before is only taken back: what was meant may follow."""
+        said, heard = self._before(utterance), utterance.result
         self.forget()
         self._stopped = meaning.text, utterance.last_voice
+        if said is not None and heard is not None and self._judge.only_corrects(heard):
+            self._said = _Said(utterance.said(), utterance.last_voice, said.command, True)
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""

@@ -162,6 +162,11 @@ class Judge:
         corrections, words = self._corrections(transcript)
         return corrections.at(words, 0) > 0
 
+    def only_corrects(self, transcript: Transcript) -> bool:
+        """Whether it is nothing but "no, wait", or the like, and was heard well enough."""
+        corrections, words = self._corrections(transcript)
+        return bool(words) and corrections.cover(words)
+
     def ends_in_correction(self, transcript: Transcript) -> bool:
         """Whether it ends with "no", or the like, and was heard well enough."""
         corrections, words = self._corrections(transcript)

@@ -78,6 +78,17 @@ def test_talk_between_them_ends_it():
     assert said.goals == [GoalState.SUCCEEDED]
 
 
+def test_no_wait_stops_and_what_was_meant_may_follow():
+    said = SaidInParts("go to the kitchen", "no, wait", "the bedroom", "go to the kitchen no, wait, the bedroom")
+    assert said.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+    assert (said.pose.x, said.pose.y) == pytest.approx((2.0, 8.0), abs=0.1)
+
+
+def test_a_stop_with_a_no_before_it_is_final():
+    said = SaidInParts("go to the kitchen", "no, stop", "the bedroom", "go to the kitchen no, stop, the bedroom")
+    assert said.goals == [GoalState.CANCELED]
+
+
 class Jumpy:
     """A reflex that takes the first sound of the second utterance for a stop."""
 

@@ -223,6 +223,15 @@ CANCELLED = {
     "cancel that": "stop",
     "never mind": "stop",
     "wait": "stop",
+    "no, wait": "stop",
+    "no no wait": "stop",
+    "wait, no": "stop",
+    "wait wait": "stop",
+    "no, hold on": "stop",
+    "sorry, hold on a second": "stop",
+    "no": NOTHING,
+    "no no": NOTHING,
+    "no, the wait": NOTHING,
 }
 COMPOUND = {
     "go forward two meters then turn left": "forward 2, left 43",
@@ -619,6 +628,11 @@ TABLE = {
 WHILE_MOVING = [
     *("stop the music", "stop by the kitchen", "whoa what was that", "freeze, he said"),
     *("uh robot stop the music", "no stop the music"),
+    *("you are going to hit the wall stop", "watch out halt", "damn it stop", "the bus stop", "no no no", "nope, no"),
+]
+NOT_EVEN_MOVING = [
+    *("I do not want it to stop", "he never says stop", "whatever you do don't stop", "go to the bus and then stop"),
+    *("no", "no, left", "where is the bus stop in this town", "the stop is over there"),
 ]
 
 

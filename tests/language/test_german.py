@@ -46,6 +46,17 @@ def test_stop_stops(engine, text):
     assert engine.parse(text, state=("moving",)).actions == (Stop(),)
 
 
+@pytest.mark.parametrize("text", ["nein warte", "nein, nein, warte", "moment, warte", "warte warte"])
+def test_who_protests_is_heard(engine, text):
+    assert engine.parse(text).actions == (Stop(),)
+
+
+def test_while_it_moves_a_stop_after_anything_stops_it(engine):
+    text = "du fährst gegen die Wand halt an"
+    assert engine.parse(text, state=("moving",)).actions == (Stop(),)
+    assert not engine.parse(text).actions
+
+
 @pytest.mark.parametrize(
     "text",
     [

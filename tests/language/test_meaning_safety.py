@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from meanings import commands, does, done, shipped
-from safety_table import NOTHING, TABLE, WHILE_MOVING, matches
+from safety_table import NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Status
@@ -21,9 +21,14 @@ def test_a_sentence_of_the_table(text: str, meant: str) -> None:
 
 
 @pytest.mark.parametrize("text", WHILE_MOVING)
-def test_while_the_robot_moves_whatever_begins_with_a_stop_word_stops_it(text: str) -> None:
+def test_while_the_robot_moves_whatever_begins_or_ends_with_a_stop_word_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
+
+
+@pytest.mark.parametrize("text", NOT_EVEN_MOVING)
+def test_but_not_what_denies_a_stop_or_only_names_one(text: str) -> None:
+    assert does(text, "moving") != "stop"
 
 
 # -- laws -----------------------------------------------------------------------------------------------------
@@ -120,6 +125,17 @@ words = st.text(st.characters(categories=["L", "N", "P", "S", "M"]), min_size=1,
 @given(st.lists(words, max_size=8).map(" ".join), stop_words)
 def test_a_stop_word_before_anything_stops_a_moving_robot(rest: str, stop: str) -> None:
     assert does(f"{stop} {rest}", "moving") == "stop"
+
+
+@quick
+@given(st.lists(words, max_size=8).map(" ".join), stop_words)
+def test_a_stop_word_after_anything_stops_a_moving_robot(rest: str, stop: str) -> None:
+    """But a denial ("don't stop"), the end of a list of commands ("and then stop") and the name of a place."""
+    said = Utterance.of(rest).words
+    operators = shipped().grammar.operators
+    assume(not any(word in denial for denial in (*operators.negation, *operators.sequence) for word in said))
+    assume(len(Utterance.of(f"{rest} {stop}").words) > len(said))
+    assert does(f"{rest} {stop}", "moving") == "stop"
 
 
 @settings(max_examples=300, deadline=None)

@@ -172,6 +172,8 @@ class Interpreter:
     ) -> Understood:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
+        if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
+            return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
         if self._stops.in_a_sentence(core):

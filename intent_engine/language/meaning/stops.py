@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
@@ -15,6 +15,9 @@ __all__ = ["MOVING", "Stops"]
 
 MOVING = "moving"
 """The robot state in which any utterance that begins with a stop word stops it."""
+
+PROTEST = 6
+"""Words of the longest sentence of the stop intent that is looked for among corrections: "hold on just a second"."""
 
 
 class Stops:
@@ -36,7 +39,8 @@ class Stops:
 
         A clause is one that begins the utterance (after fillers, a wake word or "no"), follows a pause, or ends a
         sentence that was begun ("go forward stop"). "the bus stop", "don't stop" and "stop the music" are none; but
-        while the robot moves, an utterance that *begins* with a stop word stops it whatever comes after.
+        while the robot moves, an utterance that *begins* with a stop word stops it whatever comes after, and so does
+        one that ends with it and denies nothing: "you will hit the wall stop". To stand for a bus stop costs a word.
         """
         words = said.words
         phrases = self._phrases
@@ -50,7 +54,8 @@ class Stops:
         for position in range(start + 1, len(words)):
             if not self._stop.at(words, position):
                 continue
-            if said.breaks[position] or self._clause_begins(words, start, position):
+            warned = MOVING in state and phrases.negation.find(words) is None
+            if said.breaks[position] or warned or self._clause_begins(words, start, position):
                 if phrases.negated_before(words, position):
                     continue
                 if self._corrected_after(words, position):
@@ -64,6 +69,24 @@ class Stops:
     def by_sound(self, said: Utterance) -> bool:
         """Whether an utterance is nothing but stops, some of them written by their sound: "break"."""
         return self._phrases.only_stops_by_sound(said.words)
+
+    @step(Kind.STOP)
+    def in_protest(self, core: Utterance, state: Collection[str]) -> bool:
+        """ "No, wait!", "wait wait": nothing but words that take something back, and some of them are a sentence of the
+        stop intent. While the robot moves, twice no is enough: "no no no!"."""
+        words, correction = core.words, self._phrases.correction
+        position = protests = 0
+        stops = False
+        while position < len(words):
+            ends = range(min(position + PROTEST, len(words)), position, -1)
+            stop = next((end for end in ends if self._is_stop_sentence(words[position:end])), None)
+            taken_back = correction.at(words, position)
+            if stop is None and not taken_back:
+                return False
+            stops = stops or stop is not None or any(map(self._is_stop_sentence, _ends(words, position, taken_back)))
+            protests += max(taken_back, 1)
+            position = max(stop or 0, position + taken_back)
+        return stops or (MOVING in state and protests > 1)
 
     @step(Kind.STOP)
     def between(self, said: Utterance, state: Collection[str]) -> bool:
@@ -92,13 +115,16 @@ class Stops:
         words = core.words
         phrases = self._phrases
         for position in range(1, len(words)):
-            readings = self._commands.matcher.read(words[position:])
-            if not any(reading.intent.action.type == "stop" and not reading.problem for reading in readings):
+            if not self._is_stop_sentence(words[position:]):
                 continue
             apart = core.breaks[position] or self._clause_begins(words, 0, position)
             if apart and not phrases.negated_before(words, position) and not phrases.joined_before(words, position):
                 return True
         return False
+
+    def _is_stop_sentence(self, words: list[str]) -> bool:
+        readings = self._commands.matcher.read(words)
+        return any(reading.intent.action.type == "stop" and not reading.problem for reading in readings)
 
     def _is_sentence(self, words: list[str], state: Collection[str]) -> bool:
         """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place."""
@@ -141,3 +167,8 @@ class Stops:
         clauses = (self._compounds.part(each, state) for each in (part, core))
         known = not core.words or any(clause is not None and clause.accepted for clause in clauses)
         return known or self._compounds.split(core, state) is not None or self._run_ons.may_be(core)
+
+
+def _ends(words: list[str], begin: int, length: int) -> Iterator[list[str]]:
+    """The ends of so many words from there: of "no wait" also "wait"."""
+    return (words[at : begin + length] for at in range(begin, begin + length))
