@@ -75,7 +75,7 @@ def test_a_failure_shrinks_to_the_shortest_sentence(engine, wanted, shortest):
     ],
 )
 def test_it_does_in_a_large_grammar(robot, wanted, words):
-    assert len(find(sentences(robot), wanted, settings=FIND).text.split()) == words
+    assert len(find(sentences(robot), wanted, settings=FIND).text.split()) <= words
 
 
 @pytest.mark.parametrize(
