@@ -1,7 +1,7 @@
 """Whisper through CTranslate2, its encoder fed only with what was said.
 
 ``WhisperModel.transcribe`` of faster-whisper always pads to 30 s; a command has two. The encoder's cost grows with its
-input, so it is given the speech padded to five seconds, and ten only when the first try went wrong.
+input, so it is given the speech padded to four seconds, and ten only when the first try went wrong.
 """
 
 from __future__ import annotations
