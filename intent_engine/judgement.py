@@ -21,7 +21,7 @@ from intent_engine.speech.corrections import as_meant
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "enough_to_stop"]
+__all__ = ["WORTH_ASKING", "Judge", "enough_to_stop"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).

@@ -10,7 +10,6 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable, Collection
-from dataclasses import replace
 from typing import Any, Literal
 
 from intent_engine.actions import Action
@@ -385,7 +384,7 @@ class Runtime:
             return
         self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
-            transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
+            transcript = transcript.as_heard()  # what was said, not what was looked for
         told: dict[str, Any] = {
             "speech_ended": utterance.last_voice,
             "goes_on": understood.step.goes_on,
