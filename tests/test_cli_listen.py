@@ -143,6 +143,35 @@ def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     assert error.count("no stop could be written") <= 1
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="pipes of Linux")
+@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
+    """Its pipe stays open, and takes two seconds of velocities."""
+    fcntl = pytest.importorskip("fcntl")
+    read, write = os.pipe()
+    fcntl.fcntl(write, fcntl.F_SETPIPE_SZ, 8192)
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
+        try:
+            os.close(write)
+            process.stdin.write(bytes(3_200))
+            process.stdin.flush()
+            assert b"listening to" in process.stderr.readline()
+            speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
+            assert process.wait(60) == 6
+        finally:
+            process.kill()
+        told = [json.loads(line) for line in process.stdout.read().splitlines()]
+        error = process.stderr.read().decode()
+    os.close(read)
+    assert [event["state"] for event in told if event["event"] == "goal"][-1] == "aborted"
+    assert [event["event"] for event in told if event["event"] in ("error", "stop", "end")] == []
+    assert error.count("error: ") == 1
+    assert "the process behind the pipe is there, but does not read" in error.split("error: ")[1]
+    assert error.count("no stop could be written") <= 1
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
 def test_a_robot_that_cannot_be_written_to(spoken_to, go_forward, options):
