@@ -84,7 +84,7 @@ def listen(
         bool, typer.Option("--push-to-talk", help="Listen only after the space bar, until it is pressed again.")
     ] = False,
     pcm: Annotated[
-        str | None, typer.Option(help="Raw samples from this file or pipe instead; - is standard input.")
+        str | None, typer.Option(help="Raw samples from this pipe instead, as they come; - is standard input.")
     ] = None,
     drive: Annotated[
         Path | None,

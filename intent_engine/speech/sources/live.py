@@ -215,8 +215,8 @@ class Inbox:
                 if block.early:
                     self._tell(
                         ReportKind.EARLY,
-                        f"{block.early:.1f} s of sound from {self.name} came before it was listened to, and are not "
-                        "heard; nor is what was being said when listening began",
+                        f"{block.early:.1f} s of sound from {self.name} came before it was listened to and are not "
+                        "heard; what was being said when listening began is not acted on",
                     )
                 self._tell_lost(block.lost)
                 self._look_for_mute(block)
