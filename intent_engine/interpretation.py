@@ -9,10 +9,12 @@ from typing import Any
 
 from intent_engine.actions import Action, Stop, from_json, to_json
 
-__all__ = ["BEYOND_LIMITS", "Interpretation", "Status"]
+__all__ = ["BEYOND_LIMITS", "UNKNOWN_PLACE", "Interpretation", "Status"]
 
 BEYOND_LIMITS = {"whole": "no whole number", "min": "less than the smallest", "max": "more than the largest"}
 """What is wrong with a number that its slot does not take, by the key of the slot that says so, as reasons have it."""
+UNKNOWN_PLACE = "no place is called"
+"""What is wrong with a place that is not on the map, as reasons have it."""
 
 
 class Status(StrEnum):
@@ -63,6 +65,11 @@ class Interpretation:
     def beyond_limits(self) -> bool:
         """Whether it would be a command, if one of its numbers were another: its slot takes no such number."""
         return self.status is Status.REJECTED and any(limit in self.reason for limit in BEYOND_LIMITS.values())
+
+    @property
+    def unknown_place(self) -> bool:
+        """Whether it would be a command, if the place that it names were on the map."""
+        return self.status is Status.REJECTED and UNKNOWN_PLACE in self.reason
 
     @property
     def corrected(self) -> bool:

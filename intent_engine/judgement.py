@@ -21,7 +21,7 @@ from intent_engine.speech.corrections import as_meant
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Judge", "enough_to_stop"]
+__all__ = ["WORTH_ASKING", "Judge", "enough_to_stop"]
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
@@ -120,13 +120,31 @@ class Judge:
         if meaning.status is Status.ACCEPTED and not meaning.stops and (why := _unheard(transcript)):
             return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
         if meaning.status is Status.ACCEPTED and self.unsure(transcript, meaning):
-            return Interpretation(
+            near = Interpretation(
                 transcript.free_text,
                 Status.REJECTED,
                 reason=_why_unsure(transcript),
                 alternatives=(transcript.text,),
             )
+            return near if transcript.sureness >= WORTH_ASKING else self._with_reason(near, transcript, state, last)
+        if meaning.status is Status.REJECTED and not meaning.refuses and self.unsure(transcript):
+            return self._with_reason(meaning, transcript, state, last)
         return meaning
+
+    def _with_reason(
+        self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Sequence[Action]
+    ) -> Interpretation:
+        """What is refused, for the reason that the words heard have when they are typed, if they clearly name a place
+        that is not on the map: of "go to the moon" the nearest command tells nothing. It stays refused."""
+        if transcript.score < CLEARLY:
+            return refused
+        language = self._language(transcript)
+        typed = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=last)
+        if not typed.unknown_place:
+            return refused
+        return Interpretation(
+            transcript.free_text, Status.REJECTED, reason=typed.reason, alternatives=typed.alternatives
+        )
 
     def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
         """What words that were heard clearly mean after those before, if both are a command word by word. Numbers that

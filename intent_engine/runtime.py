@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Collection
-from dataclasses import replace
+from collections.abc import Callable, Collection, Generator
 from typing import Any, Literal
 
 from intent_engine.actions import Action
@@ -48,9 +47,14 @@ _TORN = "sound was lost just before it, and perhaps its beginning; say it again"
 class Runtime:
     """A whole robot that listens.
 
-    Life cycle: made -> ``run(source)`` (blocks until the source ends or ``close()``) -> ``close()``. Events come in the
-    thread of ``run``. With an executor on a virtual clock a recording is played as fast as possible and always in
-    the same way; else in its own time, with recognition in a thread beside.
+    Life cycle: made -> ``run(source)`` (blocks until the source ends or ``close()``; may be called again) ->
+    ``close()``. Events come in the thread of ``run``. With an executor on a virtual clock a recording is played as fast
+    as possible and always in the same way; else in its own time, with recognition in a thread beside.
+
+    What ``on_event`` raises ends listening: the robot is stopped, the source let go, and the exception raised by
+    ``run``, with a note that says so. An executor logs what its listeners raise and goes on, since they have threads of
+    their own and nobody to raise to. Here somebody waits for ``run``, and a program whose own part of the work has
+    failed, or that cannot tell any more what is going on, is to decide itself whether to listen again.
 
     Args:
         engine: understands.
@@ -61,7 +65,7 @@ class Runtime:
         reflex: listens for stop words; None: no reflex.
         settings: waits of the endpoint.
         noise_filter: takes noise out of what is recognised; "auto": RNNoise, where it is installed; None: nothing does.
-        on_event: is told everything, in order; what it raises is not caught.
+        on_event: is told everything, in order; what it raises stops the robot and ends listening.
         speculate: decode at the first silent frame already.
         patience: s after which a recogniser counts as hung.
     """
@@ -146,21 +150,27 @@ class Runtime:
         Raises:
             AudioError: the source cannot be read; the robot is stopped.
             DeviceError: the device is missing; the robot is stopped.
+            BaseException: whatever ``on_event`` raised; the robot is stopped.
         """
         self._source = source
         self._summary = Summary()
         self._base = self.executor.clock.now()
         self._voice.reset()
         self._endpoint.reset()
-        self._deaf = False
+        # A run that was ended in the middle may have left anything behind: a robot that still counts as held would not
+        # be held by the next stop word.
+        self._held = self._deaf = False
+        self._last = ()
+        self._continuing.forget()
         self._torn = -1.0
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         self._waiting = []
         utterance: SpokenUtterance | None = None
         finished = False
+        frames = source.frames()
         try:
-            for frame in source.frames():
+            for frame in frames:
                 if self._closing.is_set():
                     break
                 self._move_clock(frame.time)
@@ -186,6 +196,8 @@ class Runtime:
             if not finished or self._closing.is_set():
                 self.executor.stop()
                 self._decoding.leave()
+                if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
+                    frames.close()
             elif self._held:
                 self._release(self._summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
@@ -385,7 +397,7 @@ class Runtime:
             return
         self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
-            transcript = replace(transcript, text=transcript.free_text)  # what was said, not what was looked for
+            transcript = transcript.as_heard()  # what was said, not what was looked for
         told: dict[str, Any] = {
             "speech_ended": utterance.last_voice,
             "goes_on": understood.step.goes_on,
@@ -443,5 +455,10 @@ class Runtime:
         self._tell(HeardKind.ERROR, time, detail=why)
 
     def _tell(self, kind: HeardKind, time: float, **details: Any) -> None:
-        if self._on_event is not None:
+        if self._on_event is None:
+            return
+        try:
             self._on_event(Heard(kind, time, **details))
+        except Exception as error:
+            error.add_note(f"raised by on_event, told of {kind.value!r}; the robot is stopped and listening has ended")
+            raise

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import IO
 
+import numpy as np
 import pytest
 from hypothesis import settings
 
@@ -54,6 +58,48 @@ def intent_engine(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[s
         )
         return subprocess.CompletedProcess(
             done.args, done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+        )
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def speak() -> Callable[[IO[bytes], np.ndarray], None]:
+    """Write sound at 16 kHz into a pipe while it is heard at its other end, after a moment of quiet: what comes at once
+    was not said there and then."""
+
+    def write(pipe: IO[bytes], samples: np.ndarray) -> None:
+        sound = np.concatenate((np.zeros(12_800), samples))
+        with contextlib.suppress(BrokenPipeError):
+            for start in range(0, sound.size, 1_600):
+                pipe.write((sound[start : start + 1_600] * 32_767).astype("<i2").tobytes())
+                pipe.flush()
+                time.sleep(0.1)
+
+    return write
+
+
+@pytest.fixture
+def spoken_to(speak: Callable[[IO[bytes], np.ndarray], None]) -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Run ``listen --pcm -`` in a process of its own, and say something once it listens."""
+
+    def run(samples: np.ndarray, *args: object, before: np.ndarray | None = None) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", *map(str, args)]
+        pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+        with subprocess.Popen(command, cwd=ROOT, **pipes) as process:
+            try:
+                early = np.zeros(1_600) if before is None else before
+                process.stdin.write((early * 32_767).astype("<i2").tobytes())
+                process.stdin.flush()
+                told = process.stderr.readline()
+                if b"listening to" in told:
+                    speak(process.stdin, samples)
+                out, error = process.communicate(timeout=120)
+            finally:
+                process.kill()
+        told += error
+        return subprocess.CompletedProcess(
+            command, process.returncode, out.decode("utf-8", "replace"), told.decode("utf-8", "replace")
         )
 
     return run

@@ -58,13 +58,41 @@ def test_a_wav_file_from_a_pipe_says_its_own_format(intent_engine, tmp_path, go_
     assert end_of(done)["pose"]["x"] == pytest.approx(2.0)
 
 
-def test_listen_to_a_pipe_in_real_time(intent_engine, go_forward):
-    done = intent_engine("listen", "--pcm", "-", "--json", stdin=raw(go_forward))
+def test_listen_to_a_pipe_in_real_time(spoken_to, go_forward):
+    done = spoken_to(go_forward, "--json")
     assert done.returncode == 0, done.stderr
     assert "listening to standard input" in done.stderr
     states = [event["state"] for event in events(done) if event["event"] == "goal"]
     assert states[-1] == "succeeded"
     assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+
+
+def test_what_was_said_before_it_listened_is_not_done_and_told(spoken_to, go_forward):
+    """While models are loaded; and whoever writes the pipe need not wait until they are."""
+    before = np.tile(go_forward, 3)
+    assert len(raw(before)) > 3 * (1 << 16), "more than a pipe holds"
+    done = spoken_to(np.zeros(RATE), "--json", "--no-reflex", before=before)
+    assert done.returncode == 0, done.stderr
+    told = events(done)
+    (early,) = [event for event in told if event["event"] == "source"]
+    assert early["kind"] == "early"
+    assert early["detail"].startswith(f"{before.size / RATE:.1f} s of sound from standard input came before")
+    assert [event["event"] for event in told if event is not early] == ["end"]
+
+
+def test_a_recording_is_not_listened_to(intent_engine, go_forward):
+    done = intent_engine("listen", "--pcm", "-", "--json", stdin=raw(go_forward))
+    assert done.returncode == 3
+    assert f"standard input: all of it ({go_forward.size / RATE:.1f} s) came before it was listened to" in done.stderr
+    assert "intent-engine run -" in done.stderr
+
+
+def test_a_recording_from_a_pipe_at_its_own_speed(intent_engine, go_forward):
+    done = intent_engine("run", "-", "--realtime", "--json", "--no-reflex", stdin=raw(go_forward))
+    assert done.returncode == 0, done.stderr
+    assert end_of(done)["pose"]["x"] == pytest.approx(2.0, abs=0.05)
+    (ended,) = [event["speech_ended"] for event in events(done) if event["event"] == "transcript"]
+    assert 1.5 < ended < 3.0, "where it ends in the recording"
 
 
 def driven(lines: Path) -> tuple[float, list[dict]]:
@@ -76,11 +104,9 @@ def driven(lines: Path) -> tuple[float, list[dict]]:
 
 
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
-def test_listen_drives_another_process(intent_engine, tmp_path, go_forward, options):
+def test_listen_drives_another_process(spoken_to, tmp_path, go_forward, options):
     lines = tmp_path / "commands.jsonl"
-    done = intent_engine(
-        "listen", "--pcm", "-", "--json", "--no-reflex", "--drive", str(lines), *options, stdin=raw(go_forward)
-    )
+    done = spoken_to(go_forward, "--json", "--no-reflex", "--drive", lines, *options)
     assert done.returncode == 0, done.stderr
     assert [event["state"] for event in events(done) if event["event"] == "goal"][-1] == "succeeded"
     far, written = driven(lines)
@@ -91,7 +117,7 @@ def test_listen_drives_another_process(intent_engine, tmp_path, go_forward, opti
 
 @pytest.mark.skipif(sys.platform == "win32", reason="descriptors of Unix")
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
-def test_listening_ends_when_the_robot_goes_away(go_forward, options):
+def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     """While it goes on being spoken to: the standard input stays open."""
     read, write = os.pipe()
     command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
@@ -99,8 +125,10 @@ def test_listening_ends_when_the_robot_goes_away(go_forward, options):
     with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
         try:
             os.close(write)
-            process.stdin.write(raw(np.concatenate([go_forward, np.zeros(RATE, np.float32)])))
+            process.stdin.write(bytes(3_200))
             process.stdin.flush()
+            assert b"listening to" in process.stderr.readline()
+            speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
             assert os.read(read, 1)
             os.close(read)
             assert process.wait(60) == 6
@@ -115,12 +143,39 @@ def test_listening_ends_when_the_robot_goes_away(go_forward, options):
     assert error.count("no stop could be written") <= 1
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="pipes of Linux")
+@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
+    """Its pipe stays open, and takes two seconds of velocities."""
+    fcntl = pytest.importorskip("fcntl")
+    read, write = os.pipe()
+    fcntl.fcntl(write, fcntl.F_SETPIPE_SZ, 8192)
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
+        try:
+            os.close(write)
+            process.stdin.write(bytes(3_200))
+            process.stdin.flush()
+            assert b"listening to" in process.stderr.readline()
+            speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
+            assert process.wait(60) == 6
+        finally:
+            process.kill()
+        told = [json.loads(line) for line in process.stdout.read().splitlines()]
+        error = process.stderr.read().decode()
+    os.close(read)
+    assert [event["state"] for event in told if event["event"] == "goal"][-1] == "aborted"
+    assert [event["event"] for event in told if event["event"] in ("error", "stop", "end")] == []
+    assert error.count("error: ") == 1
+    assert "the process behind the pipe is there, but does not read" in error.split("error: ")[1]
+    assert error.count("no stop could be written") <= 1
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
-def test_a_robot_that_cannot_be_written_to(intent_engine, go_forward, options):
-    done = intent_engine(
-        "listen", "--pcm", "-", "--json", "--no-reflex", "--drive", "/dev/full", *options, stdin=raw(go_forward)
-    )
+def test_a_robot_that_cannot_be_written_to(spoken_to, go_forward, options):
+    done = spoken_to(go_forward, "--json", "--no-reflex", "--drive", "/dev/full", *options)
     assert done.returncode == 6
     assert "error: /dev/full: nothing can be written to the robot" in done.stderr
     assert [event["event"] for event in events(done) if event["event"] in ("error", "stop", "end")] == []
@@ -181,13 +236,15 @@ def fake(played: str) -> dict[str, str]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_a_pipe_that_goes_on_until_ctrl_c(go_forward):
+def test_a_pipe_that_goes_on_until_ctrl_c(speak, go_forward):
     """The reader of the pipe is still at it when the program ends; that must not abort it."""
     command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--no-reflex", "--json"]
     pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
     with subprocess.Popen(command, cwd=ROOT, **pipes) as process:
-        process.stdin.write(raw(go_forward))
+        process.stdin.write(bytes(3_200))
         process.stdin.flush()
+        assert b"listening to" in process.stderr.readline()
+        speak(process.stdin, go_forward)
         assert process.stdout.readline()
         process.send_signal(signal.SIGINT)
         error = process.stderr.read().decode()

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Status
 from intent_engine.judgement import (
@@ -51,6 +54,45 @@ def test_it_is_done_from_this_confidence_on(judge, text, enough):
 @pytest.mark.parametrize(("confidence", "reason"), [(0.5, "perhaps 'go forward two meters'"), (0.1, "too different")])
 def test_what_it_may_have_been_is_told_if_that_is_worth_it(judge, confidence, reason):
     assert reason in judge.meaning(heard(ONE, confidence), (), ()).reason
+
+
+MOON = "Go to the moon."
+
+
+@pytest.mark.parametrize("text", ["go to the lounge", "go", "go two miles and turn left", "burn a leaf", MOON])
+def test_a_place_that_is_not_on_the_map_is_told_as_if_it_were_typed(judge, text):
+    typed = judge.engine.parse(MOON)
+    told = judge.meaning(heard(text, 0.1, MOON), (), ())
+    assert (told.status, told.text, told.actions) == (Status.REJECTED, MOON, ())
+    assert told.reason == typed.reason == "no place is called 'moon'"
+    assert told.alternatives == typed.alternatives
+
+
+@pytest.mark.parametrize(
+    ("transcript", "reason"),
+    [
+        (heard("go to the lounge", 0.5, MOON), "perhaps 'go to the lounge'"),
+        (replace(heard("go to the lounge", 0.1, MOON), score=CLEARLY - 0.01), "too different"),
+        (heard("go to the lounge", 0.1, "we went to the moon"), "too different"),
+        (heard("go to the lounge", 0.1, "don't go to the moon"), "too different"),
+        (heard("do not go to the lounge", 0.1, MOON), "negated"),
+    ],
+    ids=["it is asked back", "hardly heard", "a story", "not to be done", "not to be done, perhaps"],
+)
+def test_but_only_where_it_was_clearly_said_and_nothing_else_is_worth_telling(judge, transcript, reason):
+    assert reason in judge.meaning(transcript, (), ()).reason
+
+
+WORDS = ["go to mars and turn left", "go to the", "turn left two", "don't go to the moon", "go to the kitchen", ""]
+SENTENCES = st.sampled_from([ONE, SEVERAL, STOP, MOON, *WORDS])
+
+
+@given(SENTENCES, SENTENCES, st.one_of(st.none(), st.floats(0, 1)), st.floats(-3, 0))
+def test_only_the_wording_of_a_rejection_hangs_on_the_words_that_were_heard(judge, text, free, confidence, score):
+    transcript = Transcript(text, score, free, gap=1.0, confidence=confidence)
+    told = judge.meaning(transcript, (), ())
+    otherwise = judge.meaning(replace(transcript, free_text="oh forward to me does"), (), ())
+    assert (told.status, told.actions) == (otherwise.status, otherwise.actions)
 
 
 def test_less_is_asked_of_a_stop_and_more_of_several_commands():

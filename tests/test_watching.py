@@ -270,6 +270,8 @@ def test_a_robot_that_listens_takes_up_changes(tmp_path, root):
         run.stdin.flush()
         lines = iter(lambda: run.stderr.readline().decode(), "")
         assert any(line.startswith("listening to") for line in lines)
+        run.stdin.write(silence)
+        run.stdin.flush()
         for edited, told in ((text + "intents: {", "not reloaded"), (text + "# edited\n", "reloaded: ")):
             path.write_text(edited)
             assert any(line.startswith(told) for line in lines)

@@ -6,7 +6,7 @@ import contextlib
 import functools
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, BinaryIO
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.executor import Executor
     from intent_engine.runtime import Runtime, Summary
     from intent_engine.speech.audio import AudioSource
+    from intent_engine.speech.sources.pcm import PcmSource
 
 __all__ = ["listen", "run"]
 
@@ -52,7 +53,7 @@ def run(
         raise typer.BadParameter("--live needs --realtime: without it all is over at once; --map draws the whole way")
     source: AudioSource
     if str(file) == "-":
-        source, name = _pcm("-", samples, live=realtime), "standard input"
+        source, name = _pcm("-", samples, realtime=realtime), "standard input"
     else:
         form = samples.form() if samples.given and is_headerless(file) else None
         source, name = FileSource(file, realtime=realtime, form=form), str(file)
@@ -83,7 +84,7 @@ def listen(
         bool, typer.Option("--push-to-talk", help="Listen only after the space bar, until it is pressed again.")
     ] = False,
     pcm: Annotated[
-        str | None, typer.Option(help="Raw samples from this file or pipe instead; - is standard input.")
+        str | None, typer.Option(help="Raw samples from this pipe instead, as they come; - is standard input.")
     ] = None,
     drive: Annotated[
         Path | None,
@@ -118,22 +119,28 @@ def listen(
     made = session(hearing, telling, MonotonicClock())
     made.drive, made.in_process = drive, in_process
     source: AudioSource
+    begin: Callable[[], object] | None
     if pcm is not None:
-        source, name = _pcm(pcm, samples, live=True, session=made), pcm.replace("-", "standard input")
+        piped = _pcm(pcm, samples, session=made)
+        source, name, begin = piped, pcm.replace("-", "standard input"), piped.begin
     else:
         from intent_engine.speech.sources.microphone import Microphone
 
         microphone = Microphone(device, on_report=made.report)
-        source, name = microphone, f"microphone {microphone.device.name!r}"
-    made.controls = functools.partial(_controls, name, push_to_talk)
+        source, name, begin = microphone, f"microphone {microphone.device.name!r}", None
+    made.controls = functools.partial(_controls, name, push_to_talk, begin)
     with watched(made.engine, telling.watch):
         made.play(source)
     return 0
 
 
 @contextlib.contextmanager
-def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executor) -> Iterator[None]:
-    """Say that it listens, once it does; and the keys of push-to-talk."""
+def _controls(
+    name: str, push_to_talk: bool, begin: Callable[[], object] | None, runtime: Runtime, executor: Executor
+) -> Iterator[None]:
+    """Say that it listens, once it does (``begin`` lets it); and the keys of push-to-talk."""
+    if begin is not None:
+        begin()
     if not push_to_talk:
         note(f"listening to {name}; Ctrl-C ends it")
         yield
@@ -159,7 +166,8 @@ def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executo
         yield
 
 
-def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None = None) -> AudioSource:
+def _pcm(where: str, samples: RawSamples, *, realtime: bool = False, session: Session | None = None) -> PcmSource:
+    """Raw samples: those that a session listens to as they come, or a recording."""
     from intent_engine.speech.sources.pcm import PcmSource
 
     form = samples.form()
@@ -177,7 +185,10 @@ def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None
             file, name = Path(where).open("rb"), where  # noqa: SIM115 - it ends with the process
         except OSError as error:
             raise AudioError(f"{where}: {(error.strerror or str(error)).lower()}\n    give a file or a pipe") from None
-    source = PcmSource(file, form, live=live, name=name, on_report=session.report if session is not None else None)
+    if session is None:
+        source = PcmSource(file, form, realtime=realtime, name=name)
+    else:
+        source = PcmSource(file, form, live=True, name=name, on_report=session.report)
     source.check()
     return source
 

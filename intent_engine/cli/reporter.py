@@ -14,10 +14,15 @@ from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import WORTH_ASKING
 from intent_engine.runtime import Heard, HeardKind, Summary
 from intent_engine.speech.audio import Report
+from intent_engine.speech.recognizer import Transcript
 
 __all__ = ["Reporter"]
+
+WORTH_TELLING = 3.0
+"""nats by which another reading may be less likely and still be told to a person: one in twenty."""
 
 _ENDS = {
     GoalState.SUCCEEDED: ("done", "green"),
@@ -74,6 +79,8 @@ class Reporter:
             if event.transcript.free_text not in ("", event.transcript.text):
                 data["free_text"] = event.transcript.free_text
             data["decode_seconds"] = round(event.transcript.decode_seconds, 4)
+            if event.kind is HeardKind.TRANSCRIPT:
+                data["alternatives"] = event.transcript.alternatives_to_json()
         if event.interpretation is not None:
             data["interpretation"] = event.interpretation.to_json()
         if event.speech_ended is not None:
@@ -95,6 +102,8 @@ class Reporter:
             done = "goes on" if event.goes_on else "next" if event.in_turn else "understood"
             word = done if found.status is Status.ACCEPTED else found.status.value
             self._line(None, word, _meaning(found), STYLES[found.status])
+            if others := _perhaps(found, event.transcript):
+                self._line(None, "perhaps", " or ".join(map(repr, others)), "dim")
         elif event.kind in _TOLD:
             self._line(event.time, _TOLD[event.kind], event.detail or "a stop word, perhaps", "yellow")
 
@@ -177,6 +186,18 @@ def _meaning(found: Interpretation) -> str:
         return f"{found.intent} {slots_text(found.slots)}".rstrip()
     nearest = f" (nearest: {', '.join(found.alternatives)})" if found.alternatives else ""
     return f"{found.reason or 'not a command'}{nearest}"
+
+
+def _perhaps(found: Interpretation, heard: Transcript | None) -> list[str]:
+    """What was said perhaps, where it is asked back. Of what is no command at all, nothing."""
+    if found.status is Status.ACCEPTED or heard is None or heard.sureness < WORTH_ASKING:
+        return []
+    told = {*found.alternatives, found.text}
+    return [
+        text
+        for text, nats in zip(heard.alternatives, heard.behind, strict=False)
+        if nats < WORTH_TELLING and text not in told
+    ]
 
 
 def _where(pose: Pose | None) -> str:

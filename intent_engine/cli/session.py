@@ -101,7 +101,7 @@ class Session:
             check: may raise on what was heard, before the robot goes on.
 
         Raises:
-            RobotError: there is nothing to drive, or what read the commands went away.
+            RobotError: there is nothing to drive, or what read the commands went away or stood still.
         """
         from intent_engine.cli.reporter import Reporter
         from intent_engine.execution.executor import Executor
@@ -196,6 +196,7 @@ class Session:
                 "    give a file or a pipe that the robot's program reads: listen --drive >(python robot.py)"
             ) from None
         stack.callback(os.close, out)
+        os.set_blocking(out, False)  # two processes write there, and neither may wait for a reader that stands still
         robot = JsonLinesRobot(out, capabilities=self.robot.capabilities)
         if self.in_process:
             return robot, None

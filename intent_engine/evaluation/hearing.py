@@ -49,6 +49,8 @@ class Hearing:
     """What was taken to be said, utterance by utterance."""
     free_texts: list[str] = field(default_factory=list)
     """The same without the help of the grammar."""
+    transcripts: list[Transcript] = field(default_factory=list)
+    """All that the recogniser made of each."""
     meanings: list[Interpretation] = field(default_factory=list)
     acts: list[Act] = field(default_factory=list)
     decodes: list[float] = field(default_factory=list)
@@ -195,7 +197,9 @@ class _Notes:
                 self._decoded(event.transcript, event.time)
             if event.goes_on:
                 self.hearing.free_texts.pop()
+                self.hearing.transcripts.pop()
             self.hearing.free_texts.append(event.transcript.free_text or event.transcript.text)
+            self.hearing.transcripts.append(event.transcript)
         elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
             # Its text is what was heard after all, where the grammar had steered the recogniser too far from the sound.
             if event.goes_on:

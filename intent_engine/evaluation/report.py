@@ -150,6 +150,7 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
         "text": outcome.row.text,
         "heard": outcome.heard,
         "free": outcome.free,
+        "alternatives": [one for heard in outcome.transcripts for one in heard.alternatives_to_json()],
         "expected": _expected_json(outcome.row.expected),
         "intents": list(outcome.intents),
         "actions": [action_to_json(action) for action in outcome.actions],
@@ -168,7 +169,14 @@ def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
     Raises:
         ConfigError: the file cannot be written.
     """
-    rows = [{**outcome_json(outcome), "expected": expected_text(outcome.row.expected)} for outcome in outcomes]
+    rows = [
+        {
+            **outcome_json(outcome),
+            "alternatives": [text for heard in outcome.transcripts for text in heard.alternatives],
+            "expected": expected_text(outcome.row.expected),
+        }
+        for outcome in outcomes
+    ]
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("w", encoding="utf-8", newline="") as file:

@@ -13,6 +13,7 @@ from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.evaluation.labels import Row, Step, steps_of
 from intent_engine.language.utterance import plain
+from intent_engine.speech.recognizer import Transcript
 
 __all__ = ["Condition", "Outcome", "Score", "Verdict", "judge", "plain", "quantile", "score", "wilson"]
 
@@ -75,6 +76,8 @@ class Outcome:
     errors: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
     """What was acted on, with its slots."""
+    transcripts: tuple[Transcript, ...] = ()
+    """What the recogniser made of it, utterance by utterance."""
 
 
 def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
@@ -104,6 +107,7 @@ def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
         hearing.holds[0] if hearing.holds else None,
         tuple(hearing.errors),
         tuple(steps),
+        tuple(hearing.transcripts),
     )
 
 

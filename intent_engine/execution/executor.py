@@ -9,7 +9,8 @@ Safety, in the order in which it is kept:
   every task and empties the queue before it returns. No velocity other than zero follows until something new is
   submitted.
 * Every way out of a motion ends in two or three zeros and then silence.
-* Whatever a robot, a handler or a listener raises ends its own goal and nothing else.
+* Whatever a robot or a handler raises ends its own goal and nothing else. What a listener raises is logged, and it is
+  called again with the next event; to end a program from one, tell another thread.
 """
 
 from __future__ import annotations

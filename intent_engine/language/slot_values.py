@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from intent_engine.interpretation import UNKNOWN_PLACE
 from intent_engine.language import quantities
 from intent_engine.language.free_text import ARTICLES_IN, FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
@@ -76,8 +77,8 @@ class SlotValues:
         words = " ".join(said)
         problem = ""
         if match.status == "unknown":
-            what = "place" if slot.type == "location" else label
-            problem = f"no {what} is called {words!r}"
+            unknown = UNKNOWN_PLACE if slot.type == "location" else f"no {label} is called"
+            problem = f"{unknown} {words!r}"
         elif match.status == "ambiguous":
             problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"
         return SlotReading(

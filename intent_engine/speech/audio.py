@@ -57,6 +57,8 @@ class ReportKind(StrEnum):
 
     LOST = "lost"
     """Sound was lost: somebody was too busy to take it."""
+    EARLY = "early"
+    """Sound came before anybody listened: it is not heard."""
     AWAY = "away"
     """No sound comes any more."""
     BACK = "back"

@@ -30,6 +30,7 @@ from intent_engine.speech.decoder_graphs import (
     telling,
 )
 from intent_engine.speech.moonshine_graphs import MoonshineGraph, looking
+from intent_engine.speech.onnx_sessions import onnx_runtime
 
 __all__ = ["ENCODER", "LISTENING", "PIECES", "SCALES", "STEPPING", "TELLING", "unfold"]
 
@@ -108,8 +109,7 @@ def _clear_abandoned(folder: Path) -> None:
 
 def _written(graph: Path, to: Path) -> None:
     """A graph as ONNX Runtime has it when it is loaded, in ONNX."""
-    import onnxruntime
-
+    onnxruntime = onnx_runtime()
     options = onnxruntime.SessionOptions()
     options.graph_optimization_level = onnxruntime.GraphOptimizationLevel.ORT_ENABLE_BASIC
     options.log_severity_level = 3
@@ -162,6 +162,7 @@ def _shape(published: Any, variables: Variables) -> DecoderShape:
 
 def _quantised(graph: Path, to: Path) -> None:
     """The same with weights of bytes, and sums of products of bytes."""
+    onnx_runtime()
     from onnxruntime.quantization import QuantType, quantize_dynamic
 
     with _quiet():

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import itertools
+from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
 from intent_engine.speech.audio import Samples
@@ -27,7 +28,8 @@ class Transcript:
     alternatives: tuple[str, ...] = ()
     """Further readings, best first."""
     behind: tuple[float, ...] = ()
-    """nats by which each of these is less likely than the text; empty: not known."""
+    """nats by which each of these is less likely than the likeliest sentence of the grammar, which is the text, or, of
+    :meth:`as_heard`, the first of them; empty: not known."""
     unclear: tuple[str, ...] = ()
     """Words on which the meaning hangs and that were not heard clearly: names that no list has, and numbers that sound
     like others."""
@@ -52,6 +54,22 @@ class Transcript:
     def sureness(self) -> float:
         """The confidence as a number: 0 where there is none."""
         return self.confidence or 0.0
+
+    def as_heard(self) -> Transcript:
+        """With the words heard freely for its text; what it was taken for becomes the first of its further readings."""
+        if self.text == self.free_text:
+            return self
+        behind = (0.0, *self.behind) if len(self.behind) == len(self.alternatives) else ()
+        return replace(self, text=self.free_text, alternatives=(self.text, *self.alternatives), behind=behind)
+
+    def alternatives_to_json(self) -> list[dict[str, Any]]:
+        """The further readings, best first: each ``text``, and how many nats it is ``behind``, None where that is not
+        known."""
+        behind = itertools.chain(self.behind, itertools.repeat(None))
+        return [
+            {"text": text, "behind": None if nats is None else round(nats, 3)}
+            for text, nats in zip(self.alternatives, behind, strict=False)
+        ]
 
 
 @dataclass(frozen=True, slots=True)

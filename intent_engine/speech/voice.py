@@ -10,6 +10,7 @@ import numpy as np
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.audio import FRAME_SAMPLES, Samples
+from intent_engine.speech.onnx_sessions import onnx_runtime
 
 __all__ = ["SileroVoice", "VoiceDetector"]
 
@@ -37,8 +38,7 @@ class SileroVoice:
     """
 
     def __init__(self) -> None:
-        import onnxruntime
-
+        onnxruntime = onnx_runtime()
         options = onnxruntime.SessionOptions()
         # One thread: a frame takes half a millisecond, and a pool would fight the recogniser for the cores.
         options.inter_op_num_threads = 1

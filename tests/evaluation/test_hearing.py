@@ -68,6 +68,7 @@ def test_recordings_do_not_know_of_each_other(engine, rows, robot):
     first, second, third = (listener.hear(SamplesSource(load(rows[0]))) for _ in range(3))
     assert first.actions == third.actions
     assert second.texts == ["whoa there"]
+    assert [heard.text for heard in second.transcripts] == second.texts
 
 
 def test_a_recogniser_that_fails_is_told_and_the_next_recording_heard(engine, rows, robot):

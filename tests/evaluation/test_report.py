@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.evaluation.labels import Expected, Row, Step
 from intent_engine.evaluation.report import MISS_COLUMNS, expected_text, miss_cells, outcome_json, write_csv
 from intent_engine.evaluation.scoring import Condition, Outcome, Verdict
+from intent_engine.speech.recognizer import Transcript
 
 MOVED = Move(0.5, 2.0, 4.0)
 TURN = Turn(1.5708, 0.5, 3.1416)
@@ -64,6 +66,23 @@ def test_what_was_expected_stands_beside_what_was_done(tmp_path, expected, said,
     with (tmp_path / "all.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
     assert (row["expected"], row["actions"]) == (said, MOVE_TEXT)
+
+
+def test_other_readings_stand_beside_what_was_heard(tmp_path):
+    heard = (
+        Transcript("go", alternatives=("stop", "go back"), behind=(0.5, 2.0)),
+        Transcript("on", alternatives=("=off",)),
+    )
+    one = replace(outcome(Expected()), transcripts=heard)
+    assert outcome_json(one)["alternatives"] == [
+        {"text": "stop", "behind": 0.5},
+        {"text": "go back", "behind": 2.0},
+        {"text": "=off", "behind": None},
+    ]
+    write_csv(tmp_path / "all.csv", [one])
+    with (tmp_path / "all.csv").open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert row["alternatives"] == "stop; go back; =off"
 
 
 def test_a_spreadsheet_that_cannot_be_written():

@@ -14,6 +14,7 @@ from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.robots import jsonl
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 from intent_engine.execution.robots.robot import TaskState
 
@@ -146,15 +147,62 @@ def test_a_robot_that_is_there_again_is_driven_again(tmp_path):
     os.close(second)
 
 
-def test_a_reader_that_does_not_read_holds_up_no_stop(pipe):
-    _, write = pipe
+def fill(write: int) -> None:
     os.set_blocking(write, False)
     with contextlib.suppress(BlockingIOError):
         while True:
             os.write(write, b" " * 4096)
     os.set_blocking(write, True)
+
+
+def test_a_reader_that_does_not_read_holds_up_no_stop(pipe, monkeypatch):
+    _, write = pipe
+    fill(write)
+    waited = []
+
+    def select(reading: list, writing: list, other: list, timeout: float) -> tuple:
+        waited.append(timeout)
+        return select_really(reading, writing, other, timeout)
+
+    select_really = jsonl.select.select
+    monkeypatch.setattr(jsonl.select, "select", select)
     robot = JsonLinesRobot(write)
     with pytest.raises(RobotError, match="does not read"):
         robot.velocity(0.5, 0.0, 0.3)
     robot.stop()
     robot.close()
+    first, *more = waited
+    assert 0 < first <= JsonLinesRobot.PATIENCE
+    assert set(more) == {0.0}, "it is known by then"
+
+
+def test_nor_does_one_between_whose_look_and_write_another_filled_the_pipe(pipe, monkeypatch):
+    """As a guardian's process may, which writes into the same pipe."""
+    _, write = pipe
+    fill(write)
+    os.set_blocking(write, False)
+    monkeypatch.setattr(jsonl.select, "select", lambda reading, writing, other, timeout: ([], writing, []))
+    robot = JsonLinesRobot(write)
+    robot.stop()
+    assert "does not read" in robot.lost
+
+
+def test_a_reader_that_stands_still_is_lost_and_told_of_once(pipe, caplog):
+    read, write = pipe
+    robot, clock, events = Counting(write), VirtualClock(), []
+    with Executor(robot, clock=clock, on_event=events.append, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Move(0.5, 50.0, 100.0))
+        clock.advance(1.0)
+        fill(write)
+        robot.tried.clear()
+        clock.advance(10.0)
+        assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
+        assert "does not read" in goal.detail
+        assert robot.lost == goal.detail
+        assert robot.tried == ["velocity", "stop", "velocity", "stop"]
+        executor.stop()
+        assert not caplog.records
+        os.read(read, 1 << 20)
+        assert executor.submit(Move(0.5, 0.1, 0.2))[0].result().succeeded, "and it is there again when it reads"
+        assert robot.lost == ""
+    assert not [event for event in events if event.kind is EventKind.ERROR]

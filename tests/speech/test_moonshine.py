@@ -11,7 +11,6 @@ import time
 from collections.abc import Callable, Sequence
 
 import numpy as np
-import onnxruntime
 import pytest
 
 from intent_engine.errors import WeightsError
@@ -30,6 +29,7 @@ from intent_engine.speech.moonshine_weights import (
     is_moonshine,
     moonshine_package,
 )
+from intent_engine.speech.onnx_sessions import onnx_runtime
 from intent_engine.speech.recognizer import Encoded
 from intent_engine.speech.steered import SteeredMoonshine
 
@@ -283,7 +283,7 @@ def test_what_a_killed_program_left_is_removed(tmp_path):
 @pytest.fixture(scope="module")
 def published() -> Callable[[Encoded, Sequence[int]], np.ndarray]:
     """What the decoder says as it was published, in floats: log probabilities (1 + n, pieces) along some pieces."""
-    session = onnxruntime.InferenceSession(moonshine_package() / DECODER, providers=["CPUExecutionProvider"])
+    session = onnx_runtime().InferenceSession(moonshine_package() / DECODER, providers=["CPUExecutionProvider"])
     inputs = {one.name: one.shape for one in session.get_inputs()}
     nothing = {
         name: np.zeros((1, shape[1], 0, shape[3]), np.float32) for name, shape in inputs.items() if "past" in name

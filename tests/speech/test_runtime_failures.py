@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from speech_stage import Frames, Says, Voiced, framed
+from speech_stage import Frames, Jumpy, Says, Voiced, framed
 
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
@@ -180,6 +180,60 @@ def test_a_listener_that_raises_stops_the_robot(engine, whisper, go_forward):
         assert executor.idle
         executor.wait()
     assert robot.pose().x == pytest.approx(0, abs=0.05)
+
+
+class Opened(Frames):
+    """Frames of a device that is open as long as they are taken."""
+
+    open = False
+
+    def frames(self):
+        self.open = True
+        try:
+            yield from super().frames()
+        finally:
+            self.open = False
+
+
+@pytest.mark.parametrize("kind", [HeardKind.SPEECH, HeardKind.HOLD, HeardKind.TRANSCRIPT, HeardKind.SUBMITTED])
+@pytest.mark.parametrize("error", [ZeroDivisionError("once"), KeyboardInterrupt()], ids=["an error", "Ctrl-C"])
+def test_after_a_listener_that_raised_all_is_let_go_and_it_listens_as_before(engine, kind, error):
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
+    events = []
+
+    def on_event(event) -> None:
+        events.append(event.kind)
+        if event.kind is kind and raising:
+            raise error
+
+    with Executor(robot, clock=clock) as executor:
+        said = Says("go forward two meters", "stop", "go forward two meters")
+        runtime = Runtime(
+            engine,
+            executor,
+            said,
+            voice=Voiced((0.5, 1.5)),
+            reflex=Jumpy() if kind is HeardKind.HOLD else None,
+            noise_filter=None,
+            speculate=False,
+            on_event=on_event,
+        )
+        raising, source = True, Opened(sound)
+        with pytest.raises(type(error)) as caught:
+            runtime.run(source)
+        assert not source.open
+        assert executor.idle
+        assert executor.snapshot().velocity == (0.0, 0.0)
+        assert not executor.snapshot().held
+        if isinstance(error, Exception):
+            assert any(f"told of '{kind.value}'; the robot is stopped" in note for note in caught.value.__notes__)
+        raising, first = False, events.copy()
+        events.clear()
+        summary = runtime.run(Opened(sound))
+        assert events[: len(first)] == first, "it hears, and holds, as it did"
+        assert summary.utterances == 1
 
 
 class OneAtATime:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import io
 import os
+import queue
 import struct
 import threading
 
 import numpy as np
 import pytest
 import soundfile
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, ReportKind
 from intent_engine.speech.sources.pcm import FORMATS, PcmFormat, PcmSource
 
 SOUND = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
@@ -139,3 +142,77 @@ def test_a_pipe_that_is_closed_under_way():
         thread.join()
         pipe.close()
     assert count == 10
+
+
+class Piped:
+    """A pipe whose writer knows when all that it wrote was taken and what it is was decided."""
+
+    def __init__(self) -> None:
+        self._written: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+        self._asked = threading.Semaphore(0)
+
+    def write(self, data: bytes) -> None:
+        self.settle()
+        self._asked.acquire()
+        self._written.put(data)
+
+    def settle(self) -> None:
+        """Wait until it is read again."""
+        assert self._asked.acquire(timeout=30)
+        self._asked.release()
+
+    def read(self, size: int) -> bytes:
+        """The first bytes are all that there is in the pipe."""
+        return bytes(size)
+
+    def read1(self, size: int) -> bytes:
+        self._asked.release()
+        return self._written.get()
+
+
+@given(early=st.lists(st.integers(1, 3_000), min_size=1, max_size=4), late=st.lists(st.integers(1, 3_000), max_size=4))
+def test_what_comes_before_a_live_pipe_is_listened_to_is_dropped_and_told(early, late):
+    pipe, reports = Piped(), []
+    source = PcmSource(pipe, live=True, on_report=reports.append)
+    source.check()
+    for count in early:
+        pipe.write(encoded(np.full(count, 0.9), "s16le"))
+    pipe.settle()
+    source.begin()
+    for count in late:
+        pipe.write(encoded(np.full(count, -0.5), "s16le"))
+    pipe.write(b"")
+    if not late:
+        with pytest.raises(AudioError, match="came before it was listened to"):
+            list(source.frames())
+        return
+    frames = list(source.frames())
+    sound = np.concatenate([frame.samples for frame in frames])
+    assert sound.max() <= 0.01
+    assert np.count_nonzero(sound < -0.4) == sum(late)
+    dropped = (sum(early) + 6) / SAMPLE_RATE
+    assert frames[0].lost == pytest.approx(dropped), "what was being said may have begun before"
+    assert not any(frame.lost for frame in frames[1:])
+    assert [report.kind for report in reports] == [ReportKind.EARLY]
+    assert f"{dropped:.1f} s of sound from standard input came before" in reports[0].detail
+    times = [frame.time for frame in frames]
+    assert times == sorted(times)
+
+
+def test_a_pipe_that_nobody_checked_is_heard_from_its_first_sample():
+    source = PcmSource(io.BytesIO(encoded(SOUND, "s16le")), live=True)
+    frames = list(source.frames())
+    assert not any(frame.lost for frame in frames)
+    assert np.concatenate([frame.samples for frame in frames])[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
+
+
+def test_a_live_pipe_that_is_closed_before_it_is_listened_to_is_read_no_more():
+    pipe = Piped()
+    source = PcmSource(pipe, live=True)
+    source.check()
+    source.close()
+    pipe.write(bytes(2_000))
+    assert source._reader is not None
+    source._reader.join(30)
+    assert not source._reader.is_alive()
+    assert list(source.frames()) == []

@@ -44,12 +44,19 @@ log = logging.getLogger(__name__)
 JSONL_SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
 """For ``Guardian(JSONL_SINK, {"out": file_descriptor}, pass_fds=(file_descriptor,))``."""
 
+_STALLED = "the process behind the pipe is there, but does not read"
+
 
 class JsonLinesRobot:
     """Writes each command as a line of JSON. Thread-safe; a line is written whole or not at all.
 
+    A reader that stands still is lost like one that went away: a pipe is full when some hundred lines wait in it, and
+    whoever wakes up to read them would drive by what was true half a minute ago. What is written then does not wait any
+    more, so that a stop takes no time; once there is room again the robot is there again.
+
     Args:
-        out: file descriptor to write to (1: standard output).
+        out: file descriptor to write to (1: standard output). Where others write to it too, as a guardian's process
+            does, one that does not block is safer: the room that was seen may be gone.
         replies: lines that come back; None: nobody answers, and a task has succeeded when it is handed over.
         capabilities: what the process behind the pipe can do.
     """
@@ -81,7 +88,7 @@ class JsonLinesRobot:
 
     @property
     def lost(self) -> str:
-        """Why the last line could not be written, if it was no matter of waiting; empty: all is well."""
+        """Why the last line could not be written; empty: all is well."""
         return self._lost
 
     def velocity(self, linear: float, angular: float, valid_for: float) -> None:
@@ -90,7 +97,7 @@ class JsonLinesRobot:
         self._write({"velocity": {"linear": linear, "angular": angular, "valid_for": valid_for}})
 
     def stop(self) -> None:
-        # A pipe that nobody reads any more: there is nothing left that could be told to stop.
+        # A pipe that nobody reads any more: there is nothing left that could be told to stop. It is said once.
         lost = self._lost
         try:
             self._write({"stop": True})
@@ -134,18 +141,19 @@ class JsonLinesRobot:
 
     def _write(self, message: dict[str, Any]) -> None:
         line = (json.dumps({**message, "time": round(time.monotonic(), 6)}) + "\n").encode()
-        end = time.monotonic() + self.PATIENCE
         if not self._lock.acquire(timeout=self.PATIENCE):
-            raise RobotError("the process behind the pipe does not read")
+            raise RobotError(_STALLED)  # who holds it finds out whether that is so
         try:
+            end = time.monotonic() + (0.0 if self._lost else self.PATIENCE)
             while line:
                 # What is writable takes a short line whole, without waiting.
                 if not select.select([], [self._out], [], max(end - time.monotonic(), 0.0))[1]:
-                    raise RobotError("the process behind the pipe does not read")
+                    raise BlockingIOError
                 line = line[os.write(self._out, line[: select.PIPE_BUF]) :]
             self._lost = ""
         except BlockingIOError:
-            raise RobotError("the process behind the pipe does not read") from None
+            self._lost = _STALLED
+            raise RobotError(self._lost) from None
         except BrokenPipeError as error:
             self._lost = f"the process behind the pipe is gone: {error}"
             raise RobotError(self._lost) from None

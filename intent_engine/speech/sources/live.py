@@ -69,6 +69,7 @@ class _Block:
     rate: int
     arrived: float
     lost: float
+    early: float = 0.0
 
     @property
     def seconds(self) -> float:
@@ -115,19 +116,22 @@ class Inbox:
 
     # -- the thread that brings sound ----------------------------------------------------------------
 
-    def put(self, samples: npt.NDArray[Any], rate: int, *, lost: float = 0.0, wait: bool = False) -> bool:
+    def put(
+        self, samples: npt.NDArray[Any], rate: int, *, lost: float = 0.0, early: float = 0.0, wait: bool = False
+    ) -> bool:
         """Bring sound; quick, unless told to wait.
 
         Args:
             samples: ``(n,)`` or ``(n, channels)``; copied by the caller if it is to change.
             rate: Hz.
             lost: s of sound known to be missing before it.
+            early: s of sound before it that came before anybody listened, and is not heard: missing too.
             wait: wait for room instead of dropping the oldest.
 
         Returns:
             False when nobody wants it any more.
         """
-        block = _Block(samples, rate, self.clock.now(), lost)
+        block = _Block(samples, rate, self.clock.now(), lost, early)
         with self._changed:
             while wait and self._waiting >= self._capacity and not (self._closed or self._ended):
                 self._changed.wait()
@@ -139,7 +143,8 @@ class Inbox:
                 dropped = self._blocks.popleft()
                 self._waiting -= dropped.seconds
                 next_one = self._blocks[0]
-                self._blocks[0] = replace(next_one, lost=next_one.lost + dropped.lost + dropped.seconds)
+                missing = next_one.lost + dropped.lost + dropped.seconds
+                self._blocks[0] = replace(next_one, lost=missing, early=next_one.early + dropped.early)
             self._changed.notify_all()
         return True
 
@@ -203,10 +208,16 @@ class Inbox:
                     resampler, rate = Resampler(block.rate, start), block.rate
                 elif not counted:
                     self._keep_time(resampler, block)
-                lost += block.lost
+                lost += block.lost + block.early
                 if away:
                     away = False
                     self._tell(ReportKind.BACK, f"{self.name} is back")
+                if block.early:
+                    self._tell(
+                        ReportKind.EARLY,
+                        f"{block.early:.1f} s of sound from {self.name} came before it was listened to and are not "
+                        "heard; what was being said when listening began is not acted on",
+                    )
                 self._tell_lost(block.lost)
                 self._look_for_mute(block)
                 for frame in resampler.push(block.samples):
@@ -222,7 +233,10 @@ class Inbox:
             if self._ended:
                 if resampler is not None:
                     silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
-                    yield from resampler.push(silence, last=True)
+                    for frame in resampler.push(silence, last=True):
+                        last = max(frame.time, last)
+                        yield replace(frame, time=last, lost=lost)
+                        lost = 0.0
                 return
             resampler = None
             if self._patience is None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import struct
 import threading
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, BinaryIO
@@ -98,14 +99,22 @@ class PcmFormat:
 class PcmSource:
     """Frames of raw samples that are read from a file object, in a thread of its own.
 
-    Life cycle: made -> ``frames()`` reads until the end of the file -> ``close()`` (idempotent, from any thread).
-    A read that is under way when it is closed is left behind; the file is not closed.
+    Life cycle: made -> ``check()`` (if wished) -> ``begin()`` (if wished) -> ``frames()`` reads until the end of the
+    file -> ``close()`` (idempotent, from any thread). A read that is under way when it is closed is left behind; the
+    file is not closed.
+
+    What a live source brings between ``check`` and ``begin``, while models are loaded, say, is read and dropped, as a
+    microphone that is not open yet does not hear it. To hear it later would be to act on what was said when nobody
+    listened, seconds ago; and it could not be heard as what it was: a pipe holds two seconds, then whoever writes it
+    loses sound and does not say where. So it is read, which keeps that from happening, and what comes next is marked as
+    sound before which some is missing: "go forward" may be the end of "don't go forward", and only a stop is done then.
 
     Args:
         file: binary; a pipe, standard input, a file.
         form: how the samples lie in it. A WAV header at its beginning says better.
         live: it comes as it is heard: what cannot be taken in time is dropped and told, and times are those of arrival.
             Else it waits and times are counts, as of a recording.
+        realtime: of a recording: play it at its own speed; else as fast as the reader takes it.
         name: for messages.
         patience: s without sound after which a live source counts as deaf.
         on_report: is told what was lost, went away and came back.
@@ -118,6 +127,7 @@ class PcmSource:
         form: PcmFormat | None = None,
         *,
         live: bool = False,
+        realtime: bool = False,
         name: str = "standard input",
         patience: float | None = 2.0,
         on_report: Reporter | None = None,
@@ -126,18 +136,36 @@ class PcmSource:
         self._file = file
         self._form = form or PcmFormat()
         self._live = live
+        self._realtime = realtime
         self._name = name
         self._error: AudioError | None = None
         self._head: bytes | None = None
         self._left: float = np.inf
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
+        self._reader: threading.Thread | None = None
+        self._listened = threading.Event()
+        """Set from when on what comes is heard."""
+        self._early = 0.0
+        """s of sound that came before."""
+        self._heard = False
+        """Whether any came since."""
 
     def check(self) -> None:
-        """Wait for the first bytes, and see whether they may be sound; else this is seen in ``frames``.
+        """Wait for the first bytes, and see whether they may be sound; else this is seen in ``frames``. Of a live
+        source, drop what comes from now on until ``begin``.
 
         Raises:
             AudioError: it is empty, or no raw samples.
         """
+        self._check()
+        if self._live:
+            self._read_on()
+
+    def begin(self) -> None:
+        """From now on it is listened to. ``frames`` does it too, if nobody did before."""
+        self._listened.set()
+
+    def _check(self) -> None:
         if self._head is not None:
             return
         try:
@@ -161,12 +189,25 @@ class PcmSource:
 
     def frames(self) -> Iterator[Frame]:
         """Raises:
-        AudioError: it is empty, or no raw samples.
+        AudioError: it is empty, or no raw samples; or it is live, and all of it came before it was listened to.
         """
-        threading.Thread(target=self._work, name="pcm", daemon=True).start()
-        yield from self._inbox.frames(counted=not self._live)
+        self.begin()
+        self._read_on()
+        frames = self._inbox.frames(counted=not self._live)
+        yield from self._paced(frames) if self._realtime else frames
         if self._error is not None:
             raise self._error
+        if self._early and not self._heard and not self._inbox.closed:
+            raise AudioError(
+                f"{self._name}: all of it ({self._early:.1f} s) came before it was listened to\n"
+                "    listen hears what is said while it listens; play a recording: intent-engine run - < FILE"
+            )
+
+    def _paced(self, frames: Iterator[Frame]) -> Iterator[Frame]:
+        began = time.monotonic()
+        for frame in frames:
+            time.sleep(max(began + frame.time - time.monotonic(), 0.0))
+            yield frame
 
     def close(self) -> None:
         self._inbox.close()
@@ -175,6 +216,12 @@ class PcmSource:
         self._inbox.wake()
 
     # -- the reading thread --------------------------------------------------------------------------
+
+    def _read_on(self) -> None:
+        """Let the thread read, if it does not yet."""
+        if self._reader is None:
+            self._reader = threading.Thread(target=self._work, name="pcm", daemon=True)
+            self._reader.start()
 
     def _work(self) -> None:
         try:
@@ -188,7 +235,7 @@ class PcmSource:
             self._inbox.end()
 
     def _read(self) -> None:
-        self.check()
+        self._check()
         form, left, rest = self._form, self._left, self._head or b""
         size = max(1, int(form.rate * BLOCK_SECONDS)) * form.frame_bytes
         while True:
@@ -197,11 +244,20 @@ class PcmSource:
             rest += data
             whole = len(rest) - len(rest) % form.frame_bytes
             if whole:
-                if not self._inbox.put(form.decode(rest[:whole]), form.rate, wait=not self._live):
+                if not self._bring(rest[:whole], form):
                     return
                 rest = rest[whole:]
             if not data:
                 return
+
+    def _bring(self, data: bytes, form: PcmFormat) -> bool:
+        """Put sound into the box, or drop it; False when nobody wants it any more."""
+        if self._live and not self._listened.is_set():
+            self._early += len(data) / form.frame_bytes / form.rate
+            return not self._inbox.closed
+        early = 0.0 if self._heard else self._early
+        self._heard = True
+        return self._inbox.put(form.decode(data), form.rate, early=early, wait=not self._live)
 
     def _some(self, size: int) -> bytes:
         """What there is, at most ``size``; waits for one byte, not for all of them. Empty: the end."""
