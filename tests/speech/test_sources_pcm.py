@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, ReportKind
+from intent_engine.speech.sources import pcm
 from intent_engine.speech.sources.pcm import FORMATS, PcmFormat, PcmSource
 
 SOUND = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
@@ -216,3 +217,32 @@ def test_a_live_pipe_that_is_closed_before_it_is_listened_to_is_read_no_more():
     source._reader.join(30)
     assert not source._reader.is_alive()
     assert list(source.frames()) == []
+
+
+def test_a_live_pipe_that_has_ended_is_a_recording_and_heard_whole(monkeypatch):
+    monkeypatch.setattr(pcm.time, "sleep", lambda _seconds: None)
+    before = set(threading.enumerate())
+    source = PcmSource(io.BytesIO(encoded(np.full(8_000, 0.5), "s16le")), live=True)
+    source.check()
+    for reader in set(threading.enumerate()) - before:
+        reader.join()
+    assert loud(source) == pytest.approx(8_000, abs=2)
+
+
+def test_so_is_one_that_is_ahead_of_time(monkeypatch):
+    monkeypatch.setattr(pcm.time, "sleep", lambda _seconds: None)
+    count = int((pcm.AHEAD + 3.0) * SAMPLE_RATE)
+    pipe = Piped()
+    source = PcmSource(pipe, live=True)
+    source.check()
+    pipe.write(encoded(np.full(count, 0.5), "s16le"))
+    pipe.settle()
+    source.begin()
+    pipe.write(b"")
+    assert loud(source) == pytest.approx(count, abs=2)
+
+
+def loud(source: PcmSource) -> int:
+    """How many samples of it are sound."""
+    sound = np.concatenate([frame.samples for frame in source.frames()])
+    return int(np.count_nonzero(sound > 0.4))

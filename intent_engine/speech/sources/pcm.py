@@ -96,6 +96,10 @@ class PcmFormat:
         return to_float(samples).reshape(-1, self.channels)
 
 
+AHEAD = 4.0
+"""s of sound by which a pipe from a microphone may be ahead of the time since it is read: what it and its writer hold."""
+
+
 class PcmSource:
     """Frames of raw samples that are read from a file object, in a thread of its own.
 
@@ -108,6 +112,9 @@ class PcmSource:
     listened, seconds ago; and it could not be heard as what it was: a pipe holds two seconds, then whoever writes it
     loses sound and does not say where. So it is read, which keeps that from happening, and what comes next is marked as
     sound before which some is missing: "go forward" may be the end of "don't go forward", and only a stop is done then.
+
+    What ends in that time, or brings more sound than time has gone by (``cat command.raw | ...``), is no microphone but
+    a recording, though it was called live: nothing of it is missing, and it is played at its own speed.
 
     Args:
         file: binary; a pipe, standard input, a file.
@@ -143,16 +150,20 @@ class PcmSource:
         self._left: float = np.inf
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
         self._reader: threading.Thread | None = None
+        self._since = 0.0
+        """When reading began, by the machine's clock."""
         self._listened = threading.Event()
         """Set from when on what comes is heard."""
         self._early = 0.0
         """s of sound that came before."""
-        self._heard = False
-        """Whether any came since."""
+        self._kept: list[bytes] = []
+        """That sound, as long as it may be a recording's."""
+        self._recording = not live
+        self._deciding = threading.Lock()
 
     def check(self) -> None:
         """Wait for the first bytes, and see whether they may be sound; else this is seen in ``frames``. Of a live
-        source, drop what comes from now on until ``begin``.
+        source, drop what comes from now on until ``begin``, if it is no recording.
 
         Raises:
             AudioError: it is empty, or no raw samples.
@@ -163,7 +174,10 @@ class PcmSource:
 
     def begin(self) -> None:
         """From now on it is listened to. ``frames`` does it too, if nobody did before."""
-        self._listened.set()
+        with self._deciding:
+            self._listened.set()
+            if not self._recording:
+                self._kept.clear()
 
     def _check(self) -> None:
         if self._head is not None:
@@ -193,14 +207,15 @@ class PcmSource:
         """
         self.begin()
         self._read_on()
-        frames = self._inbox.frames(counted=not self._live)
-        yield from self._paced(frames) if self._realtime else frames
+        recording = self._recording  # from here on it changes no more
+        frames = self._inbox.frames(counted=recording)
+        yield from self._paced(frames) if self._realtime or (self._live and recording) else frames
         if self._error is not None:
             raise self._error
-        if self._early and not self._heard and not self._inbox.closed:
+        if self._early and not recording and not self._inbox.closed:
             raise AudioError(
                 f"{self._name}: all of it ({self._early:.1f} s) came before it was listened to\n"
-                "    listen hears what is said while it listens; play a recording: intent-engine run - < FILE"
+                "    say it again, once it says that it listens"
             )
 
     def _paced(self, frames: Iterator[Frame]) -> Iterator[Frame]:
@@ -220,6 +235,7 @@ class PcmSource:
     def _read_on(self) -> None:
         """Let the thread read, if it does not yet."""
         if self._reader is None:
+            self._since = time.monotonic()
             self._reader = threading.Thread(target=self._work, name="pcm", daemon=True)
             self._reader.start()
 
@@ -248,16 +264,37 @@ class PcmSource:
                     return
                 rest = rest[whole:]
             if not data:
+                self._keep(b"", form, ended=True)
+                self._put_kept(form)
                 return
 
     def _bring(self, data: bytes, form: PcmFormat) -> bool:
         """Put sound into the box, or drop it; False when nobody wants it any more."""
-        if self._live and not self._listened.is_set():
-            self._early += len(data) / form.frame_bytes / form.rate
+        if self._keep(data, form):
             return not self._inbox.closed
-        early = 0.0 if self._heard else self._early
-        self._heard = True
-        return self._inbox.put(form.decode(data), form.rate, early=early, wait=not self._live)
+        if not self._put_kept(form):
+            return False
+        early, self._early = (0.0 if self._recording else self._early), 0.0
+        return self._inbox.put(form.decode(data), form.rate, early=early, wait=self._recording)
+
+    def _keep(self, data: bytes, form: PcmFormat, *, ended: bool = False) -> bool:
+        """Keep what comes before anybody listens, until it is known what it is; False: it is to be heard."""
+        with self._deciding:
+            if self._recording or self._listened.is_set():
+                return False
+            seconds = len(data) / form.frame_bytes / form.rate
+            if ended or self._early + seconds > time.monotonic() - self._since + AHEAD:
+                self._recording = True
+                return False
+            self._early += seconds
+            self._kept.append(data)
+            return True
+
+    def _put_kept(self, form: PcmFormat) -> bool:
+        """Put what was kept of a recording into the box; it is taken when somebody listens."""
+        kept = b"".join(self._kept)
+        self._kept.clear()
+        return not kept or self._inbox.put(form.decode(kept), form.rate, wait=True)
 
     def _some(self, size: int) -> bytes:
         """What there is, at most ``size``; waits for one byte, not for all of them. Empty: the end."""
