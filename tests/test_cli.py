@@ -116,9 +116,21 @@ def test_debug_shows_where():
     assert "Traceback" in result.stderr
 
 
+@pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard._Terminated, 143)])
+def test_of_a_robot_only_a_verb_that_has_one_speaks(monkeypatch, ending, code):
+    def ended(*_: object) -> None:
+        raise ending
+
+    monkeypatch.setattr("intent_engine.cli.parse.load_engine", ended)
+    monkeypatch.setattr("intent_engine.cli.listening.session", ended)
+    for arguments, told in ((["parse", "stop"], False), (["listen"], True), (["run", "examples/demo.flac"], True)):
+        result = CliRunner().invoke(app, arguments)
+        assert (result.exit_code, "the robot is stopped" in result.stderr) == (code, told)
+
+
 DESTROYED = """
 import signal, sys, threading, time
-from intent_engine.cli.guard import verb
+from intent_engine.cli.guard import robot_verb
 
 class Held:
     def __del__(self):
@@ -136,7 +148,7 @@ class Again(threading.Timer):
 
 threading.Timer = Again
 
-@verb
+@robot_verb
 def drive():
     held = Held()
     del held

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
-from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, robot_verb
 from intent_engine.cli.listening_options import Hearing, RawSamples, Telling, session
 from intent_engine.cli.option_groups import grouped
 from intent_engine.cli.terminal import json_line, note, table
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["listen", "run"]
 
 
-@verb
+@robot_verb
 @grouped
 def run(
     file: Annotated[
@@ -71,7 +71,7 @@ def run(
     return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
 
-@verb
+@robot_verb
 @grouped
 def listen(
     *,

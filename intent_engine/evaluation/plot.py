@@ -11,7 +11,9 @@ from intent_engine.evaluation.scoring import Outcome, Score
 __all__ = ["plot_scores"]
 
 
-def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path, *, goal: float | None = None) -> None:
+def plot_scores(
+    scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path, *, goal: float | None = None, title: str = ""
+) -> None:
     """Draw accuracy against noise, one line a model, and the distribution of the time to the action.
 
     Args:
@@ -19,6 +21,7 @@ def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path
         outcomes: of all conditions.
         path: PNG, SVG or PDF.
         goal: share of commands that should be right, drawn as a line.
+        title: stands above both.
 
     Raises:
         IntentEngineError: matplotlib is not installed.
@@ -29,6 +32,8 @@ def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path
     except ImportError:
         raise IntentEngineError("drawing needs matplotlib\n    pip install 'intent-engine[evaluate]'") from None
     figure = Figure(figsize=(10, 4.2), layout="constrained")
+    if title:
+        figure.suptitle(title)
     left, right = figure.subplots(1, 2)
     models = list(dict.fromkeys(found.model for found in scores))
     noises = list(dict.fromkeys(found.noise for found in scores))
