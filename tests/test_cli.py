@@ -190,3 +190,32 @@ def test_numbers_stand_to_the_right(capsys):
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
     one, two = (next(line for line in lines if line.lstrip().startswith(name)) for name in ("one", "two"))
     assert len(one) == len(two)
+
+
+WIDE = ("model", "noise", *(f"column number {number}" for number in range(9)))
+
+
+def test_a_table_wider_than_its_terminal_is_cut_into_several(monkeypatch, capsys):
+    from intent_engine.cli import terminal
+
+    rows = [(f"model {row}", "none", *(f"{row}.{column}" for column in range(9))) for row in range(3)]
+    monkeypatch.setenv("COLUMNS", "300")
+    terminal.table("", WIDE, rows, keys=2)
+    assert len(capsys.readouterr().out.splitlines()) == 2 + 3
+    monkeypatch.setenv("COLUMNS", "80")
+    terminal.table("", WIDE, rows, keys=2)
+    shown = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
+    assert max(map(len, shown)) <= 80
+    assert sum(line.startswith("model     noise   column") for line in shown) == 3
+    words = " ".join(shown)
+    assert all(words.count(name) == 1 for name in WIDE[2:])
+    assert all(words.count(cell) == 1 for row in rows for cell in row[2:])
+
+
+@pytest.mark.parametrize("columns", ["", "0", "wide"])
+def test_a_table_in_a_file_has_a_width_of_its_own(monkeypatch, capsys, columns):
+    from intent_engine.cli import terminal
+
+    monkeypatch.setenv("COLUMNS", columns)
+    terminal.table("", WIDE, [WIDE], keys=2)
+    assert 80 < max(map(len, capsys.readouterr().out.splitlines())) <= terminal.PIPE_WIDTH

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -205,6 +206,19 @@ def test_a_run_to_the_end_says_so(heard_until_ctrl_c):
     done = heard_until_ctrl_c(10, "--json")
     assert done.exit_code == 0
     assert json.loads(done.stdout.splitlines()[-1])["complete"] is True
+
+
+def test_a_table_of_eighty_columns(heard_until_ctrl_c, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    done = heard_until_ctrl_c(10)
+    assert done.exit_code == 0
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    words = " ".join(done.stdout.split())
+    assert "commands right" in words
+    assert "word errors" in words
+    assert "p50" not in words, "nothing was done, so it took no time"
+    assert "what did not go right" in words
+    assert re.search(r"demo.*, none, missed said go forward two meters heard expected move done nothing", words)
 
 
 def test_two_models_in_folders_of_one_name_are_told_apart():

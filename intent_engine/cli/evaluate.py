@@ -15,7 +15,7 @@ from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
-from intent_engine.cli.terminal import error_block, json_line, note, progress, say, table
+from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
@@ -239,7 +239,15 @@ def _tell(outcomes: list[Outcome]) -> None:
 
 
 def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -> None:
-    from intent_engine.evaluation.report import MISS_COLUMNS, miss_cells, misses, reflex_text, score_table
+    from intent_engine.evaluation.report import (
+        MISS_COLUMNS,
+        MISS_KEYS,
+        SCORE_KEYS,
+        miss_cells,
+        misses,
+        reflex_text,
+        score_table,
+    )
 
     if as_json:
         for found in results:
@@ -249,13 +257,13 @@ def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -
         return
     if not results:
         return
-    table(f"incomplete: {run.ended}" if run.interrupted else "", *score_table(results))
+    table(f"incomplete: {run.ended}" if run.interrupted else "", *score_table(results), keys=SCORE_KEYS)
     for text in filter(None, map(reflex_text, results)):
-        say(text)
+        paragraph(text)
     failed = misses(run.outcomes)
     if failed:
         say()
-        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]))
+        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]), keys=MISS_KEYS, listed=True)
         if len(failed) > SHOWN:
             note(f"and {len(failed) - SHOWN} more" + ("" if all_in else "; --csv FILE writes them all"))
     errors = {error for outcome in run.outcomes for error in outcome.errors}
