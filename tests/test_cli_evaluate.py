@@ -221,6 +221,15 @@ def test_a_table_of_eighty_columns(heard_until_ctrl_c, monkeypatch):
     assert re.search(r"demo.*, none, missed said go forward two meters heard expected move done nothing", words)
 
 
+def test_without_what_counts_the_words(monkeypatch):
+    monkeypatch.setitem(sys.modules, "jiwer", None)
+    done = CliRunner().invoke(app, ["evaluate", str(TEN)])
+    assert done.exit_code == 2
+    assert done.stderr == (
+        "error: evaluate needs jiwer, which is not installed\n    pip install 'intent-engine[evaluate]'\n"
+    )
+
+
 def test_two_models_in_folders_of_one_name_are_told_apart():
     from intent_engine.cli.evaluate import _names
 

@@ -16,7 +16,7 @@ from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondM
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
 from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
-from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 
@@ -166,7 +166,8 @@ def _needs_jiwer() -> None:
     try:
         import jiwer  # noqa: F401
     except ImportError:
-        raise IntentEngineError("evaluate needs jiwer\n    pip install 'intent-engine[evaluate]'") from None
+        hint = "pip install 'intent-engine[evaluate]'"
+        raise ConfigError(Problem("evaluate needs jiwer, which is not installed", hint=hint)) from None
 
 
 def _snrs(text: str | None) -> list[float]:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.executor import Executor
     from intent_engine.runtime import Runtime, Summary
     from intent_engine.speech.audio import AudioSource
+    from intent_engine.speech.sources.pcm import PcmFormat
 
 __all__ = ["listen", "run"]
 
@@ -47,15 +48,23 @@ def run(
     from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource, is_headerless
 
     if telling.watch and not realtime:
-        raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
+        raise ConfigError(
+            Problem(
+                "--watch needs --realtime",
+                hint="give both: else the recording is over before anyone could edit the grammar",
+            )
+        )
     if telling.live and not realtime:
-        raise typer.BadParameter("--live needs --realtime: without it all is over at once; --map draws the whole way")
+        raise ConfigError(
+            Problem("--live needs --realtime", hint="give both, or --map: it draws the whole way when all is over")
+        )
+    form = samples.form()
     source: AudioSource
     if str(file) == "-":
-        source, name = _pcm("-", samples, live=realtime), "standard input"
+        source, name = _pcm("-", form, live=realtime), "standard input"
     else:
-        form = samples.form() if samples.given and is_headerless(file) else None
-        source, name = FileSource(file, realtime=realtime, form=form), str(file)
+        raw = form if samples.given and is_headerless(file) else None
+        source, name = FileSource(file, realtime=realtime, form=raw), str(file)
     made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock())
 
     def somebody_spoke(summary: Summary) -> None:
@@ -107,6 +116,14 @@ def listen(
         return _list_devices(telling.as_json)
     if device is not None and pcm is not None:
         raise ConfigError(Problem("a microphone and raw samples at once", hint="give --device or --pcm, not both"))
+    form = samples.form()
+    if samples.given and pcm is None:
+        hint = "say where they come from: --pcm -; a microphone needs none of these"
+        raise ConfigError(Problem("--rate, --format and --channels are of raw samples", hint=hint))
+    if in_process and drive is None:
+        raise ConfigError(
+            Problem("--in-process without --drive", hint="leave it out: a simulated robot is here anyway")
+        )
     if push_to_talk:
         from intent_engine.cli.keys import check_terminal
 
@@ -119,7 +136,7 @@ def listen(
     made.drive, made.in_process = drive, in_process
     source: AudioSource
     if pcm is not None:
-        source, name = _pcm(pcm, samples, live=True, session=made), pcm.replace("-", "standard input")
+        source, name = _pcm(pcm, form, live=True, session=made), pcm.replace("-", "standard input")
     else:
         from intent_engine.speech.sources.microphone import Microphone
 
@@ -159,10 +176,9 @@ def _controls(name: str, push_to_talk: bool, runtime: Runtime, executor: Executo
         yield
 
 
-def _pcm(where: str, samples: RawSamples, *, live: bool, session: Session | None = None) -> AudioSource:
+def _pcm(where: str, form: PcmFormat, *, live: bool, session: Session | None = None) -> AudioSource:
     from intent_engine.speech.sources.pcm import PcmSource
 
-    form = samples.form()
     file: BinaryIO
     if where == "-":
         if sys.stdin is None or sys.stdin.isatty():

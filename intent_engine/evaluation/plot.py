@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.evaluation.scoring import Outcome, Score
 
 __all__ = ["plot_scores"]
@@ -24,13 +24,13 @@ def plot_scores(
         title: stands above both.
 
     Raises:
-        IntentEngineError: matplotlib is not installed.
-        ConfigError: the file cannot be written.
+        ConfigError: matplotlib is not installed, or the file cannot be written.
     """
     try:
         from matplotlib.figure import Figure
     except ImportError:
-        raise IntentEngineError("drawing needs matplotlib\n    pip install 'intent-engine[evaluate]'") from None
+        hint = "pip install 'intent-engine[evaluate]'"
+        raise ConfigError(Problem("drawing needs matplotlib, which is not installed", hint=hint)) from None
     figure = Figure(figsize=(10, 4.2), layout="constrained")
     if title:
         figure.suptitle(title)
