@@ -84,7 +84,7 @@ def _guarded(function: Callable[P, int | None], stopped: str) -> Callable[P, Non
 def _run(function: Callable[[], int | None], stopped: str) -> int:
     try:
         return function() or 0
-    except (typer.Exit, typer.BadParameter):
+    except typer.Exit:
         raise
     except IntentEngineError as error:
         _trace()
