@@ -95,12 +95,11 @@ def note(text: str) -> None:
 
 def redrawn(view: Any) -> contextlib.AbstractContextManager[object]:
     """Something that is drawn again and again below what is printed; nothing where standard output is no terminal."""
-    console = _out()
-    if not console.is_terminal:
+    if not sys.stdout.isatty():  # colours may be forced into a file, what moves may not
         return contextlib.nullcontext()
     from rich.live import Live
 
-    return Live(view, console=console, refresh_per_second=8, transient=True)
+    return Live(view, console=_out(), refresh_per_second=8, transient=True)
 
 
 def error_block(message: str) -> None:
