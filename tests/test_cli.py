@@ -47,6 +47,14 @@ def test_every_verb_has_help_with_examples_that_name_its_options(verb):
         assert set(re.findall(r"(--[a-z][a-z-]+)", command)) <= options
 
 
+def test_the_help_names_the_languages_whose_grammars_there_are():
+    from intent_engine.cli.options import Language
+    from intent_engine.resources import names
+
+    (option,) = Language.__metadata__
+    assert f": {' or '.join(sorted(names('grammars'), reverse=True))}, whose grammar is taken;" in option.help
+
+
 def test_colours_are_for_terminals_that_want_them(monkeypatch, capsys):
     from intent_engine.cli import terminal
 

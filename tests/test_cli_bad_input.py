@@ -164,7 +164,20 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             ["evaluate", ".", "--at-least", "101"],
             "--at-least: 101.0 is out of range\n    give a number from 0 to 100\n",
         ),
-        (["parse", "--language", "tlh", "stop"], "no file tlh.yaml in grammars/"),
+        (
+            ["parse", "--language", "fr", "stop"],
+            "--language: there is no grammar for 'fr'\n    there is one for de, en; for another language give your "
+            "own, with language: fr in it: --grammar my_grammar.yaml --language fr\n",
+        ),
+        (["parse", "--language", "", "stop"], "--language: there is no grammar for ''\n    there is one for de, en;"),
+        (
+            ["complete", "--language", "grammars/de.yaml", "stop"],
+            "--language: there is no grammar for 'grammars/de.yaml'",
+        ),
+        (
+            ["parse", "--grammar", "en", "--language", "fr", "stop"],
+            "no grammar of language 'fr' is loaded; there is en\n    ask for one of these, or load a grammar with",
+        ),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
