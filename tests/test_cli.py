@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
 import subprocess
@@ -53,6 +54,29 @@ def test_the_help_names_the_languages_whose_grammars_there_are():
 
     (option,) = Language.__metadata__
     assert f": {' or '.join(sorted(names('grammars'), reverse=True))}, whose grammar is taken;" in option.help
+
+
+def test_an_option_is_written_alike_with_every_verb():
+    written: dict[str, set[str]] = {}
+    for verb in VERBS:
+        for option in get_command(app).commands[verb].params:  # type: ignore[attr-defined]
+            if option.param_type_name == "option":
+                written.setdefault(max(option.opts, key=len), set()).add(min(option.opts, key=len))
+    assert {name: short for name, short in written.items() if len(short) > 1} == {}
+    shorts = [short for (short,) in written.values() if not short.startswith("--")]
+    assert len(set(shorts)) == len(shorts)
+
+
+@pytest.mark.parametrize("verb", sorted({*VERBS} - {"drill", "doctor"}))
+def test_every_verb_that_needs_a_grammar_takes_it_with_g(verb):
+    options = [option.opts for option in get_command(app).commands[verb].params]  # type: ignore[attr-defined]
+    assert ["--grammar", "-g"] in options
+
+
+def test_grammars_to_test_may_be_named_both_ways(intent_engine):
+    both = intent_engine("test", "en", "-g", "de", "-l", "home", "-l", "zuhause", "--json")
+    assert both.returncode == 0, both.stderr
+    assert {json.loads(line)["file"].split("/")[-1] for line in both.stdout.splitlines()} == {"en.yaml", "de.yaml"}
 
 
 def test_colours_are_for_terminals_that_want_them(monkeypatch, capsys):

@@ -14,7 +14,7 @@ from intent_engine.resources import default_grammar, default_locations, find, na
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["Grammars", "Json", "Language", "Locations", "Robots", "load_engine"]
+__all__ = ["Grammars", "Json", "Language", "Locations", "NamedToo", "Robots", "load_engine"]
 
 Grammars = Annotated[
     list[str] | None,
@@ -22,6 +22,10 @@ Grammars = Annotated[
         "--grammar", "-g", help="Grammar file, or the name of a shipped one; may be repeated.", show_default="en"
     ),
 ]
+NamedToo = Annotated[
+    list[str] | None, typer.Option("--grammar", "-g", help="The same, as other verbs take it.", show_default=False)
+]
+"""Of verbs whose arguments are grammars."""
 Locations = Annotated[
     list[str] | None,
     typer.Option(
