@@ -13,6 +13,10 @@ import numpy as np
 import pytest
 import soundfile
 import soxr
+from typer.testing import CliRunner
+
+from intent_engine.cli import app
+from intent_engine.cli.session import Session
 
 ROOT = Path(__file__).resolve().parent.parent
 RATE = 16_000
@@ -279,6 +283,49 @@ def _without_a_terminal(args: list[str], environment: dict[str, str]) -> subproc
         timeout=120,
         check=False,
     )
+
+
+class Failing:
+    """A recogniser that fails, at first or for ever."""
+
+    def __init__(self, real: object, failures: int) -> None:
+        self.real, self.failures = real, failures
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> object:
+        if self.failures:
+            self.failures -= 1
+            raise RuntimeError("out of memory")
+        return self.real.transcribe(samples, final=final)
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize(
+    "arguments", [["run", "examples/demo.flac"], ["listen", "--pcm", "{raw}"]], ids=lambda arguments: arguments[0]
+)
+def test_a_recogniser_that_fails_at_everything(monkeypatch, tmp_path, go_forward, arguments):
+    (tmp_path / "x.raw").write_bytes(raw(go_forward))
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr("intent_engine.cli.session.Session._recognizer", lambda _: Failing(None, 1000))
+    given = [part.format(raw=tmp_path / "x.raw") for part in arguments]
+    done = CliRunner().invoke(app, [*given, "--no-reflex"])
+    assert done.exit_code == 5, done.output
+    assert "the recogniser failed: RuntimeError: out of memory" in done.stdout
+    assert "0 sentences, 0 understood" in done.stdout
+    block = done.stderr[done.stderr.index("error: ") :]
+    assert block.startswith("error: nothing of what was said could be recognised (")
+    assert "the last: the recogniser failed: RuntimeError: out of memory" in block
+    assert "intent-engine doctor" in block
+
+
+def test_a_recogniser_that_fails_now_and_then(monkeypatch):
+    whole = Session._recognizer
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr(Session, "_recognizer", lambda session: Failing(whole(session), 1))
+    done = CliRunner().invoke(app, ["run", "examples/demo.flac", "--no-reflex", "--second-model", "none"])
+    assert done.exit_code == 0, done.output
+    assert "the recogniser failed: RuntimeError: out of memory" in done.stdout
 
 
 def test_what_is_no_raw_sound(intent_engine):

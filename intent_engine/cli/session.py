@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from intent_engine.cli.terminal import note, redrawn, say
-from intent_engine.errors import ConfigError, Problem, RobotError
+from intent_engine.errors import ConfigError, Problem, RobotError, WeightsError
 from intent_engine.pauses import avoid_pauses
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ class Session:
         Raises:
             ConfigError: the commands cannot be written where they should.
             RobotError: what read them went away.
+            WeightsError: the recogniser failed at everything that was said.
         """
         from intent_engine.cli.reporter import Reporter
         from intent_engine.execution.executor import Executor
@@ -173,6 +174,12 @@ class Session:
                 raise RobotError(f"{self.drive}: {loss.reason}\n    start what reads the commands again, and listen")
             reporter.end(summary, self.clock.now())
         self._draw(simulated)
+        if summary.errors and not summary.utterances:
+            raise WeightsError(
+                f"nothing of what was said could be recognised ({summary.errors} "
+                f"failure{'s' * (summary.errors != 1)}; the last: {reporter.error})\n"
+                "    look at this machine with intent-engine doctor, or take another model: --model base"
+            )
         return Ended(summary, reporter.failed)
 
     def report(self, report: Report) -> None:
