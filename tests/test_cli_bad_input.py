@@ -63,7 +63,26 @@ RECORDINGS = {
     "header only": (_write("none.wav", np.zeros(0)), "holds no sound"),
     "half a header": (_bytes("head.wav", b"RIFF\x24\x00\x00\x00WAVEfmt "), "no sound file"),
     "truncated wav": (lambda folder: _half(_write("cut.wav", _speech(8))(folder)), "is cut off: 50%"),
-    "truncated flac": (lambda folder: _half(_write("cut.flac", _speech(8))(folder)), "breaks off"),
+    "truncated flac": (
+        lambda folder: _half(_write("cut.flac", _speech(8))(folder)),
+        "be read beyond about 2 s\n    copy",
+    ),
+    "truncated vorbis": (
+        lambda folder: _half(_write("cut.ogg", _speech(8))(folder)),
+        "is cut off: the end of its sound",
+    ),
+    "truncated opus": (
+        lambda folder: _half(_write("cut.ogg", _speech(8), subtype="OPUS")(folder)),
+        "is cut off: the end of its sound is not there\n    copy",
+    ),
+    "truncated mp3": (
+        lambda folder: _half(_write("cut.mp3", _speech(8))(folder)),
+        "is cut off: 50% of its sound is there",
+    ),
+    "beginning of a flac": (
+        _bytes("head.flac", b"fLaC" + bytes(30)),
+        "begins as FLAC does, but cannot be read: it is cut",
+    ),
     "silent": (_write("silent.wav", np.zeros(3 * RATE)), "nobody speaks in it (3.0 s)"),
     "not a number": (_write("nan.wav", np.full(2 * RATE, np.nan), subtype="FLOAT"), "nobody speaks in it (2.0 s)"),
     "text": (_bytes("notes.wav", b"go forward two meters\n" * 50), "no sound file"),
