@@ -77,7 +77,7 @@ RECORDINGS = {
     ),
     "truncated mp3": (
         lambda folder: _half(_write("cut.mp3", _speech(8))(folder)),
-        "is cut off: 50% of its sound is there",
+        "is cut off: 50% of it is there\n    copy or record it again",
     ),
     "beginning of a flac": (
         _bytes("head.flac", b"fLaC" + bytes(30)),
