@@ -189,7 +189,9 @@ class IntentEngine:
             return self._parsers[0]
         interpreter = self._loaded.interpreters.get(language.split("-")[0])
         if interpreter is None:
-            raise ConfigError(f"no grammar of language {language!r} is loaded; there is {', '.join(self.languages)}")
+            there = ", ".join(self.languages)
+            hint = f"ask for one of these, or load a grammar with language: {language or 'fr'}"
+            raise ConfigError(Problem(f"no grammar of language {language!r} is loaded; there is {there}", hint=hint))
         return interpreter
 
     # -- understanding ----------------------------------------------------------------------------------------

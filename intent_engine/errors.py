@@ -83,7 +83,7 @@ class DeviceError(IntentEngineError):
 
 
 class WeightsError(IntentEngineError):
-    """Model weights are missing or do not match their digest."""
+    """Model weights are missing or do not match their digest, or the model fails at everything that it hears."""
 
     exit_code = 5
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["default_grammar", "default_locations", "default_robot", "find", "shipped"]
+__all__ = ["default_grammar", "default_locations", "default_robot", "find", "names", "shipped"]
 
 PACKAGE = Path(__file__).parent
 _SUFFIX = ".yaml"
@@ -38,9 +38,14 @@ def find(kind: str, name: str) -> Path:
         path = folder / f"{name}{_SUFFIX}"
         if path.is_file():
             return path
-    known = sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{_SUFFIX}")})
+    known = names(kind)
     hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
     raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))
+
+
+def names(kind: str) -> list[str]:
+    """The names that ``find`` knows."""
+    return sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{_SUFFIX}")})
 
 
 def shipped(kind: str, name: str) -> Path | None:

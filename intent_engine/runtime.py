@@ -403,22 +403,18 @@ class Runtime:
             "goes_on": understood.step.goes_on,
             "in_turn": understood.step.in_turn,
         }
-        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
-        self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
-        stopping = meaning.stops
-        if stopping:
+        if meaning.stops or understood.withdrawn:  # first of all: who is told may take its time
             self._held = False
             self._last = ()
-            self._continuing.stopped(utterance, meaning)
             self.executor.stop()
+        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
+        self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
+        if meaning.stops:
+            self._continuing.stopped(utterance, meaning)
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
-        if understood.withdrawn:
-            self._held = False
-            self._last = ()
-            self.executor.stop()
-        elif self._held:
+        if self._held:
             self._release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
 import subprocess
@@ -45,6 +46,37 @@ def test_every_verb_has_help_with_examples_that_name_its_options(verb):
         command, *_ = example.split("|")
         assert f"intent-engine {verb}" in command
         assert set(re.findall(r"(--[a-z][a-z-]+)", command)) <= options
+
+
+def test_the_help_names_the_languages_whose_grammars_there_are():
+    from intent_engine.cli.options import Language
+    from intent_engine.resources import names
+
+    (option,) = Language.__metadata__
+    assert f": {' or '.join(sorted(names('grammars'), reverse=True))}, whose grammar is taken;" in option.help
+
+
+def test_an_option_is_written_alike_with_every_verb():
+    written: dict[str, set[str]] = {}
+    for verb in VERBS:
+        for option in get_command(app).commands[verb].params:  # type: ignore[attr-defined]
+            if option.param_type_name == "option":
+                written.setdefault(max(option.opts, key=len), set()).add(min(option.opts, key=len))
+    assert {name: short for name, short in written.items() if len(short) > 1} == {}
+    shorts = [short for (short,) in written.values() if not short.startswith("--")]
+    assert len(set(shorts)) == len(shorts)
+
+
+@pytest.mark.parametrize("verb", sorted({*VERBS} - {"drill", "doctor"}))
+def test_every_verb_that_needs_a_grammar_takes_it_with_g(verb):
+    options = [option.opts for option in get_command(app).commands[verb].params]  # type: ignore[attr-defined]
+    assert ["--grammar", "-g"] in options
+
+
+def test_grammars_to_test_may_be_named_both_ways(intent_engine):
+    both = intent_engine("test", "en", "-g", "de", "-l", "home", "-l", "zuhause", "--json")
+    assert both.returncode == 0, both.stderr
+    assert {json.loads(line)["file"].split("/")[-1] for line in both.stdout.splitlines()} == {"en.yaml", "de.yaml"}
 
 
 def test_colours_are_for_terminals_that_want_them(monkeypatch, capsys):
@@ -116,9 +148,21 @@ def test_debug_shows_where():
     assert "Traceback" in result.stderr
 
 
+@pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard._Terminated, 143)])
+def test_of_a_robot_only_a_verb_that_has_one_speaks(monkeypatch, ending, code):
+    def ended(*_: object) -> None:
+        raise ending
+
+    monkeypatch.setattr("intent_engine.cli.parse.load_engine", ended)
+    monkeypatch.setattr("intent_engine.cli.listening.session", ended)
+    for arguments, told in ((["parse", "stop"], False), (["listen"], True), (["run", "examples/demo.flac"], True)):
+        result = CliRunner().invoke(app, arguments)
+        assert (result.exit_code, "the robot is stopped" in result.stderr) == (code, told)
+
+
 DESTROYED = """
 import signal, sys, threading, time
-from intent_engine.cli.guard import verb
+from intent_engine.cli.guard import robot_verb
 
 class Held:
     def __del__(self):
@@ -136,7 +180,7 @@ class Again(threading.Timer):
 
 threading.Timer = Again
 
-@verb
+@robot_verb
 def drive():
     held = Held()
     del held
@@ -178,3 +222,32 @@ def test_numbers_stand_to_the_right(capsys):
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
     one, two = (next(line for line in lines if line.lstrip().startswith(name)) for name in ("one", "two"))
     assert len(one) == len(two)
+
+
+WIDE = ("model", "noise", *(f"column number {number}" for number in range(9)))
+
+
+def test_a_table_wider_than_its_terminal_is_cut_into_several(monkeypatch, capsys):
+    from intent_engine.cli import terminal
+
+    rows = [(f"model {row}", "none", *(f"{row}.{column}" for column in range(9))) for row in range(3)]
+    monkeypatch.setenv("COLUMNS", "300")
+    terminal.table("", WIDE, rows, keys=2)
+    assert len(capsys.readouterr().out.splitlines()) == 2 + 3
+    monkeypatch.setenv("COLUMNS", "80")
+    terminal.table("", WIDE, rows, keys=2)
+    shown = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
+    assert max(map(len, shown)) <= 80
+    assert sum(line.startswith("model     noise   column") for line in shown) == 3
+    words = " ".join(shown)
+    assert all(words.count(name) == 1 for name in WIDE[2:])
+    assert all(words.count(cell) == 1 for row in rows for cell in row[2:])
+
+
+@pytest.mark.parametrize("columns", ["", "0", "wide"])
+def test_a_table_in_a_file_has_a_width_of_its_own(monkeypatch, capsys, columns):
+    from intent_engine.cli import terminal
+
+    monkeypatch.setenv("COLUMNS", columns)
+    terminal.table("", WIDE, [WIDE], keys=2)
+    assert 80 < max(map(len, capsys.readouterr().out.splitlines())) <= terminal.PIPE_WIDTH

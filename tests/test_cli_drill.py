@@ -43,7 +43,7 @@ def test_ctrl_c_is_answered_by_one_message(root):
         os.killpg(process.pid, signal.SIGINT)
         error = process.stderr.read()
     assert process.returncode == 130
-    assert error == "error: interrupted; the robot is stopped\n"
+    assert error == "error: interrupted\n"
 
 
 def test_a_robot_file_that_is_not_there(intent_engine):

@@ -4,12 +4,20 @@ from __future__ import annotations
 
 import csv
 import json
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 import soundfile
+from typer.testing import CliRunner, Result
 
+from intent_engine.cli import app
+from intent_engine.evaluation.hearing import Hearing
 from intent_engine.speech.models import installed_second
 
 TEN = Path("examples") / "ten_commands"
@@ -112,6 +120,114 @@ def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_p
     done = intent_engine("evaluate", tmp_path)
     assert done.returncode == 3
     assert f"{tmp_path / 'labels.jsonl'}:2: {tmp_path / 'cut.wav'}: is cut off" in done.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_ctrl_c_ends_it_with_what_was_measured(root):
+    command = [sys.executable, "-u", "-m", "intent_engine.cli", "evaluate", str(TEN)]
+    command += ["--json", "--second-model", "none"]
+    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        heard = [process.stdout.readline() for _ in range(2)]
+        process.send_signal(signal.SIGINT)
+        rest = process.stdout.read()
+        error = process.stderr.read()
+    assert process.returncode == 130, error
+    *heard, score, interrupted = [json.loads(line) for line in "".join([*heard, rest]).splitlines()]
+    assert {one["event"] for one in heard} == {"recording"}
+    assert (score["event"], score["recordings"], score["complete"]) == ("score", len(heard), False)
+    assert interrupted == {"event": "interrupted", "heard": len(heard), "of": 10}
+    assert error == f"error: interrupted after {len(heard)} of 10 recordings\n"
+
+
+@pytest.fixture
+def heard_until_ctrl_c(monkeypatch, root) -> Callable[..., Result]:
+    """``evaluate`` with a recogniser that hears nothing, and Ctrl-C after so many recordings."""
+
+    class Deaf:
+        def close(self) -> None:
+            pass
+
+    class Listener:
+        left = 0
+
+        def hear(self, source: object) -> Hearing:
+            if self.left == 0:
+                raise KeyboardInterrupt
+            self.left -= 1
+            return Hearing()
+
+    listener = Listener()
+
+    def run(after: int, *options: object, models: int = 1) -> Result:
+        listener.left = after
+        names = [f"model{number}" for number in range(models)]
+        monkeypatch.chdir(root)
+        monkeypatch.setattr("intent_engine.cli.evaluate._listener", lambda *_: listener)
+        monkeypatch.setattr("intent_engine.cli.evaluate._recognizers", lambda *_: ((name, Deaf()) for name in names))
+        chosen = [part for name in names for part in ("-m", name)]
+        return CliRunner().invoke(app, ["evaluate", str(TEN), "--no-reflex", *chosen, *map(str, options)])
+
+    return run
+
+
+def test_what_was_measured_before_ctrl_c_in_a_table_a_spreadsheet_and_a_picture(heard_until_ctrl_c, tmp_path):
+    files = ("--csv", tmp_path / "out.csv", "--plot", tmp_path / "out.svg")
+    done = heard_until_ctrl_c(3, "--at-least", 0, *files)
+    assert done.exit_code == 130
+    assert done.stdout.startswith("incomplete: interrupted after 3 of 10 recordings")
+    assert "(0/3)" in done.stdout
+    assert "every recording that was heard is in" in done.stderr
+    assert done.stderr.endswith("error: interrupted after 3 of 10 recordings\n")
+    assert len((tmp_path / "out.csv").read_text().splitlines()) == 1 + 3
+    assert "interrupted after 3 of 10" in (tmp_path / "out.svg").read_text()
+
+
+def test_which_conditions_are_whole_after_ctrl_c(heard_until_ctrl_c):
+    done = heard_until_ctrl_c(14, "--json", models=2)
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [(one["model"], one["complete"]) for one in lines if one["event"] == "score"] == [
+        ("model0", True),
+        ("model1", False),
+    ]
+    assert lines[-1] == {"event": "interrupted", "heard": 14, "of": 20}
+    assert "interrupted after 14 of 20 hearings (10 recordings, 2 times each)" in done.stderr
+
+
+def test_ctrl_c_before_anything_was_measured(heard_until_ctrl_c, tmp_path):
+    done = heard_until_ctrl_c(0, "--csv", tmp_path / "out.csv")
+    assert (done.exit_code, done.stdout) == (130, "")
+    assert done.stderr == "error: interrupted before anything was measured\n"
+    assert not (tmp_path / "out.csv").exists()
+
+
+def test_a_run_to_the_end_says_so(heard_until_ctrl_c):
+    done = heard_until_ctrl_c(10, "--json")
+    assert done.exit_code == 0
+    assert json.loads(done.stdout.splitlines()[-1])["complete"] is True
+
+
+def test_a_table_of_eighty_columns(heard_until_ctrl_c, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    done = heard_until_ctrl_c(10)
+    assert done.exit_code == 0
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    words = " ".join(done.stdout.split())
+    assert "commands right" in words
+    assert "word errors" in words
+    assert "p50" not in words, "nothing was done, so it took no time"
+    assert "what did not go right" in words
+    assert re.search(r"demo.*, none, missed said go forward two meters heard expected move done nothing", words)
+
+
+def test_without_what_counts_the_words(monkeypatch):
+    monkeypatch.setitem(sys.modules, "jiwer", None)
+    done = CliRunner().invoke(app, ["evaluate", str(TEN)])
+    assert done.exit_code == 2
+    assert done.stderr == (
+        "error: evaluate needs jiwer, which is not installed\n    pip install 'intent-engine[evaluate]'\n"
+    )
 
 
 def test_two_models_in_folders_of_one_name_are_told_apart():

@@ -13,6 +13,10 @@ import numpy as np
 import pytest
 import soundfile
 import soxr
+from typer.testing import CliRunner
+
+from intent_engine.cli import app
+from intent_engine.cli.session import Session
 
 ROOT = Path(__file__).resolve().parent.parent
 RATE = 16_000
@@ -193,8 +197,8 @@ def test_only_a_simulated_robot_is_drawn(intent_engine, tmp_path):
 
 def test_nowhere_to_drive(intent_engine, tmp_path, go_forward):
     done = intent_engine("listen", "--pcm", "-", "--drive", str(tmp_path / "no" / "pipe"), stdin=raw(go_forward))
-    assert done.returncode not in (0, 1)
-    assert "no such file" in done.stderr
+    assert done.returncode == 2
+    assert f"error: --drive: {tmp_path / 'no' / 'pipe'} cannot be written: no such file" in done.stderr
     assert "Traceback" not in done.stderr
 
 
@@ -289,7 +293,22 @@ def test_without_portaudio(intent_engine, tmp_path, args):
         (["listen", "--device", "0", "--pcm", "-"], 2, "a microphone and raw samples at once"),
         (["listen", "--pcm", "nowhere.raw"], 3, "nowhere.raw: no such file"),
         (["listen", "--pcm", "-"], 3, "standard input is empty"),
-        (["listen", "--pcm", "-", "--format", "mp3"], 3, "mp3 is no format of raw samples"),
+        (["listen", "--pcm", "-", "--format", "mp3"], 2, "--format: mp3 is no format of raw samples\n    there is u8"),
+        (["listen", "--pcm", "-", "--rate", "0"], 2, "--rate: 0 Hz is no sample rate of sound\n    give one from"),
+        (["listen", "--rate", "0"], 2, "--rate: 0 Hz is no sample rate of sound"),
+        (["run", "examples/demo.flac", "--rate", "0"], 2, "--rate: 0 Hz is no sample rate of sound"),
+        (
+            ["run", "-", "--rate", "8", "--format", "s17", "--channels", "0"],
+            2,
+            "--rate: 8 Hz is no sample rate of sound\n    give one from 1000 to 768000, such as 16000\n"
+            "--format: s17 is no format of raw samples\n    there is u8, s8, s16le, s16be, s24le, s32le, s32be, f32le, "
+            "f32be, f64le, f64be\n--channels: 0 channels cannot be\n    give 1 for mono",
+        ),
+        (["listen", "--rate", "16000"], 2, "--rate, --format and --channels are of raw samples\n    say where"),
+        (["listen", "--in-process"], 2, "--in-process without --drive"),
+        (["run", "examples/demo.flac", "--live"], 2, "--live needs --realtime\n    give both"),
+        (["run", "examples/demo.flac", "--watch"], 2, "--watch needs --realtime\n    give both"),
+        (["parse", "stop", "--watch"], 2, "--watch is for sentences from standard input\n    leave it out"),
         (["listen", "--pcm", "-", "--push-to-talk"], 2, "push-to-talk needs a terminal"),
         (["run", "-"], 3, "standard input is empty"),
         (["run", "examples/demo.flac", "--wake-word", "!"], 2, "the wake word has no letters"),
@@ -325,6 +344,49 @@ def _without_a_terminal(args: list[str], environment: dict[str, str]) -> subproc
         timeout=120,
         check=False,
     )
+
+
+class Failing:
+    """A recogniser that fails, at first or for ever."""
+
+    def __init__(self, real: object, failures: int) -> None:
+        self.real, self.failures = real, failures
+
+    def transcribe(self, samples: np.ndarray, *, final: bool = True) -> object:
+        if self.failures:
+            self.failures -= 1
+            raise RuntimeError("out of memory")
+        return self.real.transcribe(samples, final=final)
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize(
+    "arguments", [["run", "examples/demo.flac"], ["listen", "--pcm", "{raw}"]], ids=lambda arguments: arguments[0]
+)
+def test_a_recogniser_that_fails_at_everything(monkeypatch, tmp_path, go_forward, arguments):
+    (tmp_path / "x.raw").write_bytes(raw(go_forward))
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr("intent_engine.cli.session.Session._recognizer", lambda _: Failing(None, 1000))
+    given = [part.format(raw=tmp_path / "x.raw") for part in arguments]
+    done = CliRunner().invoke(app, [*given, "--no-reflex"])
+    assert done.exit_code == 5, done.output
+    assert "the recogniser failed: RuntimeError: out of memory" in done.stdout
+    assert "0 sentences, 0 understood" in done.stdout
+    block = done.stderr[done.stderr.index("error: ") :]
+    assert block.startswith("error: nothing of what was said could be recognised (")
+    assert "the last: the recogniser failed: RuntimeError: out of memory" in block
+    assert "intent-engine doctor" in block
+
+
+def test_a_recogniser_that_fails_now_and_then(monkeypatch):
+    whole = Session._recognizer
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr(Session, "_recognizer", lambda session: Failing(whole(session), 1))
+    done = CliRunner().invoke(app, ["run", "examples/demo.flac", "--no-reflex", "--second-model", "none"])
+    assert done.exit_code == 0, done.output
+    assert "the recogniser failed: RuntimeError: out of memory" in done.stdout
 
 
 def test_what_is_no_raw_sound(intent_engine):

@@ -275,3 +275,19 @@ def test_it_goes_on_while_it_is_decoded_in_a_thread_beside():
         runtime.run(Frames(framed(np.zeros(5 * SAMPLE_RATE, np.float32))))
     done = [event for event in events if event.kind is HeardKind.SUBMITTED]
     assert [event.goes_on for event in done] == [False, True]
+
+
+@pytest.mark.parametrize("second", ["stop", "no, wait", "no"])
+def test_it_stands_before_anybody_is_told_what_was_said(second):
+    """Who is told may take its time."""
+    standing = []
+
+    class Watched(Said):
+        def _heard(self, event: Heard, runtime: Runtime, joined: bool) -> None:
+            super()._heard(event, runtime, joined)
+            if event.kind in (HeardKind.TRANSCRIPT, HeardKind.SUBMITTED):
+                standing.append((event.kind, runtime.executor.snapshot().velocity == (0.0, 0.0)))
+
+    Watched(Script("go forward ten meters", second, f"go forward ten meters {second}"))
+    told = [stands for kind, stands in standing if kind is HeardKind.TRANSCRIPT]
+    assert told == [True, True], "before it moved, and at the stop"

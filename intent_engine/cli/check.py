@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Json, Locations
+from intent_engine.cli.options import Json, Locations, NamedToo
 from intent_engine.cli.terminal import json_line, say, working
 from intent_engine.errors import ConfigError
 from intent_engine.resources import default_locations, find
@@ -29,9 +29,7 @@ def check(
     grammars: Annotated[
         list[str] | None, typer.Argument(help="Grammar files, or names of shipped ones.", show_default="en")
     ] = None,
-    named: Annotated[
-        list[str] | None, typer.Option("--grammar", "-g", help="The same, as other verbs take it.", show_default=False)
-    ] = None,
+    named: NamedToo = None,
     locations: Locations = None,
     together: Annotated[
         bool, typer.Option("--together", help="Take the files as one grammar, not each for itself.")

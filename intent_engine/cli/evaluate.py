@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
-from intent_engine.cli.terminal import json_line, note, progress, say, table
-from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 
@@ -31,6 +33,29 @@ __all__ = ["evaluate"]
 SHOWN = 12
 """Rows of what went wrong; a CSV file holds all."""
 DEFAULT_SNRS = "6,12,24"
+
+
+@dataclass
+class _Run:
+    """What was heard so far: all of it, unless somebody has pressed Ctrl-C."""
+
+    rows: int
+    """Recordings of each condition."""
+    passes: int
+    """How often each is heard: by every model, with the grammar and without."""
+    outcomes: list[Outcome] = field(default_factory=list)
+    heard: int = 0
+    interrupted: bool = False
+
+    @property
+    def ended(self) -> str:
+        """What is said of a run that was interrupted; empty of one that was not."""
+        if not self.interrupted:
+            return ""
+        if not self.outcomes:
+            return "interrupted before anything was measured"
+        what = "recordings" if self.passes == 1 else f"hearings ({self.rows} recordings, {self.passes} times each)"
+        return f"interrupted after {self.heard} of {self.rows * self.passes} {what}"
 
 
 @verb
@@ -101,31 +126,38 @@ def evaluate(
     check(rows, labels)
     trial = Trial(Noise.read(noise) if noise else None, snrs)
     models = model or [usual_model(engine.languages, language)]
-    outcomes: list[Outcome] = []
-    with progress("hearing", len(rows) * len(set(models)) * (1 + free)) as step:
-        for name, recognizer in _recognizers(engine, models, second_model, language, free):
-            reflex = None if no_reflex else _reflex(engine, language, recognizer)
-            listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter)
-            avoid_pauses()
-            for found in trial.hear(rows, listener, name):
-                outcomes += found
-                step()
-                if as_json:
-                    _tell(found)
-            recognizer.close()
-    results = scores(outcomes)
-    _show(results, outcomes, as_json, all_in=csv)
-    if csv is not None:
+    run = _Run(len(rows), len(set(models)) * (1 + free))
+    with progress("hearing", run.rows * run.passes) as step:
+        try:
+            for name, recognizer in _recognizers(engine, models, second_model, language, free):
+                with contextlib.closing(recognizer):
+                    reflex = None if no_reflex else _reflex(engine, language, recognizer)
+                    listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter)
+                    avoid_pauses()
+                    for found in trial.hear(rows, listener, name):
+                        run.outcomes += found
+                        run.heard += 1
+                        step()
+                        if as_json:
+                            _tell(found)
+        except KeyboardInterrupt:  # hours of it may be measured already
+            run.interrupted = True
+    results = scores(run.outcomes)
+    _show(results, run, as_json, all_in=csv)
+    if csv is not None and run.outcomes:
         from intent_engine.evaluation.report import write_csv
 
-        write_csv(csv, outcomes)
-        note(f"every recording is in {csv}")
+        write_csv(csv, run.outcomes)
+        note(f"every recording{' that was heard' if run.interrupted else ''} is in {csv}")
     goal = at_least / 100 if at_least is not None else None
-    if plot is not None:
+    if plot is not None and run.outcomes:
         from intent_engine.evaluation.plot import plot_scores
 
-        plot_scores(results, outcomes, plot, goal=goal)
+        plot_scores(results, run.outcomes, plot, goal=goal, title=run.ended)
         note(f"accuracy and latency are drawn in {plot}")
+    if run.interrupted:
+        error_block(run.ended)
+        return EXIT_INTERRUPTED
     failed = goal is not None and any(found.accuracy is None or found.accuracy < goal for found in results)
     return EXIT_NOT_ACCEPTED if failed else 0
 
@@ -134,7 +166,8 @@ def _needs_jiwer() -> None:
     try:
         import jiwer  # noqa: F401
     except ImportError:
-        raise IntentEngineError("evaluate needs jiwer\n    pip install 'intent-engine[evaluate]'") from None
+        hint = "pip install 'intent-engine[evaluate]'"
+        raise ConfigError(Problem("evaluate needs jiwer, which is not installed", hint=hint)) from None
 
 
 def _snrs(text: str | None) -> list[float]:
@@ -206,22 +239,34 @@ def _tell(outcomes: list[Outcome]) -> None:
         json_line({"event": "recording", **outcome_json(outcome)})
 
 
-def _show(results: list[Score], outcomes: list[Outcome], as_json: bool, all_in: Path | None) -> None:
-    from intent_engine.evaluation.report import MISS_COLUMNS, miss_cells, misses, reflex_text, score_table
+def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -> None:
+    from intent_engine.evaluation.report import (
+        MISS_COLUMNS,
+        MISS_KEYS,
+        SCORE_KEYS,
+        miss_cells,
+        misses,
+        reflex_text,
+        score_table,
+    )
 
     if as_json:
         for found in results:
-            json_line({"event": "score", **found.to_json()})
+            json_line({"event": "score", **found.to_json(), "complete": found.recordings == run.rows})
+        if run.interrupted:
+            json_line({"event": "interrupted", "heard": run.heard, "of": run.rows * run.passes})
         return
-    table("", *score_table(results))
+    if not results:
+        return
+    table(f"incomplete: {run.ended}" if run.interrupted else "", *score_table(results), keys=SCORE_KEYS)
     for text in filter(None, map(reflex_text, results)):
-        say(text)
-    failed = misses(outcomes)
+        paragraph(text)
+    failed = misses(run.outcomes)
     if failed:
         say()
-        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]))
+        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]), keys=MISS_KEYS, listed=True)
         if len(failed) > SHOWN:
             note(f"and {len(failed) - SHOWN} more" + ("" if all_in else "; --csv FILE writes them all"))
-    errors = {error for outcome in outcomes for error in outcome.errors}
+    errors = {error for outcome in run.outcomes for error in outcome.errors}
     for error in sorted(errors):
         note(f"warning: {error}")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Json, Locations
+from intent_engine.cli.options import Json, Locations, NamedToo
 from intent_engine.cli.terminal import json_line, note, say, table
 from intent_engine.resources import find
 
@@ -25,6 +25,7 @@ def run_examples(
         list[str] | None,
         typer.Argument(help="Grammar files, names of shipped ones, or test files (*.intents.yaml).", show_default="en"),
     ] = None,
+    named: NamedToo = None,
     locations: Locations = None,
     as_json: Json = False,
 ) -> int:
@@ -32,7 +33,7 @@ def run_examples(
     from intent_engine.testing.examples import load_examples, run_case
 
     maps = [find("locations", name) for name in locations or ()]
-    loaded = [load_examples(find("grammars", name), maps) for name in files or ["en"]]
+    loaded = [load_examples(find("grammars", name), maps) for name in [*(files or ()), *(named or ())] or ["en"]]
     outcomes = [(run_case(examples.engine, case), examples.file) for examples in loaded for case in examples.cases]
     failed = [(outcome, file) for outcome, file in outcomes if outcome.failed]
     missing = sorted({name for outcome, _ in outcomes for name in outcome.missing})

@@ -27,7 +27,16 @@ from intent_engine.errors import IntentEngineError
 if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
-__all__ = ["DEBUG", "EXIT_BUG", "EXIT_INTERRUPTED", "EXIT_NOT_ACCEPTED", "EXIT_TERMINATED", "output_lost", "verb"]
+__all__ = [
+    "DEBUG",
+    "EXIT_BUG",
+    "EXIT_INTERRUPTED",
+    "EXIT_NOT_ACCEPTED",
+    "EXIT_TERMINATED",
+    "output_lost",
+    "robot_verb",
+    "verb",
+]
 
 P = ParamSpec("P")
 
@@ -54,30 +63,38 @@ class _Terminated(BaseException):
 
 def verb(function: Callable[P, int | None]) -> Callable[P, None]:
     """Make a command of a function that returns its exit code (None: 0)."""
+    return _guarded(function, "")
 
+
+def robot_verb(function: Callable[P, int | None]) -> Callable[P, None]:
+    """The same of a function that moves a robot: however it ends, it is told that the robot is stopped."""
+    return _guarded(function, "; the robot is stopped")
+
+
+def _guarded(function: Callable[P, int | None], stopped: str) -> Callable[P, None]:
     @functools.wraps(function)
     def guarded(*args: P.args, **kwargs: P.kwargs) -> None:
         with _signals_raise():
-            code = _run(functools.partial(function, *args, **kwargs))
+            code = _run(functools.partial(function, *args, **kwargs), stopped)
         raise typer.Exit(code)
 
     return guarded
 
 
-def _run(function: Callable[[], int | None]) -> int:
+def _run(function: Callable[[], int | None], stopped: str) -> int:
     try:
         return function() or 0
-    except (typer.Exit, typer.BadParameter):
+    except typer.Exit:
         raise
     except IntentEngineError as error:
         _trace()
         error_block(str(error))
         return error.exit_code
     except KeyboardInterrupt:
-        error_block("interrupted; the robot is stopped")
+        error_block(f"interrupted{stopped}")
         return EXIT_INTERRUPTED
     except _Terminated:
-        error_block("terminated; the robot is stopped")
+        error_block(f"terminated{stopped}")
         return EXIT_TERMINATED
     except OutputError as error:
         return output_lost(error)
@@ -89,7 +106,7 @@ def _run(function: Callable[[], int | None]) -> int:
         _trace()
         error_block(
             f"intent-engine failed in a way it should not: {type(error).__name__}: {error}\n"
-            "Any robot is stopped. This is a fault of the program, not of what you gave it.\n"
+            f"{'The robot is stopped. ' if stopped else ''}This is a fault of the program, not of what you gave it.\n"
             f"To see where it happened, repeat the command as: intent-engine --debug {shlex.join(sys.argv[1:])}"
         )
         return EXIT_BUG

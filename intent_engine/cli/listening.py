@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, BinaryIO
 
 import typer
 
-from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, robot_verb
 from intent_engine.cli.listening_options import Hearing, RawSamples, Telling, session
 from intent_engine.cli.option_groups import grouped
 from intent_engine.cli.terminal import json_line, note, table
@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from intent_engine.execution.executor import Executor
     from intent_engine.runtime import Runtime, Summary
     from intent_engine.speech.audio import AudioSource
-    from intent_engine.speech.sources.pcm import PcmSource
+    from intent_engine.speech.sources.pcm import PcmFormat, PcmSource
 
 __all__ = ["listen", "run"]
 
 
-@verb
+@robot_verb
 @grouped
 def run(
     file: Annotated[
@@ -48,19 +48,27 @@ def run(
     from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource, is_headerless
 
     if telling.watch and not realtime:
-        raise typer.BadParameter("--watch needs --realtime: without it the recording is over before anyone could edit")
+        raise ConfigError(
+            Problem(
+                "--watch needs --realtime",
+                hint="give both: else the recording is over before anyone could edit the grammar",
+            )
+        )
     if telling.live and not realtime:
-        raise typer.BadParameter("--live needs --realtime: without it all is over at once; --map draws the whole way")
+        raise ConfigError(
+            Problem("--live needs --realtime", hint="give both, or --map: it draws the whole way when all is over")
+        )
+    form = samples.form()
     source: AudioSource
     if str(file) == "-":
-        source, name = _pcm("-", samples, realtime=realtime), "standard input"
+        source, name = _pcm("-", form, realtime=realtime), "standard input"
     else:
-        form = samples.form() if samples.given and is_headerless(file) else None
-        source, name = FileSource(file, realtime=realtime, form=form), str(file)
+        raw = form if samples.given and is_headerless(file) else None
+        source, name = FileSource(file, realtime=realtime, form=raw), str(file)
     made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock())
 
     def somebody_spoke(summary: Summary) -> None:
-        if summary.utterances == 0:
+        if summary.utterances == 0 and not summary.errors:
             seconds = max(summary.seconds - TAIL_SECONDS, 0.0)  # without the silence that every source adds at its end
             raise AudioError(
                 f"{name}: nobody speaks in it ({seconds:.1f} s)\n"
@@ -72,7 +80,7 @@ def run(
     return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
 
-@verb
+@robot_verb
 @grouped
 def listen(
     *,
@@ -108,6 +116,14 @@ def listen(
         return _list_devices(telling.as_json)
     if device is not None and pcm is not None:
         raise ConfigError(Problem("a microphone and raw samples at once", hint="give --device or --pcm, not both"))
+    form = samples.form()
+    if samples.given and pcm is None:
+        hint = "say where they come from: --pcm -; a microphone needs none of these"
+        raise ConfigError(Problem("--rate, --format and --channels are of raw samples", hint=hint))
+    if in_process and drive is None:
+        raise ConfigError(
+            Problem("--in-process without --drive", hint="leave it out: a simulated robot is here anyway")
+        )
     if push_to_talk:
         from intent_engine.cli.keys import check_terminal
 
@@ -121,7 +137,7 @@ def listen(
     source: AudioSource
     begin: Callable[[], object] | None
     if pcm is not None:
-        piped = _pcm(pcm, samples, session=made)
+        piped = _pcm(pcm, form, session=made)
         source, name, begin = piped, pcm.replace("-", "standard input"), piped.begin
     else:
         from intent_engine.speech.sources.microphone import Microphone
@@ -166,11 +182,10 @@ def _controls(
         yield
 
 
-def _pcm(where: str, samples: RawSamples, *, realtime: bool = False, session: Session | None = None) -> PcmSource:
+def _pcm(where: str, form: PcmFormat, *, realtime: bool = False, session: Session | None = None) -> PcmSource:
     """Raw samples: those that a session listens to as they come, or a recording."""
     from intent_engine.speech.sources.pcm import PcmSource
 
-    form = samples.form()
     file: BinaryIO
     if where == "-":
         if sys.stdin is None or sys.stdin.isatty():

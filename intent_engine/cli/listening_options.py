@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -12,7 +13,7 @@ import typer
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_picture
 from intent_engine.cli.watching import Watch
-from intent_engine.errors import ConfigError, Problem
+from intent_engine.errors import AudioError, ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import LONGEST_WAIT
 from intent_engine.resources import find
@@ -112,16 +113,29 @@ class RawSamples:
         """What was said, and the usual for the rest.
 
         Raises:
-            AudioError: there is no such format.
+            ConfigError: there is no such format.
         """
         from intent_engine.speech.sources.pcm import PcmFormat
 
         usual = PcmFormat()
-        return PcmFormat.of(
-            usual.rate if self.rate is None else self.rate,
-            usual.encoding if self.format is None else self.format,
-            usual.channels if self.channels is None else self.channels,
-        )
+        rate = usual.rate if self.rate is None else self.rate
+        encoding = usual.encoding if self.format is None else self.format
+        channels = usual.channels if self.channels is None else self.channels
+        options = {
+            "--rate": functools.partial(PcmFormat.of, rate),
+            "--format": functools.partial(PcmFormat.of, encoding=encoding),
+            "--channels": functools.partial(PcmFormat.of, channels=channels),
+        }
+        problems = []
+        for option, form in options.items():
+            try:
+                form()
+            except AudioError as error:  # of a sound it would be one; here it is an option
+                message, _, hint = str(error).partition("\n")
+                problems.append(Problem(f"{option}: {message}", hint=hint.strip()))
+        if problems:
+            raise ConfigError(problems)
+        return PcmFormat.of(rate, encoding, channels)
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.resources import default_locations, find
+from intent_engine.resources import default_grammar, default_locations, find, names
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["Grammars", "Json", "Language", "Locations", "Robots", "load_engine"]
+__all__ = ["Grammars", "Json", "Language", "Locations", "NamedToo", "Robots", "load_engine"]
 
 Grammars = Annotated[
     list[str] | None,
@@ -22,6 +22,10 @@ Grammars = Annotated[
         "--grammar", "-g", help="Grammar file, or the name of a shipped one; may be repeated.", show_default="en"
     ),
 ]
+NamedToo = Annotated[
+    list[str] | None, typer.Option("--grammar", "-g", help="The same, as other verbs take it.", show_default=False)
+]
+"""Of verbs whose arguments are grammars."""
 Locations = Annotated[
     list[str] | None,
     typer.Option(
@@ -33,7 +37,11 @@ Robots = Annotated[
     typer.Option("--robot", "-r", help="Robot file, or the name of a shipped one: limits, rates and capabilities."),
 ]
 Language = Annotated[
-    str | None, typer.Option(help="Language of the speech and of the grammar: en, de, es, fr, it.", show_default="en")
+    str | None,
+    typer.Option(
+        help="Language of the speech: en or de, whose grammar is taken; another with a --grammar of your own.",
+        show_default="en",
+    ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="JSON lines instead of text.")]
 
@@ -51,11 +59,26 @@ def load_engine(
     """
     from intent_engine.engine import IntentEngine
 
-    grammar_paths = [_readable(find("grammars", name)) for name in grammars or [language or "en"]]
+    paths = [find("grammars", name) for name in grammars] if grammars else [_grammar_of(language)]
+    grammar_paths = [_readable(path) for path in paths]
     map_paths = [_readable(find("locations", name)) for name in locations] if locations else [default_locations()]
     if wake and not all(re.search(r"\w", word) for word in wake):
         raise ConfigError(Problem("the wake word has no letters", hint='give a name: --wake-word "robot"'))
     return IntentEngine.from_files(grammar_paths, locations=map_paths, wake=wake or ())
+
+
+def _grammar_of(language: str | None) -> Path:
+    if language is None:
+        return default_grammar()
+    known = names("grammars")
+    if language not in known:
+        name = re.sub(r"\W", "", language) or "fr"
+        hint = (
+            f"there is one for {', '.join(known)}; for another language give your own, with language: {name} in it: "
+            f"--grammar my_grammar.yaml --language {name}"
+        )
+        raise ConfigError(Problem(f"--language: there is no grammar for {language!r}", hint=hint))
+    return default_grammar(language)
 
 
 def _readable(path: Path) -> Path:

@@ -14,7 +14,7 @@ from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.cli.watching import Watch, watched
-from intent_engine.errors import TextTooLongError
+from intent_engine.errors import ConfigError, Problem, TextTooLongError
 from intent_engine.interpretation import Interpretation, Status
 
 if TYPE_CHECKING:
@@ -46,7 +46,8 @@ def parse(
         with watched(engine, watch):
             return _parse_lines(engine, states, language, explain)
     if watch:
-        raise typer.BadParameter("--watch is for sentences from standard input: intent-engine parse --watch -")
+        hint = "leave it out, or read from there: intent-engine parse --watch -"
+        raise ConfigError(Problem("--watch is for sentences from standard input", hint=hint))
     if len(text) > MAX_TEXT:
         raise _too_long(f"the text ({len(text)} characters)")
     if as_json:

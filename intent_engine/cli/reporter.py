@@ -54,6 +54,8 @@ class Reporter:
         """The executor's time at which the sound began, in s."""
         self.failed = 0
         """Goals that the robot could not do."""
+        self.error = ""
+        """What failed last while it was listened."""
         self._ended = False
 
     def mute_stops(self) -> None:
@@ -65,6 +67,8 @@ class Reporter:
     def heard(self, event: Heard) -> None:
         """An event of the runtime."""
         with self._lock:
+            if event.kind is HeardKind.ERROR:
+                self.error = event.detail
             if self._json:
                 self._heard_json(event)
             else:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from intent_engine.cli.terminal import note, redrawn, say
-from intent_engine.errors import RobotError
+from intent_engine.errors import ConfigError, Problem, RobotError, WeightsError
 from intent_engine.pauses import avoid_pauses
 
 if TYPE_CHECKING:
@@ -101,7 +101,9 @@ class Session:
             check: may raise on what was heard, before the robot goes on.
 
         Raises:
-            RobotError: there is nothing to drive, or what read the commands went away or stood still.
+            ConfigError: the commands cannot be written where they should.
+            RobotError: what read them went away or stood still.
+            WeightsError: the recogniser failed at everything that was said.
         """
         from intent_engine.cli.reporter import Reporter
         from intent_engine.execution.executor import Executor
@@ -172,6 +174,12 @@ class Session:
                 raise RobotError(f"{self.drive}: {loss.reason}\n    start what reads the commands again, and listen")
             reporter.end(summary, self.clock.now())
         self._draw(simulated)
+        if summary.errors and not summary.utterances:
+            raise WeightsError(
+                f"nothing of what was said could be recognised ({summary.errors} "
+                f"failure{'s' * (summary.errors != 1)}; the last: {reporter.error})\n"
+                "    look at this machine with intent-engine doctor, or take another model: --model base"
+            )
         return Ended(summary, reporter.failed)
 
     def report(self, report: Report) -> None:
@@ -183,7 +191,7 @@ class Session:
         """A robot behind a file or pipe, and the process that writes its velocities.
 
         Raises:
-            RobotError: nothing can be written there.
+            ConfigError: nothing can be written there.
         """
         from intent_engine.execution.guardian import Guardian
         from intent_engine.execution.robots.jsonl import JSONL_SINK, JsonLinesRobot
@@ -191,10 +199,9 @@ class Session:
         try:
             out = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
         except OSError as error:
-            raise RobotError(
-                f"{target}: {(error.strerror or str(error)).lower()}\n"
-                "    give a file or a pipe that the robot's program reads: listen --drive >(python robot.py)"
-            ) from None
+            why = (error.strerror or str(error)).lower()
+            hint = "give a file or a pipe that the robot's program reads: listen --drive >(python robot.py)"
+            raise ConfigError(Problem(f"--drive: {target} cannot be written: {why}", hint=hint)) from None
         stack.callback(os.close, out)
         os.set_blocking(out, False)  # two processes write there, and neither may wait for a reader that stands still
         robot = JsonLinesRobot(out, capabilities=self.robot.capabilities)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TextIO, TypeVar
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.progress import Progress
+    from rich.table import Table
 
 __all__ = [
     "LogNotes",
@@ -21,6 +22,7 @@ __all__ = [
     "json_line",
     "level_meter",
     "note",
+    "paragraph",
     "progress",
     "redrawn",
     "say",
@@ -35,6 +37,10 @@ _CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 """What Rich replaces or leaves out."""
 _FORCING = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "JUPYTER_COLUMNS")
 """Variables by which somebody asks Rich to take what is no terminal for one."""
+PIPE_WIDTH = 120
+"""Columns of a table in a file or pipe, unless COLUMNS says another width."""
+GAP = 3
+"""Columns between two of a table."""
 
 
 def _out() -> Console:
@@ -89,12 +95,11 @@ def note(text: str) -> None:
 
 def redrawn(view: Any) -> contextlib.AbstractContextManager[object]:
     """Something that is drawn again and again below what is printed; nothing where standard output is no terminal."""
-    console = _out()
-    if not console.is_terminal:
+    if not sys.stdout.isatty():  # colours may be forced into a file, what moves may not
         return contextlib.nullcontext()
     from rich.live import Live
 
-    return Live(view, console=console, refresh_per_second=8, transient=True)
+    return Live(view, console=_out(), refresh_per_second=8, transient=True)
 
 
 def error_block(message: str) -> None:
@@ -115,24 +120,97 @@ class LogNotes(logging.Handler):
         note(f"{record.levelname.lower()}: {record.getMessage()}")
 
 
-def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """A table on standard output; columns of numbers stand to the right."""
-    from rich import box
+def table(
+    title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, keys: int = 0, listed: bool = False
+) -> None:
+    """A table on standard output; columns of numbers stand to the right.
+
+    Args:
+        title: stands above it; may be empty.
+        columns: their heads.
+        rows: their cells.
+        keys: so many columns at the left say which row it is. Where the table is wider than the terminal, it is cut
+            into several that stand below each other, each with these columns; 0: its cells are folded.
+        listed: it is not cut, but every row is listed, a line for each of its other cells: they are sentences.
+    """
+    from rich.cells import cell_len
+
+    body = [[str(cell) for cell in row] for row in rows]
+    console = _table_console()
+    widths = [max(map(cell_len, column)) for column in zip(columns, *body, strict=True)]
+    if keys and listed and _width(widths) > console.width:
+        _list(console, title, columns, body, keys)
+        return
+    blocks = _blocks(widths, keys, console.width) if keys else [range(len(columns))]
+    for number, block in enumerate(blocks):
+        if number:
+            console.print()
+        heads, cells = [columns[index] for index in block], [[row[index] for index in block] for row in body]
+        console.print(_grid("" if number else title, heads, cells))
+
+
+def paragraph(text: str) -> None:
+    """Text on standard output that belongs to a table, in lines no longer than one of its."""
+    from rich.text import Text
+
+    _table_console().print(Text(text))
+
+
+def _table_console() -> Console:
     from rich.console import Console
+
+    console = _out()
+    if console.is_terminal:
+        return console
+    wanted = os.environ.get("COLUMNS", "")
+    return Console(highlight=False, width=int(wanted) if wanted.isdecimal() and int(wanted) else PIPE_WIDTH)
+
+
+def _width(widths: Sequence[int]) -> int:
+    return sum(widths) + GAP * (len(widths) - 1)
+
+
+def _blocks(widths: Sequence[int], keys: int, width: int) -> list[list[int]]:
+    """The columns of each table that is as wide at most, or has one column beside its keys."""
+    first = list(range(keys))
+    blocks: list[list[int]] = []
+    block = first
+    for index in range(keys, len(widths)):
+        if len(block) > keys and _width([widths[one] for one in [*block, index]]) > width:
+            blocks.append(block)
+            block = first
+        block = [*block, index]
+    return [*blocks, block]
+
+
+def _grid(title: str, columns: Sequence[str], body: Sequence[Sequence[str]]) -> Table:
+    from rich import box
     from rich.table import Table
     from rich.text import Text
 
-    body = [[str(cell) for cell in row] for row in rows]
     grid = Table(title=title or None, title_justify="left", show_edge=False, pad_edge=False, box=box.SIMPLE_HEAD)
     for index, name in enumerate(columns):
         numeric = bool(body) and all(_is_number(row[index]) for row in body)
         grid.add_column(name, justify="right" if numeric else "left", overflow="fold")
     for row in body:
         grid.add_row(*(Text(cell) for cell in row))
-    console = _out()
-    if not console.is_terminal:
-        console = Console(highlight=False, width=200)
-    console.print(grid)
+    return grid
+
+
+def _list(console: Console, title: str, columns: Sequence[str], body: Sequence[Sequence[str]], keys: int) -> None:
+    from rich.table import Table
+    from rich.text import Text
+
+    if title:
+        console.print(Text(title, style="italic"))
+    for row in body:
+        console.print(Text(", ".join(row[:keys]), style="bold"))
+        grid = Table.grid(padding=(0, 2), pad_edge=False)
+        grid.add_column()
+        grid.add_column(overflow="fold")
+        for name, cell in zip(columns[keys:], row[keys:], strict=True):
+            grid.add_row(Text(f"  {name}"), Text(cell))
+        console.print(grid)
 
 
 def _is_number(cell: str) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, MutableMapping
+import functools
+import sys
+from collections.abc import Iterator, MutableMapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, Final
@@ -10,6 +12,11 @@ from typing import Any, Final
 import typer
 from typer.core import TyperGroup
 from typer.main import get_command
+
+from intent_engine.cli.terminal import error_block
+from intent_engine.cli.usage import UsageError, usage_problem
+from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 
 __all__ = ["VERBS", "Verb", "Verbs"]
 
@@ -172,6 +179,44 @@ class Verbs(TyperGroup):
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
         self.commands = _Commands()
+        self._asked = ""
+        """The verb of the command line that is run."""
 
     def list_commands(self, ctx: Any) -> list[str]:
         return list(self.commands)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        if args and not args[0].startswith("-") and args[0] not in self.commands:
+            hint = did_you_mean(args[0], self.commands) or f"there is {', '.join(self.commands)}"
+            raise ConfigError(Problem(f"there is no verb {args[0]!r}", hint=hint))
+        self._asked = args[0] if args else ""
+        return super().resolve_command(ctx, args)
+
+    def main(
+        self,
+        args: Sequence[str] | None = None,
+        prog_name: str | None = None,
+        complete_var: str | None = None,
+        standalone_mode: bool = True,
+        windows_expand_args: bool = True,
+        **settings: Any,
+    ) -> Any:
+        """Run a command line; what is wrong with it is told as every other error is, not as Typer would."""
+        run = functools.partial(
+            super().main, args, prog_name, complete_var, False, windows_expand_args=windows_expand_args, **settings
+        )
+        if not standalone_mode:
+            return run()
+        self._asked = ""
+        try:
+            code = run()
+        except ConfigError as error:
+            error_block(str(error))
+            code = error.exit_code
+        except UsageError as error:
+            verb = VERBS.get(self._asked)
+            problem = usage_problem(error, self._asked, verb.examples[0] if verb is not None else "")
+            if problem is not None:
+                error_block(str(problem))
+            code = ConfigError.exit_code
+        sys.exit(code if isinstance(code, int) else 0)

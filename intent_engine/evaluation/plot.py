@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.evaluation.scoring import Outcome, Score
 
 __all__ = ["plot_scores"]
 
 
-def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path, *, goal: float | None = None) -> None:
+def plot_scores(
+    scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path, *, goal: float | None = None, title: str = ""
+) -> None:
     """Draw accuracy against noise, one line a model, and the distribution of the time to the action.
 
     Args:
@@ -19,16 +21,19 @@ def plot_scores(scores: Sequence[Score], outcomes: Sequence[Outcome], path: Path
         outcomes: of all conditions.
         path: PNG, SVG or PDF.
         goal: share of commands that should be right, drawn as a line.
+        title: stands above both.
 
     Raises:
-        IntentEngineError: matplotlib is not installed.
-        ConfigError: the file cannot be written.
+        ConfigError: matplotlib is not installed, or the file cannot be written.
     """
     try:
         from matplotlib.figure import Figure
     except ImportError:
-        raise IntentEngineError("drawing needs matplotlib\n    pip install 'intent-engine[evaluate]'") from None
+        hint = "pip install 'intent-engine[evaluate]'"
+        raise ConfigError(Problem("drawing needs matplotlib, which is not installed", hint=hint)) from None
     figure = Figure(figsize=(10, 4.2), layout="constrained")
+    if title:
+        figure.suptitle(title)
     left, right = figure.subplots(1, 2)
     models = list(dict.fromkeys(found.model for found in scores))
     noises = list(dict.fromkeys(found.noise for found in scores))

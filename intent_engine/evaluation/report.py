@@ -15,6 +15,8 @@ from intent_engine.evaluation.scoring import Outcome, Score, Verdict
 
 __all__ = [
     "MISS_COLUMNS",
+    "MISS_KEYS",
+    "SCORE_KEYS",
     "expected_text",
     "miss_cells",
     "misses",
@@ -39,7 +41,11 @@ COLUMNS = (
     "p99",
 )
 """The last three: time from the end of speech to the action."""
+SCORE_KEYS = 2
+"""Of these at the left: which condition it is."""
 MISS_COLUMNS = ("recording", "noise", "what came of it", "said", "heard", "expected", "done")
+MISS_KEYS = 3
+"""Of these at the left: which recording, and how it ended."""
 
 
 def score_table(scores: Sequence[Score]) -> tuple[list[str], list[list[str]]]:

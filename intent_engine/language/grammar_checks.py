@@ -102,7 +102,9 @@ def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
     """Names in braces that nothing has."""
     if draft.blind:
         return
-    known = sorted({*grammar.slots, *grammar.phrases, *draft.broken})
+    known = sorted(
+        {str(name) for name in (*grammar.slots, *grammar.phrases, *draft.broken)}
+    )  # once, if it stands twice
     for written in draft.written:
         for reference in references(written.node):
             name = reference.name

@@ -79,6 +79,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         for key in wanted:
             if key not in instance and not any(_misspelt(other, key, known) for other in strange):
                 yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key), key=True)
+        if path[:1] == ("intents",) and len(path) == 2:
+            broken = (*path, "action")  # the rest of it can be read
     elif error.validator == "pattern":
         if "propertyNames" in error.schema_path:
             broken = (*path, str(instance))

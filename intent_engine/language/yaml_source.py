@@ -26,6 +26,9 @@ MAX_INDENT = 400
 """Brackets in brackets, and characters before the first word of a line. Nobody writes more, and the YAML library in C
 overflows its stack, and ends the process, on some ten thousand."""
 
+NAMED = {("intents",), ("slots",), ("phrases",)}
+"""Sections of a grammar whose keys are names that somebody gave."""
+
 YamlPath = tuple[str | int, ...]
 
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -196,6 +199,19 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     return Problem(message, source.file, line + 1, column + 1, shown, hint)
 
 
+class _Earlier(str):
+    """A name that stands once more further down; no other key is like it, so both have their entry and are checked."""
+
+    __slots__ = ()
+    __hash__ = object.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    def __ne__(self, other: object) -> bool:
+        return self is not other
+
+
 class _Reader:
     """Nodes of the YAML parser to plain data."""
 
@@ -222,6 +238,7 @@ class _Reader:
             return [self.plain(child, (*path, index), above) for index, child in enumerate(node.value)]
         result: dict[str, Any] = {}
         merged: dict[str, Any] = {}
+        read: dict[str, tuple[Any, tuple[int, int]]] = {}
         for key_node, value_node in node.value:
             if not isinstance(key_node, yaml.ScalarNode):
                 source.problem(path, "a key must be plain text", "quote it if it holds brackets")
@@ -234,6 +251,11 @@ class _Reader:
                 source.marks[path] = mark
                 continue
             source.key_marks[here] = (key_node.start_mark.line, key_node.start_mark.column)
+            if key in result and path in NAMED:
+                earlier, (first, mark) = _Earlier(key), read[key]
+                source.key_marks[*path, earlier] = mark
+                result[earlier] = self.plain(first, (*path, earlier), above)
+            read[key] = value_node, source.key_marks[here]
             if key in result:
                 source.problem(here, f"{key!r} stands twice; the first would be lost", "rename or merge them", key=True)
             _scalar(key_node, (*here, "\0key"), source)

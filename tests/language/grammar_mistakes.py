@@ -76,6 +76,13 @@ MISTAKES: dict[str, str | bytes] = {
     "a tab": "language: en\nintents:\n\twave: {}\n",
     "a line that is indented too far": "language: en\nintents:\n  wave:\n    action: stop\n     sentences: [wave]\n",
     "a key twice": wave("sentences: [wave]", "sentences: [bow]"),
+    "mistakes in what stands twice": (
+        "language: en\nslots:\n  it: {type: txet}\n  it: {type: text}\n"
+        "phrases:\n  there: ['at (it']\n  there: [at it]\n"
+        "intents:\n  wave:\n    action: custm\n    sentences: ['wave {thing}']\n"
+        "  wave:\n    action: custom\n    sentences: ['bow (down']\n    colour: red\n"
+        "  wave: {sentences: ['nod {hat}']}\n"
+    ),
     "an intent twice": says("wave") + "  wave: {action: stop, sentences: [halt]}\n",
     "two documents": says("wave") + "---\nlanguage: de\n",
     "an alias that nobody named": wave("sentences: [*wave]"),

@@ -46,7 +46,9 @@ def test_every_kind_of_file(tmp_path, name, rate, subtype):
 
 @settings(deadline=None, max_examples=40)
 @given(st.data())
-@pytest.mark.parametrize("name", ["cut.wav", "cut.flac", "cut.aiff", "cut.ogg"])
+@pytest.mark.parametrize(
+    "name", ["cut.wav", "cut.flac", "cut.aiff", "cut.ogg", "cut.mp3", "cut.au", "cut.rf64", "cut.w64"]
+)
 def test_a_file_cut_anywhere_is_not_played_at_all(tmp_path_factory, name, data):
     folder = tmp_path_factory.mktemp("cut")
     soundfile.write(folder / name, TONE, SAMPLE_RATE)
@@ -55,6 +57,30 @@ def test_a_file_cut_anywhere_is_not_played_at_all(tmp_path_factory, name, data):
     (folder / name).write_bytes(whole[:length])
     with pytest.raises(AudioError, match=name):
         FileSource(folder / name)
+
+
+@pytest.mark.parametrize("tag", [b"", b"ID3\x04\x00\x00\x00\x00\x01\x00" + bytes(128)], ids=["bare", "tagged"])
+def test_an_mp3_file_of_which_a_byte_is_missing(tmp_path, tag):
+    soundfile.write(tmp_path / "a.mp3", TONE, SAMPLE_RATE)
+    whole = tag + (tmp_path / "a.mp3").read_bytes()
+    (tmp_path / "whole.mp3").write_bytes(whole)
+    assert FileSource(tmp_path / "whole.mp3").seconds == pytest.approx(1.0)
+    (tmp_path / "cut.mp3").write_bytes(whole[:-1])
+    with pytest.raises(AudioError, match=r"cut\.mp3: is cut off: 100% of it is there"):
+        FileSource(tmp_path / "cut.mp3")
+
+
+def test_an_mp3_file_that_does_not_tell_its_length(tmp_path):
+    """libsndfile guesses it from the first frame, and is wrong where the frames are of several sizes."""
+    noise = np.random.default_rng(1).normal(0, 0.2, SAMPLE_RATE)
+    quiet, longer = np.zeros(3_000), np.zeros(3 * SAMPLE_RATE)
+    soundfile.write(tmp_path / "a.mp3", np.concatenate((quiet, noise, longer)), SAMPLE_RATE)
+    whole = (tmp_path / "a.mp3").read_bytes()
+    (tmp_path / "b.mp3").write_bytes(whole[whole.index(whole[:2], 4) :])
+    source = FileSource(tmp_path / "b.mp3")
+    *_, last = source.frames()
+    assert source.seconds > 7
+    assert last.time == pytest.approx(4.2 + TAIL_SECONDS, abs=0.2)
 
 
 @settings(deadline=None, max_examples=60)

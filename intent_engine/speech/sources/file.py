@@ -11,8 +11,8 @@ import numpy as np
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, Resampler
-from intent_engine.speech.sources.pcm import FORMATS, PcmFormat
-from intent_engine.speech.sources.whole import check_whole
+from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
+from intent_engine.speech.sources.whole import check_mp3, check_whole
 
 __all__ = ["FileSource", "is_headerless"]
 
@@ -78,14 +78,14 @@ class FileSource:
                 "    give --rate and --format, as --rate 16000 --format s16le, or pipe it in: intent-engine run - < "
                 f"{path}"
             )
+        if form is None:
+            check_mp3(self.path)
         try:
             with soundfile.SoundFile(str(self.path), **self._form) as info:
                 self.rate: int = info.samplerate
                 channels, frames = info.channels, info.frames
         except (soundfile.LibsndfileError, RuntimeError, OSError):
-            raise AudioError(
-                f"{path}: is no sound file that can be read\n    convert it: ffmpeg -i {self.path.name} speech.wav"
-            ) from None
+            raise AudioError(f"{path}: {_unreadable(self.path)}") from None
         if self.rate <= 0 or channels <= 0 or frames <= 0:
             raise AudioError(f"{path}: holds no sound\n    record it again")
         self.seconds: float = frames / self.rate
@@ -116,7 +116,7 @@ class FileSource:
         read = 0
         try:
             with soundfile.SoundFile(str(self.path), **self._form) as file:
-                expected = file.frames
+                expected = file.frames if file.format != "MP3" else 0  # of an MP3 file it is a guess
                 while True:
                     block = file.read(BLOCK, dtype="float32", always_2d=True)
                     if not len(block):
@@ -135,6 +135,18 @@ class FileSource:
 
     def close(self) -> None:
         self._closed = True
+
+
+def _unreadable(path: Path) -> str:
+    """What a file is that libsndfile does not read."""
+    with path.open("rb") as file:
+        head = file.read(4)
+    convert = f"convert it: ffmpeg -i {path.name} speech.wav"
+    kind = next((name for begin, name in OTHERS.items() if head.startswith(begin)), "")
+    if not kind:
+        return f"is no sound file that can be read\n    {convert}"
+    why = "it is cut off, damaged or of an odd kind"
+    return f"begins as {kind} does, but cannot be read: {why}\n    copy it again, or {convert}"
 
 
 def _libsndfile(form: PcmFormat) -> dict[str, Any]:

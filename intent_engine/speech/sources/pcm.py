@@ -97,7 +97,8 @@ class PcmFormat:
 
 
 AHEAD = 4.0
-"""s of sound by which a pipe from a microphone may be ahead of the time since it is read: what it and its writer hold."""
+"""s of sound by which a pipe from a microphone may be ahead of the time since it is read: what it and its writer
+hold."""
 
 
 class PcmSource:

@@ -1,7 +1,8 @@
 """Whether a recording is whole. A robot must not do the first half of a file whose second half is missing.
 
-libsndfile reads a WAV, AIFF or Ogg file that was cut off as a shorter one, without a word, and notices a cut FLAC file
-only when it comes to the cut; so all are looked at before the first frame is played. MP3 has no length to compare.
+libsndfile reads a WAV, AIFF, AU or Ogg file that was cut off as a shorter one, without a word, and notices a cut FLAC
+file only when it comes to the cut; so all are looked at before the first frame is played. An MP3 file tells its length
+only if its encoder has put that into its first frame, as most do.
 """
 
 from __future__ import annotations
@@ -11,14 +12,18 @@ from pathlib import Path
 
 from intent_engine.errors import AudioError
 
-__all__ = ["check_whole"]
+__all__ = ["check_mp3", "check_whole"]
 
 UNKNOWN = {0, 0xFFFFFFFF, 0x7FFFFFFF}
 """Sizes that programs write into a header when they stream and do not know yet."""
+ENDLESS = 1 << 62
+"""Bytes from which on a size of 64 bits is none either."""
 OGG_PAGE = 65_307
 """Bytes of the largest page of an Ogg file."""
-BLOCK = 1 << 18
-"""Samples read at once."""
+BLOCK = 1 << 14
+"""Samples read at once: so exactly it is known where a file breaks off."""
+XING = 4 + 32 + 120
+"""Bytes of an MPEG frame in which the length stands, if it does."""
 _ADVICE = "copy or record it again"
 
 
@@ -29,15 +34,49 @@ def check_whole(path: Path) -> None:
         AudioError: the file ends before its header says it does, or cannot be decoded to its end.
     """
     with path.open("rb") as file:
-        head = file.read(12)
+        head = file.read(28)
     if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
         _check_chunks(path, head, "<", b"data")
     elif head[:4] == b"FORM" and head[8:12] in (b"AIFF", b"AIFC"):
         _check_chunks(path, head, ">", b"SSND")
+    elif head[:4] == b".snd" and len(head) >= 12:
+        begin, length = struct.unpack_from(">II", head, 4)
+        _check_size(path, 0 if length in UNKNOWN else begin + length)
+    elif head[:4] == b"RF64" and head[12:16] == b"ds64" and len(head) == 28:
+        _check_size(path, 8 + struct.unpack_from("<Q", head, 20)[0])
+    elif head[:4] == b"riff" and len(head) >= 24:  # Sony Wave64
+        _check_size(path, struct.unpack_from("<Q", head, 16)[0])
     elif head[:4] == b"OggS":
         _check_ogg(path)
     elif head[:4] == b"fLaC":
         _decode(path)
+
+
+def check_mp3(path: Path) -> None:
+    """Look at an MP3 file before libsndfile does, which writes its own complaints about a cut one to standard error.
+
+    Raises:
+        AudioError: it ends before its first frame says it does.
+    """
+    with path.open("rb") as file:
+        tag = file.read(10)
+        begin = 0
+        if tag[:3] == b"ID3" and len(tag) == 10:
+            begin = 10 + sum((byte & 0x7F) << shift for byte, shift in zip(tag[6:], (21, 14, 7, 0), strict=True))
+        file.seek(begin)
+        frame = file.read(XING)
+    place = max(frame.find(b"Xing", 0, 40), frame.find(b"Info", 0, 40))
+    if frame[:1] != b"\xff" or place < 0 or len(frame) < place + 16 or not frame[place + 7] & 2:
+        return
+    (declared,) = struct.unpack_from(">I", frame, place + 8 + 4 * (frame[place + 7] & 1))
+    _check_size(path, begin + declared)
+
+
+def _check_size(path: Path, declared: int) -> None:
+    """Bytes of a whole file against those that are there."""
+    there = path.stat().st_size
+    if there < declared < ENDLESS:
+        raise AudioError(f"{path}: is cut off: {there / declared:.0%} of it is there\n    {_ADVICE}")
 
 
 def _check_chunks(path: Path, head: bytes, order: str, sound: bytes) -> None:
