@@ -14,6 +14,7 @@ from intent_engine.judgement import (
     ANOTHER_WORD,
     CLEARLY,
     HARDLY_A_WORD,
+    OTHER_WAY,
     SURE_BESIDE_A_STOP,
     SURE_ENOUGH,
     SURE_ENOUGH_OF_SEVERAL,
@@ -316,3 +317,26 @@ def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternative
     """Of 464 "stop" in noise four were heard "go", and the robot drove off. But any word is compared with a "stop"."""
     transcript = Transcript(text, -2.0, text, alternatives=alternatives, behind=behind, confidence=confidence)
     assert bool(judge.meaning(transcript, (), ()).actions) is done
+
+
+@pytest.mark.parametrize(
+    ("text", "other", "nats", "done"),
+    [
+        ("going forward slowly", "going rearward slowly", OTHER_WAY - 0.1, False),
+        ("going forward slowly", "going rearward slowly", OTHER_WAY, True),
+        ("going forward slowly", "going onward slowly", 0.1, True),
+        ("turn left", "turn right", 0.5, False),
+        ("turn left and go back", "turn left and go forward", 0.5, False),
+        ("go to the kitchen", "go back", 0.5, True),
+        ("stop", "go back", 0.5, True),
+    ],
+)
+def test_what_may_as_well_have_been_the_other_way_is_asked_back(judge, text, other, nats, done):
+    transcript = Transcript(text, -0.9, "go wound", gap=0.4, confidence=0.95, alternatives=(other,), behind=(nats,))
+    found = judge.meaning(transcript, (), ())
+    assert bool(found.actions) is done
+    if not done:
+        assert found.alternatives == (text, other)
+        assert found.reason == f"{text!r} or {other!r}, the other way? say it again"
+    exactly = replace(transcript, text=text, free_text=text, gap=0.0, confidence=1.0)
+    assert judge.meaning(exactly, (), ()).actions, "word by word there is nothing to ask"
