@@ -93,6 +93,11 @@ class Commands:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
         return reading.words[0] not in self._not_verbs and all(slot.start > 0 for slot in reading.slots)
 
+    def lists(self, words: list[str]) -> bool:
+        """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""
+        readings = [reading for reading in self.matcher.read(words) if not reading.problem] if words else []
+        return bool(readings) and not any(map(self.opens_with_a_verb, readings))
+
     def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:
         """Whether free words are the end of a thing's name and the beginning of a command: "the cup go forward".
 

@@ -47,15 +47,15 @@ class Compounds:
         return clause
 
     @step(Kind.COMPOUND)
-    def split(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+    def split(self, core: Utterance, state: Collection[str], *, exactly: bool = False) -> list[Clause] | None:
         """The commands that an utterance joins, if every part of some split is a whole command; else None."""
         words = core.words
         joined = self._sequence.may_stand_in(words) or any(core.breaks[1:])
         if not joined and not self._phrases.goes_on(words):
             return None
-        return self._commands_in(core, state)
+        return self._commands_in(core, state, exactly)
 
-    def _commands_in(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+    def _commands_in(self, core: Utterance, state: Collection[str], exactly: bool = False) -> list[Clause] | None:
         """The same of an utterance that may be a single command."""
         words = core.words
         tried: dict[int, list[Clause] | None] = {}
@@ -66,7 +66,8 @@ class Compounds:
             tried[start] = None
             found: list[Clause] | None = None
             for end, after in self._boundaries(core, start):
-                clause = self.part(core.part(start, end), state)
+                part = core.part(start, end)
+                clause = self._commands.exact(part.words, state) if exactly else self.part(part, state)
                 if clause is None or not clause.accepted:
                     continue
                 if end == len(words):

@@ -43,13 +43,14 @@ class Interpreter:
     def __init__(self, matcher: Matcher, nearest: Nearest) -> None:
         grammar = matcher.grammar
         self.matcher = matcher
-        self.phrases = Phrases(grammar)
+        commands = Commands(matcher)
+        self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
         self._language = grammar.language
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
-        self._arrange(Commands(matcher), None)
+        self._arrange(commands, None)
 
     def _arrange(self, commands: Commands, watch: Watch | None) -> None:
         """Make the rules, each from those before it."""
@@ -132,6 +133,9 @@ class Interpreter:
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
             return _told(text, clause)
+        listed = phrases.as_a_list(said)
+        if listed is not None and (either := self._listed(text, *listed, state)) is not None:
+            return either
         if core is not said and not self._number_restarted(core):
             again = self._without_fillers(said, core, state)
             if again is not None and (again.accepted or clause is None):
@@ -147,6 +151,21 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
+
+    def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
+        """ "right then left": two commands. "right then turn left": two, or one after a word that says nothing. Nobody
+        knows, so nothing is done. None: no command follows, or a stop."""
+        before = self._commands.exact(first, state)
+        found, parts = self._meant(text, rest, state, spoken=False)
+        if before is None or before.reading is None or not before.accepted or not parts or not found.actions:
+            return None
+        begins = parts[0].reading
+        if begins is not None and not self._commands.opens_with_a_verb(begins):
+            return self._joined(text, [before, *parts])
+        after = ", then ".join(described(part.reading) for part in parts if part.reading is not None)
+        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it with a pause"
+        either = (f"{described(before.reading)}, then {after}", after)
+        return Interpretation(text, Status.AMBIGUOUS, alternatives=either, reason=reason), ()
 
     def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
         """What an utterance says besides its fillers."""
@@ -187,6 +206,9 @@ class Interpreter:
                 return self._rejected(text, reason)
             core = wanted
         parts = self._compounds.split(core, state)
+        if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence
+            fuller = self.phrases.without_idle_fillers(said)
+            parts = self._compounds.split(fuller, state, exactly=True) if len(fuller) > len(core) else None
         if parts is not None:
             return self._joined(text, parts)
         single = self._compounds.part(core, state, loosely=not negated)
