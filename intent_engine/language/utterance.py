@@ -104,9 +104,10 @@ class Openers:
         """
         if self.phrases.at(said.words, position) != length:
             return False
-        begins = not before
-        if self.listing.at(said.words, position) != length:
-            begins = begins or said.breaks[position] or self.joints.ends(before) > 0
+        if self.listing.at(said.words, position) == length:
+            begins = not before and self.listing.find(said.words[:position]) is None
+        else:
+            begins = not before or said.breaks[position] or self.joints.ends(before) > 0
         return not begins or any(said.breaks[position + 1 : position + length])
 
 

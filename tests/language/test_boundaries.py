@@ -154,6 +154,7 @@ def test_numbers_in_names_are_exact_in_words_and_digits(root, text):
         ("right then left", [("turn", "right"), ("turn", "left")]),
         ("turn left then right then left", [("turn", "left"), ("turn", "right"), ("turn", "left")]),
         ("turn left and right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
+        ("right then right then drive", [("turn", "right"), ("turn", "right"), ("move", "forward")]),
         ("turn left, right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
         ("okay right then left, then right", [("turn", "right"), ("turn", "left"), ("turn", "right")]),
         ("turn left and go ahead and turn right", [("turn", "left"), ("turn", "right")]),

@@ -157,6 +157,11 @@ class Interpreter:
         knows, so nothing is done. None: no command follows, or a stop."""
         before = self._commands.exact(first, state)
         found, parts = self._meant(text, rest, state, spoken=False)
+        if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
+            without = rest.part(self.phrases.goes_on(rest.words), len(rest))
+            if self.phrases.as_a_list(without) is not None:
+                return found, parts  # "right then right then ...": a list, whatever opens it
+            found, parts = self._meant(text, without, state, spoken=False)
         if before is None or before.reading is None or not before.accepted or not parts or not found.actions:
             return None
         begins = parts[0].reading

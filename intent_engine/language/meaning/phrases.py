@@ -62,7 +62,7 @@ class Phrases:
         return words[: len(words) - self.sequence.ends(words)]
 
     def as_a_list(self, said: Utterance) -> tuple[list[str], Utterance] | None:
-        """The command that may be the first of a list, and what follows its joint: "right then turn left".
+        """The command that may be the first of a list, and what follows, with its joint: "right then turn left".
 
         None: the utterance does not begin so, or a pause tells what is meant ("right then, turn left").
         """
@@ -77,7 +77,8 @@ class Phrases:
         end = start + length
         if end == len(said) or any(said.breaks[start + 1 : end + 1]):
             return None
-        return list(self._before_joint(said.words[start:end])), said.part(end, len(said))
+        first = list(self._before_joint(said.words[start:end]))
+        return first, said.part(start + len(first), len(said))
 
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
