@@ -184,6 +184,8 @@ class Intent:
     name: str
     action: ActionSpec
     sentences: tuple[Sentence, ...] = ()
+    then: tuple[Sentence, ...] = ()
+    """What is a command only behind one of this intent and a joint: "and then to the bedroom"."""
     regex: tuple[str, ...] = ()
     lark: str | None = None
     defaults: Mapping[str, Any] = field(default_factory=dict)
@@ -201,6 +203,11 @@ class Intent:
     examples: tuple[Example, ...] = ()
     description: str = ""
     place: Place | None = None
+
+    @property
+    def all_sentences(self) -> tuple[Sentence, ...]:
+        """Also those that are one only behind another."""
+        return (*self.sentences, *self.then)
 
 
 @dataclass(frozen=True, slots=True)

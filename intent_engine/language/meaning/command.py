@@ -47,10 +47,13 @@ class Commands:
         self._not_verbs = ARTICLES | ALONE.get(matcher.grammar.language, frozenset())
 
     @step(Kind.SENTENCE)
-    def exact(self, words: list[str], state: Collection[str]) -> Clause | None:
-        """The command that these words are, exactly; None if no sentence has them."""
-        readings = self.matcher.read(words)
-        if self._patterns:
+    def exact(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+        """The command that these words are, exactly; None if no sentence has them.
+
+        ``after`` names an intent whose command they go on from: "to the bedroom".
+        """
+        readings = self.matcher.read(words, after=after)
+        if self._patterns and not after:
             readings = [*readings, *self._patterns.read(words, self.matcher)]
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
@@ -60,6 +63,11 @@ class Commands:
         """Whether the words are a command by themselves, exactly."""
         clause = self.exact(words, state)
         return clause is not None and clause.accepted
+
+    def may_go_on(self, words: Sequence[str], before: str) -> bool:
+        """A quick look: whether words may be what goes on from a command of an intent."""
+        automaton = self.matcher.later[before][0]
+        return automaton.step(automaton.start(), words[0]) is not None
 
     def whole_from(self, words: Sequence[str], start: int) -> Iterator[tuple[int, list[Reading]]]:
         """Where commands of two words and more end that begin at a place, exactly, and what they are."""
@@ -115,9 +123,12 @@ class Commands:
         return False
 
     @step(Kind.MISHEARD)
-    def misheard(self, words: list[str], state: Collection[str]) -> Clause | None:
-        """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near."""
-        readings = [one for one in self.matcher.read(words, loose=True) if not self.holds_command(one)]
+    def misheard(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+        """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near.
+
+        ``after`` as for :meth:`exact`.
+        """
+        readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
