@@ -9,6 +9,7 @@ from typing import Any
 
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
@@ -133,7 +134,7 @@ class Commands:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
-        wrong = [one for one in readings if one.problem and one.heard_exactly and not _far_off(one)]
+        wrong = [one for one in readings if one.problem and _tells_what(one) and not _far_off(one)]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -250,6 +251,12 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
     rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
     return rank, slot.end - slot.start, -nearest
+
+
+def _tells_what(reading: Reading) -> bool:
+    """Whether more was heard as it is than how something is to be done: "slow down" has no direction called "down"."""
+    manner = sum(slot.end - slot.start for slot in reading.slots if slot.slot.type in MANNER and not slot.problem)
+    return reading.heard_exactly > manner
 
 
 def _far_off(reading: Reading) -> bool:

@@ -20,6 +20,7 @@ from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.numbers.english import ZERO
+from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
 
 if TYPE_CHECKING:
@@ -224,7 +225,21 @@ class Interpreter:
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
             return self._joined(text, commands)
         written = self._written_otherwise(text, core, state)
-        return written if written is not None else self._not_understood(text, core, state, clause or single)
+        if written is not None:
+            return written
+        vague = self._vague(text, core, state)
+        return vague if vague is not None else self._not_understood(text, core, state, clause or single)
+
+    def _vague(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "go forward a few feet": it would be a command if it said how many."""
+        exactly = said_exactly(core, self._language)
+        if exactly is None:
+            return None
+        amount, otherwise = exactly
+        found, _ = self._meant(text, otherwise, state, spoken=False)
+        if found.status is not Status.ACCEPTED:
+            return None
+        return self._rejected(text, f"{amount!r} may be any number; say how many")
 
     def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """The same words, written together or apart as the grammar has them, or with figures of two numbers apart, if
