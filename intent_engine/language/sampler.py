@@ -287,7 +287,8 @@ class Sampler:
         ways = self._said.get(slot.name)
         if ways is None:
             if slot.type in QUANTITY_KINDS:
-                limits = slot.minimum, slot.maximum
+                smallest = [limit for limit in (slot.minimum, slot.least) if limit is not None]
+                limits = max(smallest, default=None), slot.maximum
                 ways = spoken_forms(slot.type, self.grammar.language, slot.unit, *limits, whole=slot.whole)
             else:
                 said = sorted(

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from meanings import shipped
 
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
@@ -235,3 +238,12 @@ def test_nor_does_it_make_a_command(engine, text):
 def test_an_oh_between_two_numbers_is_a_digit_unless_there_is_a_pause(engine, text, angle):
     slots = engine.parse(text).slots
     assert slots == ({} if angle is None else {"side": "left", "angle": pytest.approx(math.radians(angle))})
+
+
+@given(st.integers(1, 720), st.sampled_from(["rotate", "turn left", "turn by", "turn right"]), st.booleans())
+def test_degrees_need_not_be_said_to_either_side(degrees, how, minus):
+    """From five on: "the right one" turns by no degree, nor does "rotate minus one"."""
+    said = f"{how} {'minus ' * minus}{degrees}"
+    bare, whole = shipped().parse(said), shipped().parse(f"{said} degrees")
+    assert whole.actions
+    assert bare.actions == (whole.actions if degrees >= 5 else ())
