@@ -8,6 +8,7 @@ from functools import lru_cache
 from intent_engine.language import quantities
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.normalize import without_accents
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.utterance import PhraseSet
 
@@ -76,6 +77,7 @@ MAY_BEGIN: Mapping[str, frozenset[str]] = {
     "it": frozenset(("molto", "ogni")),
 }  # fmt: skip
 """Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
+_COUNTING = NUMBER_WORDS | {"couple", "pair"}
 _AMOUNTS = ("distance", "angle", "duration", "speed", "percent")
 ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("a", "on", "over", "up", "down", "off", "out", "in", "back", "along", "to", "from", "at", "with"))
@@ -133,7 +135,7 @@ class FreeText:
 
         A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before.
         """
-        if not slot.known:
+        if not slot.known or not any(map(self._counts, said)):
             return False
         bare = self._without_articles(said)
         for words in (said, bare) if len(bare) < len(said) else (said,):
@@ -143,6 +145,12 @@ class FreeText:
             if isinstance(count, float) and count.is_integer() and (count != 1 or words is said):
                 return True
         return False
+
+    def _counts(self, word: str) -> bool:
+        """A quick look: whether a word may be one of a number."""
+        if self._language == "en":
+            return word in _COUNTING or word[:1].isdigit()
+        return word[:1].isdigit() or quantities.is_number_word(word, self._language)
 
     def _without_articles(self, words: Sequence[str]) -> Sequence[str]:
         while len(words) > 1 and words[0] in self._articles and not _is_code(words):
