@@ -51,6 +51,11 @@ class Phrases:
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
 
+    def says_nothing(self, said: Utterance, position: int, length: int) -> bool:
+        """Whether so many words at a place are a filler where they stand: "right then" opens, but not in a list."""
+        before = self.without_fillers(said.part(0, position)).words
+        return not self._openers.misplaced(said, position, length, before)
+
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
 
