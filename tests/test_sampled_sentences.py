@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Custom, Stop
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.utterance import PhraseSet, Utterance
@@ -114,6 +114,49 @@ def test_of_two_commands_each_means_what_it_means_alone(name):
         assert_means(
             engine.parse(text), Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, 1.0)
         )
+
+    holds()
+
+
+IDIOMS = ("go ahead and",)
+"""Fillers that a command with its verb and a joint would be as well, and hardly ever are."""
+
+
+@pytest.mark.parametrize("name", [name for name in GRAMMARS if name != "coffee"])
+def test_a_list_of_commands_is_done_whole_and_in_order_or_not_at_all(name):
+    """Words alone most of all: "left then right then left" has the most ways to be taken for something else."""
+    engine = engine_of(name)
+    matcher = engine.matcher()
+    joints = [" ".join(words) for words in engine.grammar.operators.sequence]
+    plain = [joint for joint in joints if joint in ("and", "then", "and then", "und", "dann", "und dann")]
+    assert len(plain) == 3
+
+    def actions(text):
+        found = engine.parse(text)
+        return found.actions if found.status is Status.ACCEPTED else ()
+
+    def repeats(action):
+        return isinstance(action, Custom) and action.name == "again"
+
+    def usable(text):
+        return not any(isinstance(action, Stop) or repeats(action) for action in actions(text))
+
+    words = sorted(word for word in matcher.strict.next_words(matcher.strict.start()) if actions(word) and usable(word))
+    alone = st.sampled_from(words)
+    command = alone | alone | sentences(engine).map(lambda said: said.text).filter(actions).filter(usable)
+    joint = st.sampled_from(plain) | st.sampled_from([*joints, *(f", {joint}" for joint in plain)])
+
+    @settings(max_examples=400, deadline=None, derandomize=True)
+    @given(command, st.lists(st.tuples(joint, command), min_size=1, max_size=3))
+    def holds(first, others):
+        parts = [first, *(part for _, part in others)]
+        text = first + "".join(f"{between if between[0] == ',' else ' ' + between} {part}" for between, part in others)
+        for (between, part), before in zip(others, parts, strict=False):
+            if matcher.read(Utterance.of(f"{before} {between} {part}").words):
+                return  # a sentence of its own: "komm dann in den Flur"
+        if any(idiom in text for idiom in IDIOMS):
+            return
+        assert actions(text) in ((), sum(map(actions, parts), ())), text
 
     holds()
 

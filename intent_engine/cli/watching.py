@@ -33,7 +33,7 @@ def watched(engine: IntentEngine, wanted: bool = True) -> Iterator[None]:
 
     def told(error: ConfigError | None) -> None:
         if error is None:
-            sentences = sum(len(one.sentences) for grammar in engine.grammars for one in grammar.intents.values())
+            sentences = sum(len(one.all_sentences) for grammar in engine.grammars for one in grammar.intents.values())
             note(f"reloaded: {sentences} sentences, {len(engine.locations or ())} places")
         else:
             note(f"not reloaded, the old grammar stays in use:\n{error}")

@@ -156,7 +156,20 @@ class _Meetings:
                 self.ambiguous += 1
                 found.extend(self._ambiguous(first, other, meeting) for other in level if self._new(first, other))
             found.extend(self._overlap(first, other, meeting) for other in rivals if self._new(first, other))
+        self._see_later()
         return [*found, *self._never()]
+
+    def _see_later(self) -> None:
+        """Which of the sentences that are one only behind another are understood: what is a command by itself wins."""
+        for meeting in self.walk.later:
+            readings = [one for one in meeting.readings if not any(slot.status == "unknown" for slot in one.slots)]
+            whole = [one for one in self.walk.matcher.read(list(meeting.words)) if not one.problem]
+            winners = [*whole, *readings]
+            for reading in readings:
+                if reading is winners[0]:
+                    self._won.add(id(reading.sentence))
+                else:
+                    self._lost.setdefault(id(reading.sentence), (winners[0], meeting))
 
     def _new(self, one: Reading, other: Reading) -> bool:
         pair = (id(one.sentence), id(other.sentence))
@@ -196,7 +209,7 @@ class _Meetings:
     def _never(self) -> Iterator[Finding]:
         """Sentences that no words mean."""
         for intent in self.walk.matcher.grammar.intents.values():
-            for sentence in intent.sentences:
+            for sentence in intent.all_sentences:
                 if id(sentence) not in self._won:
                     yield from self._never_one(intent, sentence)
 

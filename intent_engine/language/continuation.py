@@ -13,7 +13,7 @@ from enum import IntEnum
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.network import Edge, Networks, State
 
-__all__ = ["Continuation", "Continuations"]
+__all__ = ["MANNER", "Continuation", "Continuations"]
 
 MANNER = frozenset({"speed", "angular_speed"})
 """Types of slots that say how something is done."""

@@ -74,18 +74,21 @@ class Witness:
         return Explanation(
             self.matcher.grammar.language,
             words,
-            tuple(self._noticed([token.word for token in tokens])),
+            tuple(self._noticed(Utterance([token.word for token in tokens], [token.breaks for token in tokens]))),
             tuple(self._open[0].steps),
             tuple(sources(clause, self.matcher.locations) for clause in self._clauses),
             found,
         )
 
-    def _noticed(self, words: list[str]) -> list[Noticed]:
+    def _noticed(self, said: Utterance) -> list[Noticed]:
+        words = said.words
         found = []
         for kind, phrases in self._phrase_sets().items():
             position = 0
             while position < len(words):
                 length = phrases.at(words, position)
+                if length and kind == "filler" and not self._interpreter.phrases.says_nothing(said, position, length):
+                    length = 0
                 if length:
                     found.append(Noticed(kind, " ".join(words[position : position + length]), position))
                 position += max(length, 1)

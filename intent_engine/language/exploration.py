@@ -51,6 +51,8 @@ class Exploration:
     """The word that stands for any word of free text."""
     meetings: tuple[Meeting, ...]
     """One for each word state that ends a sentence, shortest words first."""
+    later: tuple[Meeting, ...]
+    """The same of what is a command only behind another."""
     states: int
     """Word states visited."""
     widest: int
@@ -72,24 +74,43 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
         if kind in trees and (kind != "ordinal" or grammar.language != "en"):
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
     free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
-    automaton = matcher.strict
-    start = automaton.start()
-    reached: dict[WordState, tuple[str, ...]] = {start: ()}
-    pending = deque([start])
-    meetings: list[Meeting] = []
-    widest = 0
-    while pending and len(reached) < most:
-        state = pending.popleft()
-        words = reached[state]
-        widest = max(widest, len(state.members))
-        for word in _kinds(automaton, state, grammar, free):
-            onward = automaton.step(state, word)
-            if onward is not None and onward not in reached:
-                reached[onward] = (*words, word)
-                pending.append(onward)
-                if automaton.accepting(onward):
-                    meetings.append(Meeting(reached[onward], tuple(matcher.read(list(reached[onward])))))
-    return Exploration(matcher, free, tuple(meetings), len(reached), widest, not pending)
+    walk = _Walk(matcher.strict, grammar, free)
+    meetings = [Meeting(words, tuple(matcher.read(list(words)))) for words in walk.endings(most)]
+    later = []
+    for name, (automaton, _) in matcher.later.items():
+        for words in _Walk(automaton, grammar, free).endings(most):
+            later.append(Meeting(words, tuple(matcher.read(list(words), after=name))))
+    return Exploration(matcher, free, tuple(meetings), tuple(later), walk.states, walk.widest, walk.complete)
+
+
+class _Walk:
+    """Visits all that an automaton leads to, breadth first."""
+
+    def __init__(self, automaton: Automaton, grammar: Grammar, free: str) -> None:
+        self._automaton = automaton
+        self._grammar = grammar
+        self._free = free
+        self.states = self.widest = 0
+        self.complete = False
+
+    def endings(self, most: int) -> Iterator[tuple[str, ...]]:
+        """The shortest words to each state that ends a sentence; the shortest of all first."""
+        automaton = self._automaton
+        start = automaton.start()
+        reached: dict[WordState, tuple[str, ...]] = {start: ()}
+        pending = deque([start])
+        while pending and len(reached) < most:
+            state = pending.popleft()
+            words = reached[state]
+            self.widest = max(self.widest, len(state.members))
+            for word in _kinds(automaton, state, self._grammar, self._free):
+                onward = automaton.step(state, word)
+                if onward is not None and onward not in reached:
+                    reached[onward] = (*words, word)
+                    pending.append(onward)
+                    if automaton.accepting(onward):
+                        yield reached[onward]
+        self.states, self.complete = len(reached), not pending
 
 
 def _kinds(automaton: Automaton, state: WordState, grammar: Grammar, free: str) -> Iterator[str]:

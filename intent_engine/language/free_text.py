@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
+from intent_engine.language import quantities
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.normalize import without_accents
+from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.utterance import PhraseSet
 
@@ -39,7 +41,7 @@ NO_THING: Mapping[str, frozenset[str]] = {
          "beside", "behind", "near", "inside", "outside", "above", "below", "beneath", "towards", "toward", "and", "or",
          "as", "than", "if", "since", "because", "before", "after", "whose", "its", "their", "his", "every", "each",
          "no", "very", "i", "he", "she", "we", "they", "is", "are", "was", "were", "be", "been", "being", "do", "does",
-         "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must", "might", "hold")
+         "did", "have", "has", "had", "will", "shall", "should", "would", "could", "must", "might", "hold", "speed")
     ),
     "de": frozenset(
         ("zu", "zum", "zur", "von", "mit", "in", "im", "ins", "an", "am", "ans", "auf", "aufs", "aus", "bei", "beim",
@@ -65,7 +67,7 @@ NO_THING: Mapping[str, frozenset[str]] = {
 }  # fmt: skip
 """No thing of a slot that lists things ends so: "pick up the cup from" goes on. A song may ("what I came for")."""
 MAY_BEGIN: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("its", "their", "his", "every", "each", "no", "very", "hold")),
+    "en": frozenset(("its", "their", "his", "every", "each", "no", "very", "hold", "speed")),
     "de": frozenset(
         ("sehr", "jede", "jeder", "jedes", "jeden", "sein", "euer", "seine", "seinen", "ihr", "ihre", "ihren", "unser",
          "unsere", "unseren", "eure", "euren")
@@ -75,6 +77,8 @@ MAY_BEGIN: Mapping[str, frozenset[str]] = {
     "it": frozenset(("molto", "ogni")),
 }  # fmt: skip
 """Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
+_COUNTING = NUMBER_WORDS | {"couple", "pair"}
+_AMOUNTS = ("distance", "angle", "duration", "speed", "percent")
 ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("a", "on", "over", "up", "down", "off", "out", "in", "back", "along", "to", "from", "at", "with"))
 }
@@ -86,6 +90,7 @@ class FreeText:
 
     def __init__(self, grammar: Grammar) -> None:
         # Single words of these are closed to free slots already; phrases are only seen whole.
+        self._language = grammar.language
         operators = grammar.operators
         changing = (
             *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
@@ -125,6 +130,33 @@ class FreeText:
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished_in(slot)) and said[-1] not in slot.allow
 
+    def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
+
+        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before.
+        """
+        if not slot.known or not any(map(self._counts, said)):
+            return False
+        bare = self._without_articles(said)
+        for words in (said, bare) if len(bare) < len(said) else (said,):
+            if any(quantities.evaluate(words, kind, self._language) is not None for kind in _AMOUNTS):
+                return True
+            count = quantities.evaluate(words, "number", self._language)
+            if isinstance(count, float) and count.is_integer() and (count != 1 or words is said):
+                return True
+        return False
+
+    def _counts(self, word: str) -> bool:
+        """A quick look: whether a word may be one of a number."""
+        if self._language == "en":
+            return word in _COUNTING or word[:1].isdigit()
+        return word[:1].isdigit() or quantities.is_number_word(word, self._language)
+
+    def _without_articles(self, words: Sequence[str]) -> Sequence[str]:
+        while len(words) > 1 and words[0] in self._articles and not _is_code(words):
+            words = words[1:]
+        return words
+
     def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents
         ("jose"). What is dictated is no name."""
@@ -133,8 +165,7 @@ class FreeText:
             return " ".join(words)
         if accented := _accented(slot.known):
             words = [accented.get(word, word) for word in words]
-        while len(words) > 1 and words[0] in self._articles and not _is_code(words):
-            words = words[1:]
+        words = list(self._without_articles(words))
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]

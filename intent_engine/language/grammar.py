@@ -101,6 +101,8 @@ class Slot:
     """SI, inclusive."""
     maximum: float | None = None
     """SI, inclusive."""
+    least: float | None = None
+    """SI, inclusive: the smallest size, whichever its sign."""
     usual_steps: tuple[float, ...] = ()
     """SI: people say their multiples. Another number that sounds like one must be heard far more clearly."""
     usual_max: float | None = None
@@ -131,6 +133,8 @@ class Slot:
             return "whole", BEYOND_LIMITS["whole"]
         if self.minimum is not None and value < self.minimum:
             return "min", f"{BEYOND_LIMITS['min']}, {self.written(self.minimum)}"
+        if self.least is not None and abs(value) < self.least:
+            return "least", f"{BEYOND_LIMITS['min']}, {self.written(self.least)}"
         if self.maximum is not None and value > self.maximum:
             return "max", f"{BEYOND_LIMITS['max']}, {self.written(self.maximum)}"
         return None
@@ -184,6 +188,8 @@ class Intent:
     name: str
     action: ActionSpec
     sentences: tuple[Sentence, ...] = ()
+    then: tuple[Sentence, ...] = ()
+    """What is a command only behind one of this intent and a joint: "and then to the bedroom"."""
     regex: tuple[str, ...] = ()
     lark: str | None = None
     defaults: Mapping[str, Any] = field(default_factory=dict)
@@ -201,6 +207,11 @@ class Intent:
     examples: tuple[Example, ...] = ()
     description: str = ""
     place: Place | None = None
+
+    @property
+    def all_sentences(self) -> tuple[Sentence, ...]:
+        """Also those that are one only behind another."""
+        return (*self.sentences, *self.then)
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,7 +49,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
         for intent in grammar.intents.values():
             whole = sound and intent.name not in draft.partial
             problems += _sentences(intent, places, shapes, whole=whole, broken=draft.broken)
-            given = [{*sentence.fixed, *shapes.labels(sentence.template)} for sentence in intent.sentences]
+            given = [{*sentence.fixed, *shapes.labels(sentence.template)} for sentence in intent.all_sentences]
             labels = set[str]().union(*given)
             if whole and not labels & draft.broken:
                 problems += value_problems(grammar, intent, labels, places)
@@ -225,7 +225,7 @@ def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Prob
     """Sentences that can go on in more ways than can be kept in mind: phrases of optionals of phrases of optionals."""
     begin = 0
     for intent in grammar.intents.values():
-        for sentence in intent.sentences:
+        for sentence in intent.all_sentences:
             begin += 1 + shapes.entries(sentence.template)
             if shapes.widest(sentence.template) > MAX_WAYS:
                 message = f"there are more than {MAX_WAYS:,} ways to go on after the same words of this sentence"
@@ -249,7 +249,7 @@ def _sentences(intent: Intent, places: Places, shapes: Shapes, *, whole: bool, b
     if whole and not intent.sentences and not intent.regex and intent.lark is None:
         message = f"intent {intent.name!r} has nothing that a person can say"
         yield places.problem(("intents", intent.name), message, "add sentences:, regex: or lark:", key=True)
-    for sentence in intent.sentences:
+    for sentence in intent.all_sentences:
         if any(reference.name in broken for reference in references(sentence.template)):
             continue
         if shapes.empty(sentence.template):

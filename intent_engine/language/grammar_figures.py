@@ -38,7 +38,7 @@ class Size:
 
 def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
     """Count what a grammar and a map hold."""
-    sentences = [sentence for intent in grammar.intents.values() for sentence in intent.sentences]
+    sentences = [sentence for intent in grammar.intents.values() for sentence in intent.all_sentences]
     names = [words for words, _ in locations.names()] if locations is not None else []
     longest_name = max((len(words) for words in names), default=0)
     once, each = _Counter(grammar, None), _Counter(grammar, len(names))

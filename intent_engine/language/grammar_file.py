@@ -295,7 +295,7 @@ class _Builder:
             sections = [parts.source.data.get(name) for name in ("slots", "phrases", "intents")]
             slots, phrases, intents = ([*one.values()] if isinstance(one, dict) else [] for one in sections)
             specs = [spec for spec in intents if isinstance(spec, dict)]
-            said = [*phrases, *(spec.get(key) for spec in specs for key in ("sentences", "examples"))]
+            said = [*phrases, *(spec.get(key) for spec in specs for key in ("sentences", "then", "examples"))]
             found |= as_written(texts_in(slots)) | as_written(texts_in(said), sentences=True)
         return found
 

@@ -45,26 +45,29 @@ def read_intent(
     if any(broken[: len(path)] == path for broken in source.broken):
         parts.draft.partial.add(name)
     action = _action(parts, (*path, "action"), name, spec.get("action", "custom"))
-    read: list[tuple[YamlPath, Any, Node]] = []
-    for at, _, entry in source.entries((*path, "sentences"), spec.get("sentences")):
-        said = (*at, "say") if isinstance(entry, dict) else at
-        if said in source.broken:
-            continue
-        node = parts.template(said, entry["say"] if isinstance(entry, dict) else entry, "sentence", name)
-        if node is None:
-            parts.draft.partial.add(name)
-        else:
-            read.append((at, entry, node))
+    read: dict[str, list[tuple[YamlPath, Any, Node]]] = {"sentences": [], "then": []}
+    for key, templates in read.items():
+        for at, _, entry in source.entries((*path, key), spec.get(key)):
+            said = (*at, "say") if isinstance(entry, dict) else at
+            if said in source.broken:
+                continue
+            node = parts.template(said, entry["say"] if isinstance(entry, dict) else entry, "sentence", name)
+            if node is None:
+                parts.draft.partial.add(name)
+            else:
+                templates.append((at, entry, node))
     before = known.intents.get(name)
-    nodes = [*(node for _, _, node in read), *(one.template for one in (before.sentences if before else ()))]
+    nodes = [node for templates in read.values() for _, _, node in templates]
+    nodes += [one.template for one in (before.all_sentences if before else ())]
     slots = {**known.slots, **slots_by_label(nodes, known)}
-    sentences = []
-    for at, entry, node in read:
-        if isinstance(entry, dict):
-            fixed = _values(parts, (*at, "slots"), entry.get("slots"), action, slots)
-            sentences.append(Sentence(entry["say"], node, fixed, source.place((*at, "say"))))
-        else:
-            sentences.append(Sentence(entry, node, {}, source.place(at)))
+    sentences: dict[str, list[Sentence]] = {"sentences": [], "then": []}
+    for key, templates in read.items():
+        for at, entry, node in templates:
+            if isinstance(entry, dict):
+                fixed = _values(parts, (*at, "slots"), entry.get("slots"), action, slots)
+                sentences[key].append(Sentence(entry["say"], node, fixed, source.place((*at, "say"))))
+            else:
+                sentences[key].append(Sentence(entry, node, {}, source.place(at)))
     regex = spec.get("regex", ())
     conditions = []
     for at, _, item in source.entries((*path, "when"), spec.get("when")):
@@ -74,7 +77,8 @@ def read_intent(
     return Intent(
         name=name,
         action=action,
-        sentences=tuple(sentences),
+        sentences=tuple(sentences["sentences"]),
+        then=tuple(sentences["then"]),
         regex=tuple(patterns),
         lark=spec.get("lark") if (*path, "lark") not in source.broken else None,
         defaults=_values(parts, (*path, "defaults"), spec.get("defaults"), action, slots),
@@ -110,6 +114,7 @@ def merged(old: Intent, new: Intent) -> Intent:
     return replace(
         old,
         sentences=old.sentences + new.sentences,
+        then=old.then + new.then,
         regex=old.regex + new.regex,
         lark=new.lark or old.lark,
         defaults={**old.defaults, **new.defaults},

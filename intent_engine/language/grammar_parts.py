@@ -18,8 +18,8 @@ from intent_engine.language.yaml_source import YamlPath, YamlSource
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "usual_step", "usual_max")),
-    "number": ("unit", "min", "max", "usual_step", "usual_max", "whole"),
+    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "least", "usual_step", "usual_max")),
+    "number": ("unit", "min", "max", "least", "usual_step", "usual_max", "whole"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -168,14 +168,16 @@ class PartReader:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{unit!r} is not a unit of {kind}", hint)
             unit = None
-        low, high, most = (
+        low, high, least, most = (
             self.quantity((*path, key), kind, spec[key], unit)
             if key in spec and kind in QUANTITY_KINDS and (*path, key) not in source.broken
             else None
-            for key in ("min", "max", "usual_max")
+            for key in ("min", "max", "least", "usual_max")
         )
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
+        if least is not None and (least <= 0 or (high is not None and least > high and (low is None or -least < low))):
+            source.problem((*path, "least"), f"{spec['least']!r} is no smallest size", "more than 0, and less than max")
         steps = self._steps((*path, "usual_step"), kind, spec.get("usual_step"), unit)
         if most is not None and most <= 0:
             message = f"{spec['usual_max']!r} is nothing that anybody would say"
@@ -189,6 +191,7 @@ class PartReader:
             unit=unit,
             minimum=low,
             maximum=high,
+            least=least,
             usual_steps=steps,
             usual_max=most,
             whole=spec.get("whole", False),

@@ -53,7 +53,7 @@ def value_problems(grammar: Grammar, intent: Intent, labels: set[str], places: P
             else:
                 yield from _value(slots.get(label), value, (*at, "slots", label), places)
         yield from _defaults(intent, condition.defaults, labels, slots, (*at, "defaults"), places)
-    for sentence in intent.sentences:
+    for sentence in intent.all_sentences:
         yield from _fixed(intent, sentence, labels, slots, grammar)
 
 
@@ -104,7 +104,7 @@ def _fixed(
     intent: Intent, sentence: Sentence, labels: set[str], slots: Mapping[str, Slot], grammar: Grammar
 ) -> Iterator[Problem]:
     """Slots that a sentence has without saying them; their place is the sentence's."""
-    spoken = {label for label in labels if any(label not in other.fixed for other in intent.sentences)}
+    spoken = {label for label in labels if any(label not in other.fixed for other in intent.all_sentences)}
     taken = {slot_of_parameter(intent.action, name) for name in ACTION_PARAMETERS[intent.action.type]}
     for label, value in sentence.fixed.items():
         wrong = _why_not(slots.get(label) or grammar.slots.get(label), value)
@@ -117,7 +117,7 @@ def _fixed(
 
 
 def _slots_of(grammar: Grammar, intent: Intent) -> dict[str, Slot]:
-    return slots_by_label((sentence.template for sentence in intent.sentences), grammar)
+    return slots_by_label((sentence.template for sentence in intent.all_sentences), grammar)
 
 
 def _patterns(intent: Intent) -> bool:
@@ -164,7 +164,7 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
             for value, _ in slot.values:
                 at = ("slots", slot.name, "values", value)
                 yield from _direction(action.type, value, at, places, f" (slot {slot.name!r})")
-    for sentence, own in zip(intent.sentences, given, strict=True):
+    for sentence, own in zip(intent.all_sentences, given, strict=True):
         yield from _complete(intent, sentence, own, missing)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -61,15 +61,27 @@ class Matcher:
         self.grammar = grammar
         self.locations = locations
         self.networks = Networks()
+        intents = grammar.intents.values()
         self.sentences: list[tuple[Intent, Sentence]] = [
-            (intent, sentence) for intent in grammar.intents.values() for sentence in intent.sentences
+            *((intent, sentence) for intent in intents for sentence in intent.sentences),
+            *((intent, sentence) for intent in intents for sentence in intent.then),
         ]
+        """Those of a whole utterance, and after them those of a later part only."""
+        self._whole = range(sum(len(intent.sentences) for intent in intents))
         self._free = FreeText(grammar)
         self.values = SlotValues(grammar, locations, self._free)
         self._add_networks()
         self.patterns = SpokenPatterns(grammar, self.networks, self._call)
-        self.strict = self._automaton(self._root(), loose=False)
-        self.loose = self._automaton(self._root(), loose=True)
+        self.strict = self._automaton(self._root(self._whole), loose=False)
+        self.loose = self._automaton(self._root(self._whole), loose=True)
+        self.later = {
+            intent.name: tuple(
+                self._automaton(self._root(self._later_of(intent)), loose=loose) for loose in (False, True)
+            )
+            for intent in intents
+            if intent.then
+        }
+        """By intent: what may follow a command of it and a joint; strictly, and loosely."""
 
     @cached_property
     def _alikes(self) -> Mapping[str, tuple[str, ...]]:
@@ -95,9 +107,13 @@ class Matcher:
             sound_alikes=self._alikes,
         )
 
-    def _root(self) -> State:
+    def _later_of(self, intent: Intent) -> list[int]:
+        later = range(len(self._whole), len(self.sentences))
+        return [index for index in later if self.sentences[index][0] is intent]
+
+    def _root(self, sentences: Iterable[int]) -> State:
         root = State()
-        for index in range(len(self.sentences)):
+        for index in sentences:
             end = State()
             end.final = True
             root.edges.append(Edge(end, call=Call(f"sentence:{index}", ("sentence", index))))
@@ -175,7 +191,9 @@ class Matcher:
 
     def _utterances(self, *, stop_anywhere: bool) -> Automaton:
         begin, middle, end = State(), State(), State()
-        end.final = True
+        ends = {intent.name: State() for intent in self.grammar.intents.values() if intent.then}
+        for place in (end, *ends.values()):
+            place.final = True
         fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
         sounds = [words for words in fillers if len("".join(words)) <= SOUND_LETTERS]
         sounds += [words for words in fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
@@ -192,13 +210,14 @@ class Matcher:
         begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
         begin.edges.append(Edge(middle))
         if fillers:
-            for place in (begin, end):
+            for place in (begin, end, *ends.values()):
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         polite = not stop_anywhere and self._add_polite(fillers, sounds)
         kind = "polite" if polite else "sentence"
-        for index in range(len(self.sentences)):
-            middle.edges.append(Edge(end, call=Call(f"{kind}:{index}")))
+        for index in self._whole:
+            after = ends.get(self.sentences[index][0].name, end)
+            middle.edges.append(Edge(after, call=Call(f"{kind}:{index}")))
         for key in self.patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
@@ -208,6 +227,13 @@ class Matcher:
             alone.final = True
             begin.edges.append(Edge(alone, call=Call("stop")))
         end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
+        for intent in self.grammar.intents.values():
+            if intent.then:
+                between = State()
+                ends[intent.name].edges.append(Edge(between, call=Call("sequence", apart=True)))
+                between.edges.append(Edge(middle))
+                for index in self._later_of(intent):
+                    between.edges.append(Edge(ends[intent.name], call=Call(f"{kind}:{index}")))
         return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
 
     def _add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> bool:
@@ -299,9 +325,15 @@ class Matcher:
 
     # -- reading ----------------------------------------------------------------------------------------------
 
-    def read(self, words: list[str], *, loose: bool = False) -> list[Reading]:
-        """Every reading of all the words, best first; those with a problem last."""
-        automaton = self.loose if loose else self.strict
+    def read(self, words: list[str], *, loose: bool = False, after: str = "") -> list[Reading]:
+        """Every reading of all the words, best first; those with a problem last.
+
+        Args:
+            words: of one command.
+            loose: whether names may be misspelled.
+            after: the intent that the words go on from; empty: they are a command by themselves.
+        """
+        automaton = self.later[after][loose] if after else self.loose if loose else self.strict
         language = self.grammar.language
         traces = [
             trace

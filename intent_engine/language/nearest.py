@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from itertools import islice
 
+from intent_engine.language.grammar import Sentence
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
@@ -27,12 +28,16 @@ class Nearest:
     @cached_property
     def _outlines(self) -> list[str]:
         found: dict[str, None] = {}
-        for _, sentence in self._matcher.sentences:
+        for sentence in self._whole_sentences():
             for words in islice(self._say(sentence.template, 0), PER_SENTENCE):
                 found[" ".join(words)] = None
                 if len(found) >= MAX_OUTLINES:
                     return list(found)
         return list(found)
+
+    def _whole_sentences(self) -> Iterator[Sentence]:
+        for intent in self._matcher.grammar.intents.values():
+            yield from intent.sentences
 
     def sentences(self, words: list[str], most: int = 3) -> tuple[str, ...]:
         """Up to three sentences, with slots in braces, nearest first; none if none is near."""

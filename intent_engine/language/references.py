@@ -15,6 +15,8 @@ __all__ = ["AGAIN", "resolve"]
 
 AGAIN = "again"
 """Name of the custom action that repeats the last one, ``scale`` times as far."""
+SEVERAL = frozenset(("them", "these", "those", "sie"))
+"""Pronouns for more than one thing, in all languages; some are for one as well ("the scissors")."""
 NOTHING_DONE = "nothing was done yet that could be done again"
 
 
@@ -37,6 +39,7 @@ def resolve(
     before = last[-1] if last else None
     things = {" ".join(words) for words in pronouns}
     thing = _thing(before, things)
+    named = list(dict.fromkeys(one for action in last or () if (one := _thing(action, things)) is not None))
     actions: list[Action] = []
     changed = False
     for action in found.actions:
@@ -51,10 +54,14 @@ def resolve(
                 meant = repeated
         elif thing is not None:
             meant = _with_thing(action, thing, things)
+            if meant is not action and len(named) > 1 and not SEVERAL.isdisjoint(_objects(action)):
+                return _rejected(found, f"more than one thing was named: {', '.join(named)}; say what to do with each")
         changed = changed or meant is not action
         actions.append(meant)
         before = meant
         thing = _thing(meant, things) or thing
+        if thing is not None and thing not in named:
+            named.append(thing)
     return replace(found, actions=tuple(actions)) if changed else found
 
 
@@ -71,12 +78,15 @@ def _again(action: Action, scale: object) -> Action | None:
 
 def _thing(action: Action | None, pronouns: Collection[str]) -> str | None:
     """What an action has to do with."""
-    found: object = None
-    if isinstance(action, (Pick, Place)):
-        found = action.object
-    elif isinstance(action, Custom):
-        found = next((action.slots[key] for key in ("thing", "object") if action.slots.get(key)), None)
+    found = next((one for one in _objects(action) if one), None)
     return found if isinstance(found, str) and found not in pronouns else None
+
+
+def _objects(action: Action | None) -> tuple[object, ...]:
+    """What an action may have to do with, as it was said."""
+    if isinstance(action, (Pick, Place)):
+        return (action.object,)
+    return tuple(action.slots.get(key) for key in ("thing", "object")) if isinstance(action, Custom) else ()
 
 
 def _with_thing(action: Action, thing: str, pronouns: Collection[str]) -> Action:

@@ -188,6 +188,14 @@ class Sampler:
             return self.finish(name, sentence, pieces) if pieces is not None else None
         return self.finish(name, sentence, self._drawn(sentence.template, choices))
 
+    def attempt_later(self, choices: Choices, intent: str) -> Sample | None:
+        """What goes on from a command of an intent behind a joint; None: nothing does, or its values make no action."""
+        sayable = [one for one in self.grammar.intents[intent].then if math.isfinite(self.length(one.template))]
+        if not sayable:
+            return None
+        sentence = pick(choices, sayable)
+        return self.finish(intent, sentence, self._drawn(sentence.template, choices))
+
     def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
         """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
         if any(map(_run_together, pieces, pieces[1:])):
@@ -279,7 +287,8 @@ class Sampler:
         ways = self._said.get(slot.name)
         if ways is None:
             if slot.type in QUANTITY_KINDS:
-                limits = slot.minimum, slot.maximum
+                smallest = [limit for limit in (slot.minimum, slot.least) if limit is not None]
+                limits = max(smallest, default=None), slot.maximum
                 ways = spoken_forms(slot.type, self.grammar.language, slot.unit, *limits, whole=slot.whole)
             else:
                 said = sorted(

@@ -88,7 +88,7 @@ class Spacing:
     def _following(self) -> list[tuple[_Words, _Words]]:
         """Words that may end a part of a sentence, with those with which the next part may begin."""
         grammar = self._grammar
-        templates = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+        templates = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
         templates += [node for slot in grammar.slots.values() for _, node in slot.values]
         templates += [Sequence(tuple(map(Word, words))) for words in grammar.operators.stop]
         return _Neighbours(grammar.phrases).of(templates)

@@ -94,12 +94,20 @@ class Openers:
     phrases: PhraseSet
     joints: PhraseSet
     """Phrases after which another command begins."""
+    listing: PhraseSet
+    """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
 
     def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
-        """Whether such a phrase stands here, and no command begins here, or a pause divides it."""
+        """Whether such a phrase stands here, and no command begins here, or a pause divides it.
+
+        After a joint "right then" is no filler either: "turn left then right then left".
+        """
         if self.phrases.at(said.words, position) != length:
             return False
-        begins = not before or said.breaks[position] or self.joints.ends(before) > 0
+        if self.listing.at(said.words, position) == length:
+            begins = not before and self.listing.find(said.words[:position]) is None
+        else:
+            begins = not before or said.breaks[position] or self.joints.ends(before) > 0
         return not begins or any(said.breaks[position + 1 : position + length])
 
 

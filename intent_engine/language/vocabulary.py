@@ -12,7 +12,7 @@ __all__ = ["vocabulary", "words_in"]
 
 def vocabulary(grammar: Grammar) -> frozenset[str]:
     """Every word that stands in the sentences, phrases and lists of a grammar."""
-    trees = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+    trees = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
     trees += grammar.phrases.values()
     trees += [node for slot in grammar.slots.values() for _, node in slot.values]
     return frozenset(word for tree in trees for word in words_in(tree))

@@ -31,13 +31,13 @@ class UsualNumbers:
         self._fixed = {
             (name, label, value)
             for name, intent in grammar.intents.items()
-            for sentence in intent.sentences
+            for sentence in intent.all_sentences
             for label, value in sentence.fixed.items()
             if isinstance(value, float | int)
         }
         """What a sentence says without a number: "a little"."""
         for name, intent in grammar.intents.items():
-            slots = {**grammar.slots, **slots_by_label((one.template for one in intent.sentences), grammar)}
+            slots = {**grammar.slots, **slots_by_label((one.template for one in intent.all_sentences), grammar)}
             known = {label: slot for label, slot in slots.items() if slot.usual_steps or slot.usual_max}
             if known:
                 self._slots[name] = known

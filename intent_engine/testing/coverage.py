@@ -121,7 +121,7 @@ class Coverage:
 
 def _parts(intent: Intent) -> dict[str, Place | None]:
     """The sentences and patterns of an intent."""
-    found: dict[str, Place | None] = {sentence.text: sentence.place for sentence in intent.sentences}
+    found: dict[str, Place | None] = {sentence.text: sentence.place for sentence in intent.all_sentences}
     found.update(dict.fromkeys(intent.regex, intent.place))
     if intent.lark is not None:
         found[intent.lark] = intent.place
@@ -137,8 +137,8 @@ def _slot_labels(grammar: Grammar, node: Node) -> Iterator[str]:
 
 
 def _labels(grammar: Grammar, intent: Intent) -> tuple[str, ...]:
-    said = (label for sentence in intent.sentences for label in _slot_labels(grammar, sentence.template))
-    fixed = (label for sentence in intent.sentences for label in sentence.fixed)
+    said = (label for sentence in intent.all_sentences for label in _slot_labels(grammar, sentence.template))
+    fixed = (label for sentence in intent.all_sentences for label in sentence.fixed)
     return tuple(dict.fromkeys((*said, *fixed)))
 
 

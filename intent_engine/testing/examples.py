@@ -134,8 +134,12 @@ def _of_another_map(name: str, places: Collection[str], found: Interpretation) -
 
 
 def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
-    """The expected slots, with quantities that are written with a unit as numbers."""
+    """The expected slots, with quantities that are written with a unit as numbers; of several commands each."""
     values = dict(expected)
+    steps, got_steps = expected.get("steps"), found.get("steps")
+    if isinstance(steps, list) and isinstance(got_steps, list) and len(steps) == len(got_steps):
+        pairs = zip(steps, got_steps, strict=True)
+        values["steps"] = [{**step, "slots": _in_si(step["slots"], got["slots"])} for step, got in pairs]
     for label, value in expected.items():
         got = found.get(label)
         if isinstance(value, str) and isinstance(got, float):
@@ -163,13 +167,18 @@ def _examples(grammar: Grammar) -> Iterator[Case]:
                 yield replace(case, status=Status(example.expected))
             else:
                 needs = tuple(_places(example.expected, labels))
-                yield replace(case, intent=intent.name, slots=example.expected, needs=needs)
+                steps = example.expected.get("steps") if example.expected is not None else None
+                if isinstance(steps, list):
+                    slots = {"steps": [{"intent": intent.name, "slots": step} for step in steps]}
+                    yield replace(case, intent="compound", slots=slots, needs=needs)
+                else:
+                    yield replace(case, intent=intent.name, slots=example.expected, needs=needs)
 
 
 def _location_labels(grammar: Grammar) -> frozenset[str]:
     """Under which names slots of places are given."""
     kinds = {name for name, slot in grammar.slots.items() if slot.type == "location"}
-    sentences = [sentence.template for intent in grammar.intents.values() for sentence in intent.sentences]
+    sentences = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
     said = (one for node in (*sentences, *grammar.phrases.values()) for one in references(node))
     return frozenset(kinds | {one.label for one in said if one.name in kinds})
 

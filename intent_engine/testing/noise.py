@@ -59,11 +59,12 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
     for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
         filler = usable[choices.below(len(usable))]
-        opens = any((word,) in operators.sequence for word in filler)  # "right then": elsewhere it joins two commands
+        # "right then, turn left": elsewhere, and without the pause, it joins two commands.
+        opens = any((word,) in operators.sequence for word in filler)
         place = 0 if opens else choices.below(len(said) + (0 if _dictated(said) else 1))
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
-        longer = [*said[:place], Piece(" ".join(filler)), *said[place:]]
+        longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
     return said
@@ -75,7 +76,7 @@ def _dictated(pieces: Sequence[Piece]) -> bool:
 
 
 def _words(pieces: Sequence[Piece]) -> list[str]:
-    return [word for piece in pieces for word in piece.text.split()]
+    return [word.rstrip(",") for piece in pieces for word in piece.text.split()]
 
 
 def _found(phrases: PhraseSet, words: Sequence[str]) -> Counter[tuple[str, ...]]:

@@ -160,7 +160,7 @@ def test_the_same_beginnings_and_the_same_next_words(
 def test_one_that_is_only_walked_goes_the_same_ways(case: tuple[Matcher, ReferenceMatcher, list[list[str]]]) -> None:
     matcher, _, tried = case
     traced = matcher.strict
-    walked = matcher._automaton(matcher._root(), loose=False, traced=False)
+    walked = matcher._automaton(matcher._root(matcher._whole), loose=False, traced=False)
     for said in tried:
         (count, state), (walked_count, walked_state) = traced.walk(said), walked.walk(said)
         assert count == walked_count

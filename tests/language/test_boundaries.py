@@ -5,7 +5,11 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from meanings import shipped
 
+from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 
@@ -150,6 +154,12 @@ def test_numbers_in_names_are_exact_in_words_and_digits(root, text):
         ("turn right, then go forward", [("turn", "right"), ("move", "forward")]),
         ("go right then left", [("turn", "right"), ("turn", "left")]),
         ("right, then turn left", [("turn", "right"), ("turn", "left")]),
+        ("right then left", [("turn", "right"), ("turn", "left")]),
+        ("turn left then right then left", [("turn", "left"), ("turn", "right"), ("turn", "left")]),
+        ("turn left and right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
+        ("right then right then drive", [("turn", "right"), ("turn", "right"), ("move", "forward")]),
+        ("turn left, right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
+        ("okay right then left, then right", [("turn", "right"), ("turn", "left"), ("turn", "right")]),
         ("turn left and go ahead and turn right", [("turn", "left"), ("turn", "right")]),
     ],
 )
@@ -159,10 +169,43 @@ def test_a_filler_that_joins_commands_is_none_between_them(engine, text, steps):
 
 
 @pytest.mark.parametrize(
-    "text", ["right then turn left", "okay, right then, turn left", "please go ahead and turn left"]
+    "text", ["right then, turn left", "okay, right then, turn left", "please go ahead and turn left"]
 )
 def test_but_it_opens_one(engine, text):
     assert engine.parse(text).slots == {"side": "left"}
+
+
+@pytest.mark.parametrize("text", ["right then turn left", "right then go forward", "uh right then turn left go on"])
+def test_where_it_may_be_a_command_or_open_one_nothing_is_done(engine, text):
+    found = engine.parse(text)
+    assert found.status is Status.AMBIGUOUS
+    assert len(found.alternatives) == 2
+    assert found.alternatives[0] == f"turn (side: right), then {found.alternatives[1]}"
+    assert "pause" in found.reason
+
+
+@pytest.mark.parametrize(("text", "status"), [("right then", "rejected"), ("right then don't go", "rejected")])
+def test_nor_is_it_one_without_another(engine, text, status):
+    assert engine.parse(text).status == status
+
+
+@pytest.mark.parametrize("text", ["right then stop", "right then left stop", "right then stop turning"])
+def test_a_stop_is_one_whatever_opens_it(engine, text):
+    assert engine.parse(text).actions == (Stop(),)
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("turn left and do that again", "turn left and turn left"),
+        ("turn left then again then go forward", "turn left, turn left and go forward"),
+        ("turn left and then once more, please", "turn left and turn left"),
+        ("turn left again and go forward", "turn left and go forward"),
+        ("turn left and again turn right", "turn left and turn right"),
+    ],
+)
+def test_a_filler_may_be_a_command_of_a_list(engine, text, same):
+    assert engine.parse(text).actions == engine.parse(same).actions != ()
 
 
 @pytest.mark.parametrize(
@@ -195,3 +238,12 @@ def test_nor_does_it_make_a_command(engine, text):
 def test_an_oh_between_two_numbers_is_a_digit_unless_there_is_a_pause(engine, text, angle):
     slots = engine.parse(text).slots
     assert slots == ({} if angle is None else {"side": "left", "angle": pytest.approx(math.radians(angle))})
+
+
+@given(st.integers(1, 720), st.sampled_from(["rotate", "turn left", "turn by", "turn right"]), st.booleans())
+def test_degrees_need_not_be_said_to_either_side(degrees, how, minus):
+    """From five on: "the right one" turns by no degree, nor does "rotate minus one"."""
+    said = f"{how} {'minus ' * minus}{degrees}"
+    bare, whole = shipped().parse(said), shipped().parse(f"{said} degrees")
+    assert whole.actions
+    assert bare.actions == (whole.actions if degrees >= 5 else ())

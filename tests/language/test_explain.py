@@ -164,3 +164,15 @@ def test_the_language_that_accepted_explains(tmp_path):
     assert engine.explain("winken").language == "de"
     assert engine.explain("winken").interpretation == engine.parse("winken")
     assert engine.explain("winken", language="en").interpretation.status is Status.REJECTED
+
+
+@pytest.mark.parametrize(
+    ("text", "fillers"),
+    [
+        ("right then, turn left", ["right then"]),
+        ("turn left then right then go forward", []),
+        ("uh turn right then go forward please", ["uh", "please"]),
+    ],
+)
+def test_a_filler_is_told_as_one_only_where_it_is(text: str, fillers: list[str]) -> None:
+    assert [one.words for one in shipped().explain(text).noticed if one.kind == "filler"] == fillers

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from meanings import ROOT, done
+from hypothesis import given
+from hypothesis import strategies as st
+from meanings import ROOT, does, done
 
 from intent_engine.engine import IntentEngine, PrefixStatus
 
@@ -50,6 +52,29 @@ ENGLISH = {
     "see the": "incomplete",
     "see a": "pick a",
 }
+
+
+TAKES = st.sampled_from(["take", "pick up", "grab", "bring me", "drop", "put down"])
+COUNTS = st.integers(0, 999).map(str) | st.sampled_from(["one", "two", "five", "a dozen", "twenty two", "a couple"])
+UNITS = st.sampled_from(["feet", "meters", "inches", "degrees", "seconds", "meters per second", "percent", "steps"])
+
+
+@given(TAKES, COUNTS, st.just("") | UNITS)
+def test_how_much_is_no_thing(take, count, unit):
+    for said in (f"{take} {count} {unit}", f"{take} the {count} {unit}" if unit else take):
+        assert does(said.strip()) in ("rejected", "incomplete")
+
+
+@given(st.integers(2, 99), st.sampled_from(["cups", "meter cable", "inch screws", "red boxes"]))
+def test_but_may_be_said_of_one(count, thing):
+    assert does(f"take the {count} {thing}") == f"pick {count} {thing}"
+
+
+@pytest.mark.parametrize("text", ["nimm fünf", "nimm zwei Meter", "hol mir drei Fuß", "nimm zwanzig"])
+def test_how_much_is_no_thing_in_german(text):
+    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    assert done(engine.parse(text)) in ("rejected", "incomplete")
+    assert done(engine.parse("nimm die zwei Tassen")) == "pick zwei tassen"
 
 
 @pytest.fixture(scope="module")

@@ -52,6 +52,8 @@ HARD = [
         "not but",
     ),
     *("go forward turn left", "turn left go", "pick up the cup go forward", "turn left slowly go forward"),
+    *("go to the kitchen and to the dock and", "pick up the cup and the", "go to the kitchen and the", "right then"),
+    *("go forward a few feet and", "some", "a few"),
     *("pick up the cup no the bottle and", "go to the kitchn and", "go to the kitchn,", "go forward stop turn left"),
 ]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from meanings import shipped
+from meanings import ROOT, shipped
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -32,7 +32,7 @@ def test_a_value_that_no_list_has_is_told_as_one_of_that_list(text, reason):
     assert reason in found.reason
 
 
-@pytest.mark.parametrize("text", ["to the kitchen", "three steps back", "go to the kitchen and then to the bedroom"])
+@pytest.mark.parametrize("text", ["to the kitchen", "seven steps back", "go to the kitchen and then to the bedroom"])
 def test_an_amount_tells_nothing_where_something_else_is_not_understood(text):
     """ "To the kitchen" is no turn by two degrees."""
     assert "smallest" not in shipped().parse(text).reason
@@ -42,7 +42,37 @@ def test_a_limit_is_told_of_what_the_sentence_calls_it():
     assert shipped().parse("turn left two").reason == "angle of 2° is less than the smallest, 5°"
 
 
-@pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus"])
+@pytest.mark.parametrize(
+    ("text", "amount"),
+    [
+        ("go forward a few feet", "a few"),
+        ("go several meters", "several"),
+        ("turn left some degrees and then go forward", "some"),
+        ("uh go a few more feet please", "a few"),
+        ("take a few steps back", "a few"),
+        ("go many meters back and a few feet ahead", "many"),
+    ],
+)
+def test_an_amount_without_a_number_is_asked_for(text, amount):
+    found = shipped().parse(text)
+    assert (found.status, found.reason) == (Status.REJECTED, f"{amount!r} may be any number; say how many")
+
+
+@pytest.mark.parametrize(
+    "text", ["few", "a few feet", "I went a few meters forward", "don't go a few feet", "go some place", "many thanks"]
+)
+def test_but_not_where_no_command_would_come_of_it(text):
+    found = shipped().parse(text)
+    assert not found.actions
+    assert "any number" not in found.reason
+
+
+def test_an_amount_without_a_number_in_german():
+    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    assert engine.parse("fahr ein paar Meter vor").reason == "'ein paar' may be any number; say how many"
+
+
+@pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus", "slow down", "very slowly jump"])
 def test_what_is_no_value_and_nothing_else_is_no_command(text):
     assert shipped().parse(text).reason == "not a command of this grammar"
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
@@ -47,10 +48,13 @@ class Commands:
         self._not_verbs = ARTICLES | ALONE.get(matcher.grammar.language, frozenset())
 
     @step(Kind.SENTENCE)
-    def exact(self, words: list[str], state: Collection[str]) -> Clause | None:
-        """The command that these words are, exactly; None if no sentence has them."""
-        readings = self.matcher.read(words)
-        if self._patterns:
+    def exact(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+        """The command that these words are, exactly; None if no sentence has them.
+
+        ``after`` names an intent whose command they go on from: "to the bedroom".
+        """
+        readings = self.matcher.read(words, after=after)
+        if self._patterns and not after:
             readings = [*readings, *self._patterns.read(words, self.matcher)]
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
@@ -60,6 +64,11 @@ class Commands:
         """Whether the words are a command by themselves, exactly."""
         clause = self.exact(words, state)
         return clause is not None and clause.accepted
+
+    def may_go_on(self, words: Sequence[str], before: str) -> bool:
+        """A quick look: whether words may be what goes on from a command of an intent."""
+        automaton = self.matcher.later[before][0]
+        return automaton.step(automaton.start(), words[0]) is not None
 
     def whole_from(self, words: Sequence[str], start: int) -> Iterator[tuple[int, list[Reading]]]:
         """Where commands of two words and more end that begin at a place, exactly, and what they are."""
@@ -93,6 +102,11 @@ class Commands:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
         return reading.words[0] not in self._not_verbs and all(slot.start > 0 for slot in reading.slots)
 
+    def lists(self, words: list[str]) -> bool:
+        """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""
+        readings = [reading for reading in self.matcher.read(words) if not reading.problem] if words else []
+        return bool(readings) and not any(map(self.opens_with_a_verb, readings))
+
     def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:
         """Whether free words are the end of a thing's name and the beginning of a command: "the cup go forward".
 
@@ -110,14 +124,17 @@ class Commands:
         return False
 
     @step(Kind.MISHEARD)
-    def misheard(self, words: list[str], state: Collection[str]) -> Clause | None:
-        """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near."""
-        readings = [one for one in self.matcher.read(words, loose=True) if not self.holds_command(one)]
+    def misheard(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+        """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near.
+
+        ``after`` as for :meth:`exact`.
+        """
+        readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
         good = [reading for reading in readings if not reading.problem and reading.heard_exactly]
-        wrong = [one for one in readings if one.problem and one.heard_exactly and not _far_off(one)]
+        wrong = [one for one in readings if one.problem and _tells_what(one) and not _far_off(one)]
         if good:
             best = max(good, key=lambda reading: (reading.intent.priority, -reading.free_words, reading.score))
             level = [
@@ -234,6 +251,12 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
     rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
     return rank, slot.end - slot.start, -nearest
+
+
+def _tells_what(reading: Reading) -> bool:
+    """Whether more was heard as it is than how something is to be done: "slow down" has no direction called "down"."""
+    manner = sum(slot.end - slot.start for slot in reading.slots if slot.slot.type in MANNER and not slot.problem)
+    return reading.heard_exactly > manner
 
 
 def _far_off(reading: Reading) -> bool:

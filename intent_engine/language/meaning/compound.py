@@ -47,26 +47,26 @@ class Compounds:
         return clause
 
     @step(Kind.COMPOUND)
-    def split(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+    def split(self, core: Utterance, state: Collection[str], *, exactly: bool = False) -> list[Clause] | None:
         """The commands that an utterance joins, if every part of some split is a whole command; else None."""
         words = core.words
         joined = self._sequence.may_stand_in(words) or any(core.breaks[1:])
         if not joined and not self._phrases.goes_on(words):
             return None
-        return self._commands_in(core, state)
+        return self._commands_in(core, state, exactly)
 
-    def _commands_in(self, core: Utterance, state: Collection[str]) -> list[Clause] | None:
+    def _commands_in(self, core: Utterance, state: Collection[str], exactly: bool = False) -> list[Clause] | None:
         """The same of an utterance that may be a single command."""
         words = core.words
-        tried: dict[int, list[Clause] | None] = {}
+        tried: dict[tuple[int, str], list[Clause] | None] = {}
 
-        def rest(start: int, depth: int) -> list[Clause] | None:
-            if start in tried:
-                return tried[start]
-            tried[start] = None
+        def rest(start: int, depth: int, before: str) -> list[Clause] | None:
+            if (start, before) in tried:
+                return tried[start, before]
+            tried[start, before] = None
             found: list[Clause] | None = None
             for end, after in self._boundaries(core, start):
-                clause = self.part(core.part(start, end), state)
+                clause = self._one(core.part(start, end), state, before, exactly)
                 if clause is None or not clause.accepted:
                     continue
                 if end == len(words):
@@ -74,30 +74,56 @@ class Compounds:
                 elif self._phrases.only_stops(words, after):
                     found = [clause]  # "... and stop": every command ends with the robot at rest
                 elif depth < MAX_PARTS:
-                    onward = rest(after, depth + 1)
+                    onward = rest(after, depth + 1, self._goes_on_from(clause) if after > end else "")
                     found = [clause, *onward] if onward is not None else None
                     if after > end and onward and len(onward) == 1 and isinstance(onward[0].action, Stop):
                         found = [clause]  # "... and wait there"
                 if found is not None:
                     break
-            tried[start] = found
+            tried[start, before] = found
             return found
 
-        return rest(self._phrases.goes_on(words), 1) or None
+        return rest(self._phrases.goes_on(words), 1, "") or None
+
+    def _one(self, part: Utterance, state: Collection[str], before: str, exactly: bool) -> Clause | None:
+        """The command that a part is, by itself or ("and then to the bedroom") behind one of the intent ``before``.
+
+        What is a command by itself, exactly, is that: after "turn left ninety degrees and then", "right" is.
+        """
+        words = part.words
+        if not before or not self._commands.may_go_on(words, before):
+            return self._commands.exact(words, state) if exactly else self.part(part, state)
+        whole = self._commands.exact(words, state)
+        if whole is not None and (whole.accepted or whole.ambiguous):
+            return whole
+        later = self._commands.exact(words, state, before)
+        if exactly or (later is not None and later.accepted):
+            return later
+        clause = self.part(part, state)
+        if not (clause is not None and clause.accepted) and not self._phrases.change_meaning(words):
+            return self._commands.misheard(words, state, before) or clause
+        return clause
+
+    def _goes_on_from(self, clause: Clause) -> str:
+        """The intent of a command, if there are parts that go on from it; else nothing."""
+        name = clause.reading.intent.name if clause.reading is not None else ""
+        return name if name in self._commands.matcher.later else ""
 
     def failing(self, core: Utterance, state: Collection[str]) -> tuple[Utterance, Clause | None] | None:
         """The part for which an utterance that joins commands is none, with what is made of it: the first that is no
         command, if those before it are, and what follows it or comes before it is at least one. None: no part is."""
         start = first = self._phrases.goes_on(core.words)
+        before = ""
         while True:
             ends = list(self._boundaries(core, start))[-MOST_ENDS:]
-            parts = [(end, after, self.part(core.part(start, end), state)) for end, after in ends]
-            done = next((after for _, after, clause in parts if clause is not None and clause.accepted), None)
-            if done is None:
+            parts = [(end, after, self._one(core.part(start, end), state, before, False)) for end, after in ends]
+            done = next((one for one in parts if one[2] is not None and one[2].accepted), None)
+            if done is None or done[2] is None:
                 break
-            if done >= len(core.words):
+            if done[1] >= len(core.words):
                 return None
-            start = done
+            before = self._goes_on_from(done[2]) if done[1] > done[0] else ""
+            start = done[1]
         end, after, clause = parts[-1]
         if start == first and not self._commands_in(core.part(after, len(core.words)), state):
             return None

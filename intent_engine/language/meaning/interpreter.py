@@ -20,6 +20,7 @@ from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.numbers.english import ZERO
+from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
 
 if TYPE_CHECKING:
@@ -43,13 +44,14 @@ class Interpreter:
     def __init__(self, matcher: Matcher, nearest: Nearest) -> None:
         grammar = matcher.grammar
         self.matcher = matcher
-        self.phrases = Phrases(grammar)
+        commands = Commands(matcher)
+        self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
         self._language = grammar.language
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
-        self._arrange(Commands(matcher), None)
+        self._arrange(commands, None)
 
     def _arrange(self, commands: Commands, watch: Watch | None) -> None:
         """Make the rules, each from those before it."""
@@ -132,6 +134,9 @@ class Interpreter:
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
             return _told(text, clause)
+        listed = phrases.as_a_list(said)
+        if listed is not None and (either := self._listed(text, *listed, state)) is not None:
+            return either
         if core is not said and not self._number_restarted(core):
             again = self._without_fillers(said, core, state)
             if again is not None and (again.accepted or clause is None):
@@ -147,6 +152,26 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
+
+    def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
+        """ "right then left": two commands. "right then turn left": two, or one after a word that says nothing. Nobody
+        knows, so nothing is done. None: no command follows, or a stop."""
+        before = self._commands.exact(first, state)
+        found, parts = self._meant(text, rest, state, spoken=False)
+        if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
+            without = rest.part(self.phrases.goes_on(rest.words), len(rest))
+            if self.phrases.as_a_list(without) is not None:
+                return found, parts  # "right then right then ...": a list, whatever opens it
+            found, parts = self._meant(text, without, state, spoken=False)
+        if before is None or before.reading is None or not before.accepted or not parts or not found.actions:
+            return None
+        begins = parts[0].reading
+        if begins is not None and not self._commands.opens_with_a_verb(begins):
+            return self._joined(text, [before, *parts])
+        after = ", then ".join(described(part.reading) for part in parts if part.reading is not None)
+        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it with a pause"
+        either = (f"{described(before.reading)}, then {after}", after)
+        return Interpretation(text, Status.AMBIGUOUS, alternatives=either, reason=reason), ()
 
     def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
         """What an utterance says besides its fillers."""
@@ -189,6 +214,9 @@ class Interpreter:
                 return self._rejected(text, reason)
             core = wanted
         parts = self._compounds.split(core, state)
+        if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence
+            fuller = self.phrases.without_idle_fillers(said)
+            parts = self._compounds.split(fuller, state, exactly=True) if len(fuller) > len(core) else None
         if parts is not None:
             return self._joined(text, parts)
         single = self._compounds.part(core, state, loosely=not negated)
@@ -199,7 +227,21 @@ class Interpreter:
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
             return self._joined(text, commands)
         written = self._written_otherwise(text, core, state)
-        return written if written is not None else self._not_understood(text, core, state, clause or single)
+        if written is not None:
+            return written
+        vague = self._vague(text, core, state)
+        return vague if vague is not None else self._not_understood(text, core, state, clause or single)
+
+    def _vague(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "go forward a few feet": it would be a command if it said how many."""
+        exactly = said_exactly(core, self._language)
+        if exactly is None:
+            return None
+        amount, otherwise = exactly
+        found, _ = self._meant(text, otherwise, state, spoken=False)
+        if found.status is not Status.ACCEPTED:
+            return None
+        return self._rejected(text, f"{amount!r} may be any number; say how many")
 
     def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """The same words, written together or apart as the grammar has them, or with figures of two numbers apart, if

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spellings import own_words
@@ -12,9 +12,14 @@ __all__ = ["Phrases"]
 
 
 class Phrases:
-    """Fillers, wake words and operators (stop, negation, correction ...) of a grammar, ready to be found."""
+    """Fillers, wake words and operators (stop, negation, correction ...) of a grammar, ready to be found.
 
-    def __init__(self, grammar: Grammar) -> None:
+    Args:
+        grammar: whose phrases they are.
+        lists: whether words are a command without a verb, as they stand in a list: "right". None: not known.
+    """
+
+    def __init__(self, grammar: Grammar, lists: Callable[[list[str]], bool] | None = None) -> None:
         operators = grammar.operators
         self.fillers = PhraseSet(grammar.fillers)
         own = own_words(grammar)
@@ -37,18 +42,48 @@ class Phrases:
         self.sequence = PhraseSet(operators.sequence)
         self.contrast = PhraseSet(operators.contrast)
         self._opening = PhraseSet(operators.opening)
-        joining = (words for words in grammar.fillers if any((word,) in operators.sequence for word in words))
-        self._openers = Openers(PhraseSet(joining), self.sequence)
+        joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
+        listing = [words for words in joining if lists is not None and lists(list(self._before_joint(words)))]
+        self._listing = PhraseSet(listing)
+        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing)
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
+
+    def says_nothing(self, said: Utterance, position: int, length: int) -> bool:
+        """Whether so many words at a place are a filler where they stand: "right then" opens, but not in a list."""
+        before = self.without_fillers(said.part(0, position)).words
+        return not self._openers.misplaced(said, position, length, before)
 
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
 
     def without_whole_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.whole, self.kept, self._openers)
+
+    def _before_joint(self, words: Sequence[str]) -> Sequence[str]:
+        """Words without the joint with which they end."""
+        return words[: len(words) - self.sequence.ends(words)]
+
+    def as_a_list(self, said: Utterance) -> tuple[list[str], Utterance] | None:
+        """The command that may be the first of a list, and what follows, with its joint: "right then turn left".
+
+        None: the utterance does not begin so, or a pause tells what is meant ("right then, turn left").
+        """
+        if not self._listing.may_stand_in(said.words):
+            return None
+        start, length = 0, 0
+        while start < len(said) and not (length := self._listing.at(said.words, start)):
+            skipped = self.fillers.at(said.words, start)
+            if not skipped:
+                return None
+            start += skipped
+        end = start + length
+        if end == len(said) or any(said.breaks[start + 1 : end + 1]):
+            return None
+        first = list(self._before_joint(said.words[start:end]))
+        return first, said.part(start + len(first), len(said))
 
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""
