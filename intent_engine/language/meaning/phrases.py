@@ -45,12 +45,12 @@ class Phrases:
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
         listing = [words for words in joining if lists is not None and lists(list(self._before_joint(words)))]
         self._listing = PhraseSet(listing)
-        self._hiding = {
-            words: next(word for word in words if lists([word]))
-            for words in map(tuple, grammar.fillers if lists is not None else ())
-            if len(words) > 1 and words not in set(map(tuple, joining)) and any(lists([word]) for word in words)
-        }
-        """Fillers of several words of which one is a command: "right away", "all right"."""
+        self._hiding: dict[tuple[str, ...], str] = {}
+        """Fillers of several words of which one is a command, with that: "right away", "all right"."""
+        for filler in grammar.fillers if lists is not None else ():
+            command = next((word for word in filler if lists is not None and lists([word])), None)
+            if command is not None and len(filler) > 1 and filler not in joining:
+                self._hiding[tuple(filler)] = command
         self._hides = PhraseSet(self._hiding)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing)
         self._closed = operators.closed
