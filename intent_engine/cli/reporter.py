@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import threading
+from collections.abc import Callable
 from typing import Any
 
 from intent_engine.actions import to_json
 from intent_engine.cli.describe import STYLES, action_text, pose_text, slots_text
+from intent_engine.cli.outbox import Outbox
 from intent_engine.cli.streams import OutputError
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.execution.events import Event, EventKind
@@ -44,11 +47,13 @@ class Reporter:
     Args:
         robot: is asked for its pose when an action ends.
         as_json: one JSON object a line instead of text.
+        outbox: writes it; None: it is written at once, and whoever tells waits until it is read.
     """
 
-    def __init__(self, robot: Robot, *, as_json: bool) -> None:
+    def __init__(self, robot: Robot, *, as_json: bool, outbox: Outbox | None = None) -> None:
         self._robot = robot
         self._json = as_json
+        self._outbox = outbox
         self._lock = threading.Lock()
         self.start = 0.0
         """The executor's time at which the sound began, in s."""
@@ -95,7 +100,7 @@ class Reporter:
             data["in_turn"] = True
         if event.detail:
             data["detail"] = event.detail
-        json_line(data)
+        self._json_line(data)
 
     def _heard_text(self, event: Heard) -> None:
         if event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
@@ -116,7 +121,7 @@ class Reporter:
         with self._lock:
             if self._json:
                 data = {"event": "source", "time": round(report.time, 3), "kind": report.kind.value}
-                json_line(data | {"detail": report.detail})
+                self._json_line(data | {"detail": report.detail})
             else:
                 self._line(report.time, "sound", report.detail, "yellow")
 
@@ -134,7 +139,7 @@ class Reporter:
                 pose = self._robot.pose()
                 if self._json:
                     data: dict[str, Any] = {"event": event.kind.value, "time": round(time, 3)}
-                    json_line(data | _detail(event) | _pose(pose))
+                    self._json_line(data | _detail(event) | _pose(pose))
                 else:
                     self._line(time, "stopped", event.detail or _where(pose), "red")
 
@@ -150,7 +155,7 @@ class Reporter:
                 "state": state.value,
                 "action": to_json(goal.action),
             }
-            json_line(data | _detail(event) | _pose(pose))
+            self._json_line(data | _detail(event) | _pose(pose))
         elif state is GoalState.EXECUTING:
             self._line(time, "doing", action_text(goal.action), "cyan")
         elif state in _ENDS:
@@ -172,14 +177,23 @@ class Reporter:
                     "accepted": summary.accepted,
                     "errors": summary.errors,
                 }
-                json_line(data | _pose(pose))
+                self._json_line(data | _pose(pose))
             else:
                 said = f"{summary.utterances} sentence{'s' * (summary.utterances != 1)}, {summary.accepted} understood"
                 self._line(None, "end", f"{said}; the robot is {_where(pose)}", "bold")
 
     def _line(self, time: float | None, word: str, text: str, style: str) -> None:
         when = f"{time:7.2f} s" if time is not None else " " * 9
-        say(f"{when}  {word:<11} {text}".rstrip(), style)
+        self._write(functools.partial(say, f"{when}  {word:<11} {text}".rstrip(), style))
+
+    def _json_line(self, data: dict[str, Any]) -> None:
+        self._write(functools.partial(json_line, data))
+
+    def _write(self, write: Callable[[], object]) -> None:
+        if self._outbox is None:
+            write()
+        else:
+            self._outbox.put(write)
 
 
 def _meaning(found: Interpretation) -> str:

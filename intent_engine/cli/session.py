@@ -105,7 +105,9 @@ class Session:
             RobotError: what read them went away or stood still.
             WeightsError: the recogniser failed at everything that was said.
         """
+        from intent_engine.cli.outbox import Outbox
         from intent_engine.cli.reporter import Reporter
+        from intent_engine.execution.clock import SteppedClock
         from intent_engine.execution.executor import Executor
         from intent_engine.execution.robots.robot import Pose
         from intent_engine.runtime import Runtime
@@ -129,7 +131,9 @@ class Session:
             else:
                 driven, loop = self._driven(stack, self.drive)
                 robot = driven
-            self.reporter = reporter = Reporter(robot, as_json=self.as_json)
+            # Where time does not stand still, nobody who reads what is told may hold up what is done.
+            outbox = None if isinstance(self.clock, SteppedClock) else stack.enter_context(Outbox())
+            self.reporter = reporter = Reporter(robot, as_json=self.as_json, outbox=outbox)
             options = self.robot.executor_options()
             if self.journal is not None:
                 from intent_engine.execution.journal import Journal
@@ -147,6 +151,8 @@ class Session:
                 noise_filter="auto" if self.noise_filter else None,
                 on_event=reporter.heard,
             )
+            if outbox is not None:
+                outbox.on_failure = runtime.close
             loss = _Loss(driven, reporter, runtime) if driven is not None else None
             if loss is not None:
                 executor.subscribe(loss)

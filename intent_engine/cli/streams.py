@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import os
+import select
+import stat
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,12 +15,25 @@ if TYPE_CHECKING:
 
 __all__ = ["OutputError", "drop_output", "prepare"]
 
+LOOK = 0.1
+"""s after which it is seen whether a line that nobody reads is still wanted."""
 ODD = "backslashreplace"
 """A name with odd bytes is shown, not raised about."""
 
 
 class OutputError(OSError):
     """Standard output cannot be written; says why."""
+
+
+def _may_stand_still(out: io.RawIOBase) -> bool:
+    """Whether a reader is behind it, as of a pipe or a terminal, and it can be seen whether that reads."""
+    if os.name == "nt":
+        return False
+    try:
+        mode = os.fstat(out.fileno()).st_mode
+    except (OSError, ValueError):
+        return False
+    return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode) or stat.S_ISSOCK(mode)
 
 
 class _Output(io.RawIOBase):
@@ -34,6 +49,7 @@ class _Output(io.RawIOBase):
         self._under = under
         self.dropped = False
         """Whether what is still written is for nobody."""
+        self._waits = under is not None and _may_stand_still(under)
 
     def writable(self) -> bool:
         return True
@@ -52,11 +68,23 @@ class _Output(io.RawIOBase):
         if self._under is None:
             raise OutputError("it is closed")
         try:
-            return self._under.write(data)
+            return self._under.write(data) if not self._waits else self._write_when_read(self._under, data)
         except BrokenPipeError:
             raise
         except OSError as error:
             raise OutputError(error.strerror or str(error)) from None
+
+    def _write_when_read(self, under: io.RawIOBase, data: ReadableBuffer) -> int:
+        """Write all, a piece whenever somebody reads, until it is for nobody any more. A write that blocks could not be
+        given up, and would abort the program at its end."""
+        left = memoryview(data).cast("B")
+        size = left.nbytes
+        while left.nbytes:
+            while not select.select([], [under.fileno()], [], LOOK)[1]:
+                if self.dropped:
+                    return size
+            left = left[under.write(left[: select.PIPE_BUF]) or 0 :]
+        return size
 
 
 def prepare() -> None:
