@@ -552,6 +552,19 @@ STOP = {
     "I said stop!": "stop",
     "abort mission": "stop",
     "hold on a second": "stop",
+    "don't move a muscle": "stop",
+    "don't go any further": "stop",
+    "not another step": "stop",
+    "stay right there": "stop",
+    "stop right where you are": "stop",
+    "stop what you're doing": "stop",
+    "stop this instant": "stop",
+    "stop all motors": "stop",
+    "slam on the brakes": "stop",
+    "kill the engine": "stop",
+    "quit": "stop",
+    "desist": "stop",
+    "cancel your goal": "stop",
     "[stop]": "stop",
     # By ear nobody can tell them apart.
     "break": "stop",
@@ -657,3 +670,9 @@ NOT_EVEN_MOVING = [
 
 def matches(meant: str, found: str) -> bool:
     return found in (Status.REJECTED, Status.INCOMPLETE, Status.AMBIGUOUS) if meant == NOTHING else found == meant
+MOTION_FORBIDDEN = [
+    *("don't move", "don't go", "Robot, don't move!", "please don't go forward", "do not go to the kitchen"),
+    *("don't turn left", "not forward", "never go back", "uh don't move"),
+]
+"""Nothing is done when the robot stands; when it moves, it stops."""
+    *("don't pick up the cup", "don't turn left, turn right", "I don't want to go forward", "he said don't move"),

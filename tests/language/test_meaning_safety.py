@@ -8,9 +8,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from meanings import commands, does, done, shipped
-from safety_table import NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
+from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Move, Navigate, Stop, Turn
 from intent_engine.interpretation import Status
 from intent_engine.language.utterance import Utterance
 
@@ -22,6 +22,12 @@ def test_a_sentence_of_the_table(text: str, meant: str) -> None:
 
 @pytest.mark.parametrize("text", WHILE_MOVING)
 def test_while_the_robot_moves_whatever_begins_or_ends_with_a_stop_word_stops_it(text: str) -> None:
+    assert does(text, "moving") == "stop"
+    assert matches(NOTHING, does(text))
+
+
+@pytest.mark.parametrize("text", MOTION_FORBIDDEN)
+def test_while_the_robot_moves_a_forbidden_motion_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
 

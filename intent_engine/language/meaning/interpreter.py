@@ -18,7 +18,7 @@ from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
-from intent_engine.language.meaning.stops import Stops
+from intent_engine.language.meaning.stops import MOVING, Stops
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
@@ -211,6 +211,13 @@ class Interpreter:
         if negated:
             wanted, reason = self._negations.wanted(core, state)
             if wanted is None:
+                ways = (core, self.phrases.without_idle_fillers(said))
+                if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
+                    return self._stopped(text)
+                if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
+                    return self._stopped(
+                        text
+                    )  # "don't move a muscle, stop": some stops say no
                 return self._rejected(text, reason)
             core = wanted
         parts = self._compounds.split(core, state)
