@@ -77,6 +77,53 @@ MAY_BEGIN: Mapping[str, frozenset[str]] = {
     "it": frozenset(("molto", "ogni")),
 }  # fmt: skip
 """Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
+NEVER_IN: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("or", "whichever", "either", "before", "after", "twice", "thrice")),
+    "de": frozenset(("oder", "entweder", "bevor", "nachdem", "zweimal", "dreimal", "viermal", "später", "nachher")),
+    "fr": frozenset(("ou", "soit", "avant", "après")),
+    "es": frozenset(("o", "u", "antes", "después")),
+    "it": frozenset(("o", "oppure", "prima", "dopo")),
+}  # fmt: skip
+"""Not one thing, or no thing but when and how often: "the cup or the plate", "the cup after lunch"."""
+NO_BARE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(
+        ("up", "down", "off", "out", "back", "along", "away", "together", "apart", "through", "forth", "rid", "used",
+         "married", "divorced", "engaged", "busy", "dressed", "undressed", "drunk", "sober", "angry", "mad", "jealous",
+         "serious", "real", "rich", "poor", "well", "better", "worse", "sick", "tired", "bored", "hungry", "thirsty",
+         "stuck", "started", "done", "finished")
+    ),
+    "de": frozenset(("frei", "teil")),
+}  # fmt: skip
+"""No name begins so without an article: "get married", "take back control", but "the used cup", "the back wheel"."""
+NO_HANDFUL: Mapping[str, frozenset[str]] = {
+    "en": frozenset(
+        ("action", "advantage", "charge", "comfort", "command", "control", "courage", "credit", "effect", "exception",
+         "heart", "help", "hold", "inspiration", "issue", "joy", "luck", "offense", "peace", "place", "pleasure",
+         "possession", "power", "pride", "refuge", "responsibility", "revenge", "root", "shape", "shelter", "sides",
+         "sleep", "word", "wrong")
+    ),
+    "de": frozenset(
+        ("anlauf", "anstoß", "einfluss", "fahrt", "glück", "kontakt", "kredit", "maß", "mut", "ordnung", "rache",
+         "reißaus", "schaden", "zuflucht")
+    ),
+}  # fmt: skip
+"""By themselves no things, but in "power drill" and "control panel": "take charge", "take my word for it"."""
+THINGS_ALONE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("it", "them", "him", "everything", "everyone")),
+    "de": frozenset(("es", "ihn", "alles", "alle")),
+}
+"""A name of their own, that goes on with where a thing is and nothing else: "it slow" and "it done" are no things."""
+_IN_THE_MIDDLE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("the", "a", "an", "my", "our", "your")),
+    "de": frozenset(("die", "das", "den", "ein", "eine", "einen", "mein", "meine", "meinen")),
+}
+"""Articles before which another thing begins, unless a word binds them to the one before: "the cup, the plate"."""
+_BINDING: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("of", "all", "both", "half", "that", "like", "next", "off", "up", "down", "out")),
+    "de": frozenset(("alle", "beide", "wie")),
+}
+TIMED: Mapping[str, frozenset[str]] = {"en": frozenset(("at", "by")), "de": frozenset(("um", "gegen"))}
+"""Words between a thing and the time when it is wanted."""
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}
 _AMOUNTS = ("distance", "angle", "duration", "speed", "percent")
 ALONE: Mapping[str, frozenset[str]] = {
@@ -100,6 +147,12 @@ class FreeText:
         self._articles = ARTICLES_IN.get(grammar.language, ARTICLES)
         self._no_thing = NO_THING.get(grammar.language, frozenset())
         self._no_beginning = self._no_thing - MAY_BEGIN.get(grammar.language, frozenset())
+        self._no_bare = NO_BARE.get(grammar.language, frozenset())
+        self._no_handful = NO_HANDFUL.get(grammar.language, frozenset())
+        self._never_in = NEVER_IN.get(grammar.language, frozenset())
+        self._alone_things = THINGS_ALONE.get(grammar.language, frozenset())
+        self._in_the_middle = _IN_THE_MIDDLE.get(grammar.language, frozenset())
+        self._binding = self._no_thing | self._articles | _BINDING.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
@@ -107,7 +160,7 @@ class FreeText:
 
     def unfinished_in(self, slot: Slot) -> frozenset[str]:
         """Words that are never the last in a slot."""
-        return (self.unfinished | self._no_thing) - slot.known if slot.known else self.unfinished
+        return (self.unfinished | self._no_thing | self._no_bare) - slot.known if slot.known else self.unfinished
 
     def problem(self, slot: Slot, words: Sequence[str], start: int, end: int) -> str:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
@@ -115,6 +168,8 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if said and slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
             wrong = frozenset((said[0],))
+        if said and slot.known and not wrong:
+            wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
@@ -122,6 +177,25 @@ class FreeText:
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
+        """The word that shows that words are not the name of one thing, in a slot that lists things."""
+        allowed = slot.allow
+        if never := self._never_in.intersection(said) - allowed:
+            return never
+        if said[0] in self._no_bare - allowed and (len(said) > 1 or said[0] not in slot.known):
+            return frozenset((said[0],))
+        bare = self._without_articles(said)
+        if bare[0] in self._no_handful - allowed and (len(bare) == 1 or bare[1] in self._no_thing):
+            return frozenset((bare[0],))
+        for place in range(1, len(said)):
+            word = said[place]
+            if said[place - 1] in self._alone_things and word not in self._no_thing | allowed:
+                return frozenset((word,))
+            last = place == len(said) - 1  # "box a" has a letter
+            if word in self._in_the_middle and not last and said[place - 1] not in self._binding:
+                return frozenset((word,))
+        return frozenset()
 
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""
@@ -133,8 +207,11 @@ class FreeText:
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
-        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before.
+        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
+        ends with a time is an amount as well: "the cup at three".
         """
+        if slot.known and len(said) > 2 and said[-2] in TIMED.get(self._language, ()) and self._counts(said[-1]):
+            return True
         if not slot.known or not any(map(self._counts, said)):
             return False
         bare = self._without_articles(said)

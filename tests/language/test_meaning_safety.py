@@ -56,6 +56,32 @@ def test_a_negated_command_moves_nothing(command: str, negated: str) -> None:
 
 
 @quick
+@given(commands(), st.sampled_from(["don't {}", "do not {}", "please don't {}", "Robot, don't {}!"]))
+def test_a_moving_robot_stops_where_a_motion_is_forbidden(command: str, negated: str) -> None:
+    found = shipped().parse(command)
+    assume(found.actions and all(isinstance(action, (Move, Turn, Navigate)) for action in found.actions))
+    assume(len(found.actions) == 1 and not command[:1].isdigit() and found.confidence == 1.0)
+    assert does(negated.format(command), "moving") == "stop", command
+
+
+ALTERNATIVES = ["{} or the {}", "{} or a {}", "{}, the {}", "{} the {}", "{} or {}"]
+things = st.sampled_from(["cup", "red cup", "bottle", "box", "screwdriver", "bottle of water"])
+
+
+@quick
+@given(
+    st.sampled_from(
+        ["pick up the {}", "bring me the {}", "put the {} on the table", "put the cup on the {}", "drop the {}"]
+    ),
+    things,
+    things,
+    st.sampled_from(ALTERNATIVES),
+)
+def test_two_things_are_no_one_thing(command: str, one: str, other: str, form: str) -> None:
+    assert not shipped().parse(command.format(form.format(one, other))).actions
+
+
+@quick
 @given(commands(), commands(), st.sampled_from([" and ", ", then ", " and then ", ". "]))
 def test_a_negated_part_moves_nothing_of_the_whole(first: str, second: str, joint: str) -> None:
     for text in (f"{first}{joint}don't {second}", f"don't {first} and {second}"):
