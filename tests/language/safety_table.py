@@ -615,6 +615,107 @@ STOP = {
     "pull out all the stops": NOTHING,
     "don't stop, go forward": "forward 1",
 }
+NO_NAME = {
+    # One thing or another: nobody said which.
+    "pick up the cup or the plate": NOTHING,
+    "bring me a cup or a glass": NOTHING,
+    "put the cup on the table or the chair": NOTHING,
+    "look at the door or the window": NOTHING,
+    # When and how often.
+    "pick up the cup after lunch": NOTHING,
+    "pick up the cup before you go": NOTHING,
+    "pick up the cup at three": NOTHING,
+    "pick up the cup twice": NOTHING,
+    "pick up the cup in five minutes": NOTHING,
+    "bring me the cup in five minutes": NOTHING,
+    "put the cup on the table at noon": NOTHING,
+    # A thing that was named before, and then something about it.
+    "take it slow": NOTHING,
+    "take it down a notch": NOTHING,
+    "take it up with the manager": NOTHING,
+    "get it done": NOTHING,
+    "get it together": NOTHING,
+    "look at it this way": NOTHING,
+    "drop it already": NOTHING,
+    "put it on the table": "place it table",
+    "take it": "pick it",
+    # Particles of the verb, and what one becomes.
+    "take back control": NOTHING,
+    "take down the wall": NOTHING,
+    "take up smoking": NOTHING,
+    "get back to work": NOTHING,
+    "get up stand up": NOTHING,
+    "get rid of it": NOTHING,
+    "get used to it": NOTHING,
+    "get married": NOTHING,
+    "get dressed": NOTHING,
+    "get serious": NOTHING,
+    "take the used cup": "pick used cup",
+    "take the back wheel": "pick back wheel",
+    "get your act together": NOTHING,
+    # Nothing that a hand can hold.
+    "take control": NOTHING,
+    "take charge": NOTHING,
+    "take advantage": NOTHING,
+    "take place": NOTHING,
+    "take my word for it": NOTHING,
+    "take issue with that": NOTHING,
+    "get help": NOTHING,
+    "get some sleep": NOTHING,
+    "bring me luck": NOTHING,
+    "take a shower": NOTHING,
+    "take the bus to the kitchen": NOTHING,
+    "take the hint": NOTHING,
+    "drop the beat": NOTHING,
+    "drop a hint": NOTHING,
+    "put your hands in the air": NOTHING,
+    "put a smile on your face": NOTHING,
+    "put an end to this": NOTHING,
+    "put the past behind you": NOTHING,
+    "bring the water to a boil": NOTHING,
+    "find the meaning of life": NOTHING,
+    "pick up the power drill": "pick power drill",
+    "pick up the control panel": "pick control panel",
+    # People.
+    "put the kids to bed": NOTHING,
+    "put him on the phone": NOTHING,
+    "check on the kids": NOTHING,
+    "get me the police": NOTHING,
+    "get me the manager": NOTHING,
+    "look at you": NOTHING,
+    # Of a list each is a thing.
+    "pick up the cup, the plate and the fork": NOTHING,
+    "pick up the cup the plate": NOTHING,
+    "pick up the cup and the plate and the fork": "pick cup, pick plate, pick fork",
+    "pick up the lid of the pot": "pick lid of the pot",
+    "put the cup back on the table": "place cup table",
+}
+GO_AND = {
+    "go and get the cup": "pick cup",
+    "go and turn left": "left 43",
+    "go and look at the door": "look",
+    "turn left then go and get the cup": "left 43, pick cup",
+    "go get the cup": "pick cup",
+    "go find the cup": "look",
+    "go and then turn left": "forward 1, left 43",
+    "go, then turn left": "forward 1, left 43",
+    "go forward and turn left": "forward 1, left 43",
+    "go and dance": NOTHING,
+    "go and don't turn left": NOTHING,
+}
+STUDENTS = {
+    "Rotate 90° clockwise.": "right 90",
+    "start turning left": "left 43",
+    "start driving forward": "forward 1",
+    "move forward one step": "forward 0.3",
+    "move two steps back": "back 0.6",
+    "do a full rotation": "left 360",
+    "make a full turn": "left 360",
+    "reverse a little": "back 0.2",
+    "grip the cube": "pick cube",
+    "open your gripper": "place",
+    "search for the red ball": "look",
+}
 LIKE_STOP = dict.fromkeys(
     [
         *(
@@ -647,6 +748,9 @@ TABLE = {
     **CONTINUED,
     **RUN_ON,
     **UNFINISHED,
+    **NO_NAME,
+    **GO_AND,
+    **STUDENTS,
     **LIKE_STOP,
     **TURNS,
     **MISHEARD,
@@ -662,7 +766,13 @@ WHILE_MOVING = [
     *("uh robot stop the music", "no stop the music"),
     *("you are going to hit the wall stop", "watch out halt", "damn it stop", "the bus stop", "no no no", "nope, no"),
 ]
+MOTION_FORBIDDEN = [
+    *("don't move", "don't go", "Robot, don't move!", "please don't go forward", "do not go to the kitchen"),
+    *("don't turn left", "not forward", "never go back", "uh don't move"),
+]
+"""Nothing is done when the robot stands; when it moves, it stops."""
 NOT_EVEN_MOVING = [
+    *("don't pick up the cup", "don't turn left, turn right", "I don't want to go forward", "he said don't move"),
     *("I do not want it to stop", "he never says stop", "whatever you do don't stop", "go to the bus and then stop"),
     *("no", "no, left", "where is the bus stop in this town", "the stop is over there"),
 ]
@@ -670,9 +780,3 @@ NOT_EVEN_MOVING = [
 
 def matches(meant: str, found: str) -> bool:
     return found in (Status.REJECTED, Status.INCOMPLETE, Status.AMBIGUOUS) if meant == NOTHING else found == meant
-MOTION_FORBIDDEN = [
-    *("don't move", "don't go", "Robot, don't move!", "please don't go forward", "do not go to the kitchen"),
-    *("don't turn left", "not forward", "never go back", "uh don't move"),
-]
-"""Nothing is done when the robot stands; when it moves, it stops."""
-    *("don't pick up the cup", "don't turn left, turn right", "I don't want to go forward", "he said don't move"),
