@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
@@ -31,6 +32,8 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
+_ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
+"""The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether that is right."""
 NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")
@@ -105,7 +108,15 @@ class Interpreter:
             return self._rejected(text, "nothing was said")
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
-        return self._meant(text, said, state, spoken)
+        understood = self._meant(text, said, state, spoken)
+        if _ASKED.search(text) and self._lists_only(understood[1]):
+            return self._rejected(text, "a question, and not one to do something")
+        return understood
+
+    def _lists_only(self, parts: Collection[Clause]) -> bool:
+        """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
+        readings = [part.reading for part in parts if part.accepted and part.reading is not None]
+        return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
 
     def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool) -> Understood:
         words, phrases = said.words, self.phrases
