@@ -97,17 +97,29 @@ NO_BARE: Mapping[str, frozenset[str]] = {
 """No name begins so without an article: "get married", "take back control", but "the used cup", "the back wheel"."""
 NO_HANDFUL: Mapping[str, frozenset[str]] = {
     "en": frozenset(
-        ("action", "advantage", "charge", "comfort", "command", "control", "courage", "credit", "effect", "exception",
-         "heart", "help", "hold", "inspiration", "issue", "joy", "luck", "offense", "peace", "place", "pleasure",
-         "possession", "power", "pride", "refuge", "responsibility", "revenge", "root", "shape", "shelter", "sides",
-         "sleep", "word", "wrong")
+        ("action", "advantage", "charge", "charges", "comfort", "command", "control", "courage", "credit", "effect",
+         "effort", "end", "exception", "heart", "help", "hold", "inspiration", "issue", "joy", "love", "luck", "mind",
+         "offense", "past", "peace", "place", "pleasure", "possession", "power", "pressure", "pride", "refuge",
+         "responsibility", "revenge", "root", "roots", "sake", "shape", "shelter", "sides", "sleep", "state", "strength",
+         "sunshine", "thoughts", "truth", "meaning", "lies", "word", "wrong", "writing", "risk", "point", "space",
+         "spirits", "worries", "ego", "law", "language", "habit", "benefit", "doubt", "creeps", "blame", "attitude", "act",
+         "beat", "bass", "mic", "hint", "hints", "lead", "plunge", "bait", "slack", "tab", "bet", "rent", "deposit", "job",
+         "life", "grip", "haircut", "bath", "shower", "party", "internet", "spelling", "database", "password", "boil",
+         "vote", "test", "court", "close", "touch", "mess", "hotel", "exit", "stairs", "subway", "bus", "lunch", "dinner",
+         "hands", "hand", "head", "eyes", "feet", "mouth", "finger", "fingers", "face", "smile",
+         "kid", "kids", "baby", "child", "children", "husband", "wife", "boss", "manager", "police", "policeman", "doctor",
+         "lawyer", "plumber")
     ),
     "de": frozenset(
         ("anlauf", "anstoß", "einfluss", "fahrt", "glück", "kontakt", "kredit", "maß", "mut", "ordnung", "rache",
-         "reißaus", "schaden", "zuflucht")
+         "reißaus", "schaden", "zuflucht", "polizei", "arzt", "chef", "kind", "kinder", "bahn", "treppe", "ausfahrt", "bad",
+         "dusche", "essen", "mittagessen", "frühstück", "arbeit", "schule", "thema", "kochen", "ende", "punkt", "chaos",
+         "schuld", "wort", "adresse", "nummer", "rechtschreibung", "kontostand", "wahrheit", "fehler", "hand", "hände",
+         "kopf", "beine", "finger", "augen", "mund", "rücken", "hosen", "sache")
     ),
 }  # fmt: skip
-"""By themselves no things, but in "power drill" and "control panel": "take charge", "take my word for it"."""
+"""People, what becomes of them, and what nobody can hold: "take charge", "put the kids to bed", "take a bath". With a
+word behind them they are about a thing: "control panel", "baby bottle", "bath towel"."""
 THINGS_ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("it", "them", "him", "everything", "everyone")),
     "de": frozenset(("es", "ihn", "alles", "alle")),
@@ -185,9 +197,6 @@ class FreeText:
             return never
         if said[0] in self._no_bare - allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
-        bare = self._without_articles(said)
-        if bare[0] in self._no_handful - allowed and (len(bare) == 1 or bare[1] in self._no_thing):
-            return frozenset((bare[0],))
         for place in range(1, len(said)):
             word = said[place]
             if said[place - 1] in self._alone_things and word not in self._no_thing | allowed:
@@ -203,6 +212,20 @@ class FreeText:
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished_in(slot)) and said[-1] not in slot.allow
+
+    def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
+        """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
+        if not slot.known:
+            return ""
+        following = (*said[1:], "")
+        return next(
+            (
+                word
+                for word, after in zip(said, following, strict=True)
+                if word in self._no_handful - slot.known - slot.allow and (not after or after in self._no_thing)
+            ),
+            "",
+        )
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".

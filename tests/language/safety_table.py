@@ -688,7 +688,12 @@ NO_NAME = {
     # People.
     "put the kids to bed": NOTHING,
     "put him on the phone": NOTHING,
-    "check on the kids": NOTHING,
+    "check on the kids": "look",
+    "bring the cup to the doctor": "bring",
+    "pick up the baby bottle": "pick baby bottle",
+    "take the bath towel": "pick bath towel",
+    "pick up the test tube": "pick test tube",
+    "pick up the head of lettuce": "pick head of lettuce",
     "get me the police": NOTHING,
     "get me the manager": NOTHING,
     "look at you": NOTHING,

@@ -226,9 +226,7 @@ class Interpreter:
                 if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
                     return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
-                    return self._stopped(
-                        text
-                    )  # "don't move a muscle, stop": some stops say no
+                    return self._stopped(text)  # "don't move a muscle, stop": some stops say no
                 return self._rejected(text, reason)
             core = wanted
         parts = self._compounds.split(core, state)
