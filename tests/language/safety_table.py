@@ -690,6 +690,9 @@ NO_NAME = {
     "put him on the phone": NOTHING,
     "check on the kids": "look",
     "bring the cup to the doctor": "bring",
+    "put the cup in my hand": "place cup hand",
+    "put the box under the stairs": "place box stairs",
+    "bring me my lunch": "bring",
     "pick up the baby bottle": "pick baby bottle",
     "take the bath towel": "pick bath towel",
     "pick up the test tube": "pick test tube",
@@ -783,6 +786,7 @@ WHILE_MOVING = [
 MOTION_FORBIDDEN = [
     *("don't move", "don't go", "Robot, don't move!", "please don't go forward", "do not go to the kitchen"),
     *("don't turn left", "not forward", "never go back", "uh don't move"),
+    *("don't follow me", "don't come here"),
 ]
 """Nothing is done when the robot stands; when it moves, it stops."""
 NOT_EVEN_MOVING = [

@@ -33,7 +33,7 @@ MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
 _ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
-"""The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether that is right."""
+"""The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
 NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")

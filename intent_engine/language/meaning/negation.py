@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from intent_engine.actions import Move, Navigate, Turn
+from intent_engine.actions import Custom, Move, Navigate, Turn
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.phrases import Phrases
@@ -57,7 +57,9 @@ class Negations:
             before = []
         rest = [*before, *core.words[position + length :]]
         clause = self._commands.exact(rest, state) if rest and self._first(rest) is None else None
-        return clause is not None and isinstance(clause.action, (Move, Turn, Navigate))
+        action = clause.action if clause is not None else None
+        person = isinstance(action, Custom) and not action.slots  # "don't follow me", "don't come here"
+        return person or isinstance(action, (Move, Turn, Navigate))
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
