@@ -99,8 +99,7 @@ def _with_thing(action: Action, thing: str, pronouns: Collection[str]) -> Action
         return replace(action, object=thing)
     if isinstance(action, Custom) and any(action.slots.get(key) in pronouns for key in _keys(action)):
         slots = {
-            key: thing if key in _keys(action) and value in pronouns else value
-            for key, value in action.slots.items()
+            key: thing if key in _keys(action) and value in pronouns else value for key, value in action.slots.items()
         }
         return replace(action, slots=slots)
     return action
