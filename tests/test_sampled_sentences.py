@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from intent_engine.actions import Custom, Stop
@@ -28,6 +28,8 @@ GRAMMARS = {
     **{file.stem: (file, LOCATIONS / "home.yaml") for file in sorted((ROOT / "grammars").glob("*.yaml"))},
     "de": (ROOT / "grammars" / "de.yaml", LOCATIONS / "zuhause.yaml"),
 }
+IDIOMS = ("go ahead and", "go and")
+"""Fillers that a command with its verb and a joint would be as well, and hardly ever are."""
 
 
 @cache
@@ -111,15 +113,12 @@ def test_of_two_commands_each_means_what_it_means_alone(name):
         steps = [{"intent": one.intent, "slots": one.slots} for one in both]
         actions = first.expected.actions + second.expected.actions
         text = f"{first.text} {joint} {second.text}"
+        assume(joint != "and" or not f"{first.text} and".endswith(IDIOMS))
         assert_means(
             engine.parse(text), Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, 1.0)
         )
 
     holds()
-
-
-IDIOMS = ("go ahead and",)
-"""Fillers that a command with its verb and a joint would be as well, and hardly ever are."""
 
 
 @pytest.mark.parametrize("name", [name for name in GRAMMARS if name != "coffee"])

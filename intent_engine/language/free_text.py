@@ -77,6 +77,65 @@ MAY_BEGIN: Mapping[str, frozenset[str]] = {
     "it": frozenset(("molto", "ogni")),
 }  # fmt: skip
 """Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
+NEVER_IN: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("or", "whichever", "either", "before", "after", "twice", "thrice")),
+    "de": frozenset(("oder", "entweder", "bevor", "nachdem", "zweimal", "dreimal", "viermal", "später", "nachher")),
+    "fr": frozenset(("ou", "soit", "avant", "après")),
+    "es": frozenset(("o", "u", "antes", "después")),
+    "it": frozenset(("o", "oppure", "prima", "dopo")),
+}  # fmt: skip
+"""Not one thing, or no thing but when and how often: "the cup or the plate", "the cup after lunch"."""
+NO_BARE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(
+        ("up", "down", "off", "out", "back", "along", "away", "together", "apart", "through", "forth", "rid", "used",
+         "married", "divorced", "engaged", "busy", "dressed", "undressed", "drunk", "sober", "angry", "mad", "jealous",
+         "serious", "real", "rich", "poor", "well", "better", "worse", "sick", "tired", "bored", "hungry", "thirsty",
+         "stuck", "started", "done", "finished")
+    ),
+    "de": frozenset(("frei", "teil")),
+}  # fmt: skip
+"""No name begins so without an article: "get married", "take back control", but "the used cup", "the back wheel"."""
+NO_HANDFUL: Mapping[str, frozenset[str]] = {
+    "en": frozenset(
+        ("action", "advantage", "charge", "charges", "comfort", "command", "control", "courage", "credit", "effect",
+         "effort", "end", "exception", "heart", "help", "hold", "inspiration", "issue", "joy", "love", "luck",
+         "mind", "offense", "past", "peace", "place", "pleasure", "possession", "power", "pressure", "pride",
+         "refuge", "responsibility", "revenge", "root", "roots", "sake", "shape", "shelter", "sides", "sleep",
+         "state", "strength", "sunshine", "thoughts", "truth", "meaning", "lies", "word", "wrong", "writing", "risk",
+         "point", "space", "spirits", "worries", "ego", "law", "language", "habit", "benefit", "doubt", "creeps",
+         "blame", "attitude", "act", "beat", "bass", "hint", "hints", "plunge", "bait", "slack", "bet", "job",
+         "life", "grip", "haircut", "bath", "shower", "party", "internet", "spelling", "database", "password",
+         "boil", "vote", "test", "court", "close", "touch", "mess", "hotel", "exit", "stairs", "subway", "bus",
+         "hands", "hand", "head", "eyes", "feet", "mouth", "finger", "fingers", "face", "smile", "kid", "kids",
+         "baby", "child", "children", "husband", "wife", "boss", "manager", "police", "policeman", "doctor",
+         "lawyer", "plumber")
+    ),
+    "de": frozenset(
+        ("anlauf", "anstoß", "einfluss", "fahrt", "glück", "kontakt", "kredit", "maß", "mut", "ordnung", "rache",
+         "reißaus", "schaden", "zuflucht", "polizei", "arzt", "chef", "kind", "kinder", "bahn", "treppe", "ausfahrt",
+         "bad", "dusche", "essen", "arbeit", "schule", "thema", "kochen", "ende", "punkt", "chaos", "schuld", "wort",
+         "adresse", "nummer", "rechtschreibung", "kontostand", "wahrheit", "fehler", "hand", "hände", "kopf",
+         "beine", "finger", "augen", "mund", "rücken", "hosen", "sache")
+    ),
+}  # fmt: skip
+"""People, what becomes of them, and what nobody can hold: "take charge", "put the kids to bed", "take a bath". With a
+word behind them they are about a thing: "control panel", "baby bottle", "bath towel"."""
+THINGS_ALONE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("it", "them", "him", "everything", "everyone")),
+    "de": frozenset(("es", "ihn", "alles", "alle")),
+}
+"""A name of their own, that goes on with where a thing is and nothing else: "it slow" and "it done" are no things."""
+_IN_THE_MIDDLE: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("the", "a", "an", "my", "our", "your")),
+    "de": frozenset(("die", "das", "den", "ein", "eine", "einen", "mein", "meine", "meinen")),
+}
+"""Articles before which another thing begins, unless a word binds them to the one before: "the cup, the plate"."""
+_BINDING: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("of", "all", "both", "half", "that", "like", "next", "off", "up", "down", "out")),
+    "de": frozenset(("alle", "beide", "wie")),
+}
+TIMED: Mapping[str, frozenset[str]] = {"en": frozenset(("at", "by")), "de": frozenset(("um", "gegen"))}
+"""Words between a thing and the time when it is wanted."""
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}
 _AMOUNTS = ("distance", "angle", "duration", "speed", "percent")
 ALONE: Mapping[str, frozenset[str]] = {
@@ -100,6 +159,12 @@ class FreeText:
         self._articles = ARTICLES_IN.get(grammar.language, ARTICLES)
         self._no_thing = NO_THING.get(grammar.language, frozenset())
         self._no_beginning = self._no_thing - MAY_BEGIN.get(grammar.language, frozenset())
+        self._no_bare = NO_BARE.get(grammar.language, frozenset())
+        self._no_handful = NO_HANDFUL.get(grammar.language, frozenset())
+        self._never_in = NEVER_IN.get(grammar.language, frozenset())
+        self._alone_things = THINGS_ALONE.get(grammar.language, frozenset())
+        self._in_the_middle = _IN_THE_MIDDLE.get(grammar.language, frozenset())
+        self._binding = self._no_thing | self._articles | _BINDING.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
         """Words that are never the last."""
         self.alone = self.unfinished | ALONE.get(grammar.language, frozenset())
@@ -107,7 +172,7 @@ class FreeText:
 
     def unfinished_in(self, slot: Slot) -> frozenset[str]:
         """Words that are never the last in a slot."""
-        return (self.unfinished | self._no_thing) - slot.known if slot.known else self.unfinished
+        return (self.unfinished | self._no_thing | self._no_bare) - slot.known if slot.known else self.unfinished
 
     def problem(self, slot: Slot, words: Sequence[str], start: int, end: int) -> str:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
@@ -115,6 +180,8 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if said and slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
             wrong = frozenset((said[0],))
+        if said and slot.known and not wrong:
+            wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
@@ -123,6 +190,22 @@ class FreeText:
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
 
+    def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
+        """The word that shows that words are not the name of one thing, in a slot that lists things."""
+        allowed = slot.allow
+        if never := self._never_in.intersection(said) - allowed:
+            return never
+        if said[0] in self._no_bare - allowed and (len(said) > 1 or said[0] not in slot.known):
+            return frozenset((said[0],))
+        for place in range(1, len(said)):
+            word = said[place]
+            if said[place - 1] in self._alone_things and word not in self._no_thing | allowed:
+                return frozenset((word,))
+            last = place == len(said) - 1  # "box a" has a letter
+            if word in self._in_the_middle and not last and said[place - 1] not in self._binding:
+                return frozenset((word,))
+        return frozenset()
+
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""
         if slot.dictation and self._fillers.cover(said):
@@ -130,11 +213,28 @@ class FreeText:
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         return (alone or said[-1] in self.unfinished_in(slot)) and said[-1] not in slot.allow
 
+    def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
+        """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
+        if not slot.known:
+            return ""
+        following = (*said[1:], "")
+        return next(
+            (
+                word
+                for word, after in zip(said, following, strict=True)
+                if word in self._no_handful - slot.known - slot.allow and (not after or after in self._no_thing)
+            ),
+            "",
+        )
+
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
-        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before.
+        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
+        ends with a time is an amount as well: "the cup at three".
         """
+        if slot.known and len(said) > 2 and said[-2] in TIMED.get(self._language, ()) and self._counts(said[-1]):
+            return True
         if not slot.known or not any(map(self._counts, said)):
             return False
         bare = self._without_articles(said)

@@ -86,16 +86,20 @@ def _objects(action: Action | None) -> tuple[object, ...]:
     """What an action may have to do with, as it was said."""
     if isinstance(action, (Pick, Place)):
         return (action.object,)
-    return tuple(action.slots.get(key) for key in ("thing", "object")) if isinstance(action, Custom) else ()
+    return tuple(action.slots.get(key) for key in _keys(action)) if isinstance(action, Custom) else ()
+
+
+def _keys(action: Custom) -> tuple[str, ...]:
+    """Slots that name what an action has to do with: of "look at the cup" its target, of "bring it to the door" not."""
+    return ("thing", "object") if not action.slots.keys().isdisjoint(("thing", "object")) else ("target",)
 
 
 def _with_thing(action: Action, thing: str, pronouns: Collection[str]) -> Action:
     if isinstance(action, (Pick, Place)) and action.object in pronouns:
         return replace(action, object=thing)
-    if isinstance(action, Custom) and any(action.slots.get(key) in pronouns for key in ("thing", "object")):
+    if isinstance(action, Custom) and any(action.slots.get(key) in pronouns for key in _keys(action)):
         slots = {
-            key: thing if key in ("thing", "object") and value in pronouns else value
-            for key, value in action.slots.items()
+            key: thing if key in _keys(action) and value in pronouns else value for key, value in action.slots.items()
         }
         return replace(action, slots=slots)
     return action

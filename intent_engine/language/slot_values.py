@@ -53,6 +53,8 @@ class SlotValues:
         status = "unknown"
         if not problem and self._free.is_unfinished(slot, said, start):
             problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
+        if not problem and (word := self._free.no_handful(slot, said)):
+            problem = f"{word!r} is nothing for slot {slot.name!r}"
         if not problem and self._free.is_amount(slot, said):
             problem = f"{' '.join(said)!r} is an amount, and nothing for slot {slot.name!r}"
         if problem:

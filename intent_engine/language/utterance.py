@@ -100,10 +100,13 @@ class Openers:
     def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether such a phrase stands here, and no command begins here, or a pause divides it.
 
-        After a joint "right then" is no filler either: "turn left then right then left".
+        After a joint "right then" is no filler either: "turn left then right then left". Nor is "go and" one where its
+        joint goes on: "go and then turn left" are two.
         """
         if self.phrases.at(said.words, position) != length:
             return False
+        if self.joints.at(said.words, position + length - 1) > 1:
+            return True
         if self.listing.at(said.words, position) == length:
             begins = not before and self.listing.find(said.words[:position]) is None
         else:

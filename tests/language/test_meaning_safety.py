@@ -8,9 +8,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from meanings import commands, does, done, shipped
-from safety_table import NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
+from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Move, Navigate, Stop, Turn
 from intent_engine.interpretation import Status
 from intent_engine.language.utterance import Utterance
 
@@ -22,6 +22,12 @@ def test_a_sentence_of_the_table(text: str, meant: str) -> None:
 
 @pytest.mark.parametrize("text", WHILE_MOVING)
 def test_while_the_robot_moves_whatever_begins_or_ends_with_a_stop_word_stops_it(text: str) -> None:
+    assert does(text, "moving") == "stop"
+    assert matches(NOTHING, does(text))
+
+
+@pytest.mark.parametrize("text", MOTION_FORBIDDEN)
+def test_while_the_robot_moves_a_forbidden_motion_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
 
@@ -47,6 +53,32 @@ NEGATIONS = [
 def test_a_negated_command_moves_nothing(command: str, negated: str) -> None:
     found = shipped().parse(negated.format(command))
     assert all(isinstance(action, Stop) for action in found.actions), done(found)
+
+
+@quick
+@given(commands(), st.sampled_from(["don't {}", "do not {}", "please don't {}", "Robot, don't {}!"]))
+def test_a_moving_robot_stops_where_a_motion_is_forbidden(command: str, negated: str) -> None:
+    found = shipped().parse(command)
+    assume(found.actions and all(isinstance(action, (Move, Turn, Navigate)) for action in found.actions))
+    assume(len(found.actions) == 1 and not command[:1].isdigit() and found.confidence == 1.0)
+    assert does(negated.format(command), "moving") == "stop", command
+
+
+ALTERNATIVES = ["{} or the {}", "{} or a {}", "{}, the {}", "{} the {}", "{} or {}"]
+things = st.sampled_from(["cup", "red cup", "bottle", "box", "screwdriver", "bottle of water"])
+
+
+@quick
+@given(
+    st.sampled_from(
+        ["pick up the {}", "bring me the {}", "put the {} on the table", "put the cup on the {}", "drop the {}"]
+    ),
+    things,
+    things,
+    st.sampled_from(ALTERNATIVES),
+)
+def test_two_things_are_no_one_thing(command: str, one: str, other: str, form: str) -> None:
+    assert not shipped().parse(command.format(form.format(one, other))).actions
 
 
 @quick

@@ -59,6 +59,23 @@ def test_the_command_before_in_the_same_breath(engine: IntentEngine) -> None:
     assert found.actions == (Pick("red cup"), Place("red cup", "table"))
 
 
+@pytest.mark.parametrize(
+    ("text", "actions"),
+    [
+        ("find the cup and pick it up", (Custom("look", {"target": "cup"}), Pick("cup"))),
+        ("pick up the cup and look at it", (Pick("cup"), Custom("look", {"target": "cup"}))),
+        (
+            "bring the cup to the door and look at it",
+            (Custom("bring", {"thing": "cup", "target": "door"}), Custom("look", {"target": "cup"})),
+        ),
+    ],
+)
+def test_what_was_looked_for_or_is_looked_at_is_a_thing_too(
+    engine: IntentEngine, text: str, actions: tuple[Action, ...]
+) -> None:
+    assert engine.parse(text).actions == actions
+
+
 def test_without_an_account_of_before_the_words_stay(engine: IntentEngine) -> None:
     assert engine.parse("pick it up").actions == (Pick("it"),)
     assert engine.parse("again").actions == (Custom("again"),)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
@@ -18,7 +19,7 @@ from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
-from intent_engine.language.meaning.stops import Stops
+from intent_engine.language.meaning.stops import MOVING, Stops
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
@@ -31,6 +32,8 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
+_ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
+"""The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
 NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")
@@ -106,9 +109,17 @@ class Interpreter:
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
         meant = self._meant(text, said, state, spoken)
+        # How a recogniser sets its question marks tells little.
+        if not spoken and _ASKED.search(text) and self._lists_only(meant[1]):
+            return self._rejected(text, "a question, and not one to do something")
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant
+
+    def _lists_only(self, parts: Collection[Clause]) -> bool:
+        """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
+        readings = [part.reading for part in parts if part.accepted and part.reading is not None]
+        return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
 
     def _either(self, text: str, meant: Understood, other: Utterance, state: Collection[str]) -> Understood:
         """What was meant, unless the same command in other words is another: a filler may have taken the "right" of
@@ -228,6 +239,11 @@ class Interpreter:
         if negated:
             wanted, reason = self._negations.wanted(core, state)
             if wanted is None:
+                ways = (core, self.phrases.without_idle_fillers(said))
+                if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
+                    return self._stopped(text)
+                if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
+                    return self._stopped(text)  # "don't move a muscle, stop": some stops say no
                 return self._rejected(text, reason)
             core = wanted
         parts = self._compounds.split(core, state)

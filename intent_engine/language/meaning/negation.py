@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from intent_engine.actions import Custom, Move, Navigate, Turn
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.phrases import Phrases
@@ -44,6 +45,21 @@ class Negations:
             else:
                 position += 1
         return None
+
+    def forbids_motion(self, core: Utterance, state: Collection[str]) -> bool:
+        """Whether nothing is said but that a motion is not to be: "don't move", "don't go to the kitchen"."""
+        found = self._first(core.words)
+        if found is None:
+            return False
+        position, length = found
+        before = core.words[:position]
+        if before in _BEFORE or self._phrases.fillers.cover([word for word in before if [word] not in _BEFORE]):
+            before = []
+        rest = [*before, *core.words[position + length :]]
+        clause = self._commands.exact(rest, state) if rest and self._first(rest) is None else None
+        action = clause.action if clause is not None else None
+        person = isinstance(action, Custom) and not action.slots  # "don't follow me", "don't come here"
+        return person or isinstance(action, (Move, Turn, Navigate))
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
