@@ -254,6 +254,8 @@ class Grammar:
     """Word -> words of the grammar that sound the same, or are the same word spelled otherwise."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
+    around: tuple[tuple[str, ...], ...] = ()
+    """Fillers before a number, and nowhere else: "about ten seconds"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -96,12 +96,17 @@ class Openers:
     """Phrases after which another command begins."""
     listing: PhraseSet
     """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
+    around: PhraseSet
+    """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
 
     def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether such a phrase stands here, and no command begins here, or a pause divides it.
 
         After a joint "right then" is no filler either: "turn left then right then left".
         """
+        if self.around.at(said.words, position) == length:
+            after = said.words[position + length : position + length + 1]
+            return not after or not (after[0] in NUMBER_WORDS or is_numeral(after[0]))
         if self.phrases.at(said.words, position) != length:
             return False
         if self.listing.at(said.words, position) == length:
