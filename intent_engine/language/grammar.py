@@ -139,6 +139,10 @@ class Slot:
             return "max", f"{BEYOND_LIMITS['max']}, {self.written(self.maximum)}"
         return None
 
+    def counted(self, value: float) -> float:
+        """A quantity as programs get it: where it counts something an ``int``, for ``range(value)``."""
+        return int(value) if self.whole and float(value).is_integer() else value
+
     def written(self, value: float) -> str:
         """A quantity for people to read, with its unit: "1.2 m", "90°", "40 %"."""
         factor, unit = _WRITTEN.get(self.type, (1.0, ""))
