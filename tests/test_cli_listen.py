@@ -218,7 +218,7 @@ def test_noise_reduction_as_an_option(intent_engine, go_forward):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
 def test_a_microphone_until_ctrl_c(tmp_path, go_forward):
     """A process of its own, in real time: the robot is on its way when Ctrl-C comes."""
-    soundfile.write(tmp_path / "said.wav", go_forward, RATE)
+    soundfile.write(tmp_path / "said.wav", np.concatenate([np.zeros(RATE, np.float32), go_forward]), RATE)
     environment = {**os.environ, "PYTHONPATH": str(PLAYED), "PLAYED": str(tmp_path / "said.wav")}
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "listen", "--json"]
     with subprocess.Popen(

@@ -105,7 +105,24 @@ class Interpreter:
             return self._rejected(text, "nothing was said")
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
-        return self._meant(text, said, state, spoken)
+        meant = self._meant(text, said, state, spoken)
+        if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
+            return self._either(text, meant, other, state)
+        return meant
+
+    def _either(self, text: str, meant: Understood, other: Utterance, state: Collection[str]) -> Understood:
+        """What was meant, unless the same command in other words is another: a filler may have taken the "right" of
+        "turn right away ninety degrees". Nobody knows, so nothing is done."""
+        found = self._meant(text, other, state, spoken=False)
+        alike = len(found[0].actions) == len(meant[0].actions) and not (found[0].stops or meant[0].stops)
+        if not alike or found[0].actions == meant[0].actions:
+            return meant
+        meanings = tuple(
+            ", then ".join(described(part.reading) for part in parts if part.reading is not None)
+            for _, parts in (meant, found)
+        )
+        reason = "it could mean two things"
+        return Interpretation(text, Status.AMBIGUOUS, alternatives=meanings, reason=reason), ()
 
     def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool) -> Understood:
         words, phrases = said.words, self.phrases

@@ -46,6 +46,13 @@ class Phrases:
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
         listing = [words for words in joining if lists is not None and lists(list(self._before_joint(words)))]
         self._listing = PhraseSet(listing)
+        self._hiding: dict[tuple[str, ...], str] = {}
+        """Fillers of several words of which one is a command, with that: "right away", "all right"."""
+        for filler in grammar.fillers if lists is not None else ():
+            command = next((word for word in filler if lists is not None and lists([word])), None)
+            if command is not None and len(filler) > 1 and filler not in joining:
+                self._hiding[tuple(filler)] = command
+        self._hides = PhraseSet(self._hiding)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, PhraseSet(grammar.around))
         self._closed = operators.closed
 
@@ -85,6 +92,27 @@ class Phrases:
             return None
         first = list(self._before_joint(said.words[start:end]))
         return first, said.part(start + len(first), len(said))
+
+    def in_full(self, said: Utterance) -> Utterance | None:
+        """An utterance with the word that is a command in the place of each filler that has one in it, where no pause
+        follows: "turn right away ninety degrees" may be "turn right ninety degrees". None: there is no such filler."""
+        found = self._hides.find(said.words)
+        if found is None:
+            return None
+        words: list[str] = []
+        breaks: list[bool] = []
+        position = 0
+        while position < len(said):
+            length = self._hides.at(said.words, position)
+            end = position + length
+            if length and (end == len(said) or not said.breaks[end]):
+                words.append(self._hiding[tuple(said.words[position:end])])
+            else:
+                end = position + 1
+                words.append(said.words[position])
+            breaks.append(said.breaks[position])
+            position = end
+        return Utterance(words, breaks) if len(words) < len(said) else None
 
     def change_meaning(self, words: Sequence[str]) -> bool:
         """Whether any of the words changes a sentence's sense, so that nothing beside it is guessed."""

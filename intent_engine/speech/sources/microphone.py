@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from intent_engine.errors import DeviceError
-from intent_engine.speech.audio import SAMPLE_RATE, Frame
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.sources.devices import InputDevice, choose, hint_for_permission, portaudio
 from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
 
@@ -59,14 +60,20 @@ class Microphone:
         self._tried = 0.0
 
     def frames(self) -> Iterator[Frame]:
-        """Open the microphone and listen.
+        """Open the microphone and listen. Before the first frame sound is missing, as after a gap: what begins with it
+        may be the rest of a sentence.
 
         Raises:
             DeviceError: it cannot be opened; says what to do.
         """
         try:
             self._open()
-            yield from self._inbox.frames(self._reopen)
+            first = True
+            for frame in self._inbox.frames(self._reopen):
+                # Somebody may be speaking already, and "don't" may be what nobody heard.
+                missing = FRAME_SECONDS if first and frame.samples.size else 0.0
+                yield replace(frame, lost=missing) if missing > frame.lost else frame
+                first = first and not frame.samples.size
         finally:
             self._shut()
 
