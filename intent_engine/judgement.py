@@ -15,6 +15,7 @@ from intent_engine.amending import can_be_amended
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent
+from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.utterance import PhraseSet, plain
 from intent_engine.speech.corrections import as_meant
@@ -132,6 +133,11 @@ class Judge:
             return near if transcript.sureness >= WORTH_ASKING else self._with_reason(near, transcript, state, last)
         if (other := self._other_way(transcript, meaning)) is not None:
             why = f"{transcript.text!r} or {other!r}, the other way? say it again"
+            return Interpretation(
+                transcript.free_text, Status.REJECTED, reason=why, alternatives=(transcript.text, other)
+            )
+        if (other := self._run_together(transcript, meaning)) is not None:
+            why = f"{transcript.text!r} or {other!r}? say it again"
             return Interpretation(
                 transcript.free_text, Status.REJECTED, reason=why, alternatives=(transcript.text, other)
             )
@@ -276,11 +282,36 @@ class Judge:
                     return other
         return None
 
+    def _run_together(self, transcript: Transcript, meaning: Interpretation) -> str | None:
+        """What may have been said as well, if the joint before a command is the beginning of its verb: "unload it", of
+        which "and load it" is heard; None: nothing that does anything else. However sure the models are of an "and",
+        little speaks for one that joins nothing."""
+        words = plain(transcript.text)
+        if meaning.status is not Status.ACCEPTED or len(words) < 2:
+            return None
+        if (words[0],) not in self._grammar(transcript).operators.sequence:
+            return None
+        language = self._language(transcript)
+        strict = self.engine.matcher(language).strict
+        for verb in sorted(strict.next_words(strict.start())):
+            if verb.endswith(words[1]) and _sounds_like_begun(words[0], verb.removesuffix(words[1])):
+                other = " ".join((verb, *words[2:]))
+                found = self.engine.parse(other, language=language)
+                if found.status is Status.ACCEPTED and found.actions != meaning.actions:
+                    return other
+        return None
+
     def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
         """What was said, one intent for each kind of command."""
         said = {step["intent"] for step in meaning.slots["steps"]} if meaning.intent == "compound" else {meaning.intent}
         intents = self._grammar(transcript).intents
         return [intent for name, intent in intents.items() if name in said]
+
+
+def _sounds_like_begun(joint: str, beginning: str) -> bool:
+    """Whether a joint sounds like the beginning of a word, up to a last sound that is easily lost: "and", and "un"."""
+    shorter, longer = sorted((sound(joint), sound(beginning) if beginning else ""), key=len)
+    return len(shorter) > 1 and longer.startswith(shorter)
 
 
 def _ways(meaning: Interpretation) -> list[int]:

@@ -340,3 +340,37 @@ def test_what_may_as_well_have_been_the_other_way_is_asked_back(judge, text, oth
         assert found.reason == f"{text!r} or {other!r}, the other way? say it again"
     exactly = replace(transcript, text=text, free_text=text, gap=0.0, confidence=1.0)
     assert judge.meaning(exactly, (), ()).actions, "word by word there is nothing to ask"
+
+
+BOX = """
+language: en
+intents:
+  fold: {action: custom, sentences: ["fold it [now]"]}
+  unfold: {action: custom, sentences: ["unfold it [now]"]}
+  wrap: {action: custom, sentences: ["wrap it"]}
+  undo: {action: {type: custom, name: fold}, sentences: ["unlace it"]}
+  lace: {action: {type: custom, name: fold}, sentences: ["lace it"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "other"),
+    [
+        ("and fold it", "unfold it"),
+        ("And fold it now.", "unfold it now"),
+        ("then fold it", None),
+        ("fold it", None),
+        ("unfold it", None),
+        ("and wrap it", None),
+        ("wrap it and fold it", None),
+        ("and lace it", None),  # both do the same
+    ],
+)
+def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(tmp_path, text, other):
+    file = tmp_path / "box.yaml"
+    file.write_text(BOX, "utf-8")
+    found = Judge(IntentEngine.from_files(file)).meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
+    assert bool(found.actions) is (other is None)
+    if other is not None:
+        assert found.reason == f"{text!r} or {other!r}? say it again"
+        assert found.alternatives == (text, other)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.language.grammar import Condition, Intent
+from intent_engine.language.grammar import Condition, Intent, Slot
 from intent_engine.language.quantities import Relative
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["CannotActError", "build_action", "defaults_of", "holds"]
+__all__ = ["CannotActError", "build_action", "check_speeds", "defaults_of", "holds"]
 
 MOVE_SPEED = 0.5
 """m/s, where a grammar gives no default."""
@@ -196,7 +196,8 @@ def _navigate(parameters: _Parameters, locations: LocationMap | None) -> Navigat
 
 
 def _custom(intent: Intent, said: Mapping[str, Any], defaults: Mapping[str, Any]) -> Custom:
-    values = {**defaults, **{label: value for label, value in said.items() if value is not None}}
+    heard = {label: _in_full(label, value, defaults) for label, value in said.items() if value is not None}
+    values = {**defaults, **heard}
     if intent.action.parameters:
         mapped = {}
         for name, source in intent.action.parameters.items():
@@ -206,8 +207,38 @@ def _custom(intent: Intent, said: Mapping[str, Any], defaults: Mapping[str, Any]
                 mapped[name] = source
         values = mapped
     plain = {
-        name: value.factor if isinstance(value, Relative) else value
-        for name, value in values.items()
-        if value is None or isinstance(value, (str, int, float, bool, Relative))
+        name: value for name, value in values.items() if value is None or isinstance(value, (str, int, float, bool))
     }
     return Custom(intent.action.name or intent.name, plain)
+
+
+def check_speeds(intent: Intent, said: Mapping[str, Any], slots: Iterable[tuple[str, Slot]]) -> None:
+    """Hold the speeds that a program gets, said in terms of the usual one, to the limits of their slots. What a robot
+    moves by itself has the robot's own limits.
+
+    Raises:
+        CannotActError: one is beyond them, or nothing says what is usual.
+    """
+    if intent.action.type != "custom" or not any(isinstance(value, Relative) for value in said.values()):
+        return
+    defaults = defaults_of(intent, said)
+    for label, slot in slots:
+        if isinstance(said.get(label), Relative):
+            value = _in_full(label, said[label], defaults)
+            if (beyond := slot.beyond(value)) is not None:
+                raise CannotActError(f"{label} of {slot.written(value)} is {beyond[1]}")
+
+
+def _in_full(label: str, value: Any, defaults: Mapping[str, Any]) -> Any:
+    """A value as a program can use it: "half speed" is half of the default, in SI units. A bare factor would be taken
+    for meters per second.
+
+    Raises:
+        CannotActError: there is no default.
+    """
+    if not isinstance(value, Relative):
+        return value
+    usual = defaults.get(label)
+    if not isinstance(usual, (int, float)):
+        raise CannotActError(f"no usual {label} is known that this could be {value.factor:g} times of")
+    return usual * value.factor

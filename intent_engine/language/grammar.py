@@ -139,6 +139,10 @@ class Slot:
             return "max", f"{BEYOND_LIMITS['max']}, {self.written(self.maximum)}"
         return None
 
+    def counted(self, value: float) -> float:
+        """A quantity as programs get it: where it counts something an ``int``, for ``range(value)``."""
+        return int(value) if self.whole and float(value).is_integer() else value
+
     def written(self, value: float) -> str:
         """A quantity for people to read, with its unit: "1.2 m", "90°", "40 %"."""
         factor, unit = _WRITTEN.get(self.type, (1.0, ""))
@@ -254,6 +258,8 @@ class Grammar:
     """Word -> words of the grammar that sound the same, or are the same word spelled otherwise."""
     wake: tuple[tuple[str, ...], ...] = ()
     """If given, a spoken command must begin with one of these."""
+    around: tuple[tuple[str, ...], ...] = ()
+    """Fillers before a number, and nowhere else: "about ten seconds"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -281,7 +281,8 @@ def _denials(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
             for word in words_in(written.node):
                 if word in negation:
                     message = f"this sentence says {word!r}, and yet the robot will act on it"
-                    yield written.problem(message, "remove the word: the engine knows what it means")
+                    hint = "the engine knows what it means; keep it only where the action is to hold the robot back"
+                    yield written.problem(message, hint)
                     break
 
 

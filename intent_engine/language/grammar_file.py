@@ -41,8 +41,8 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER = "filler"
-"""Key of the words that are no operators, in the files of operators."""
+FILLER, AROUND = "filler", "around"
+"""Keys of the words that are no operators, in the files of operators."""
 
 
 @cache
@@ -55,7 +55,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    return {key: words for key, words in _language_words(language).items() if key != FILLER}
+    return {key: words for key, words in _language_words(language).items() if key not in (FILLER, AROUND)}
 
 
 @cache
@@ -71,6 +71,11 @@ def _language_words(language: str) -> Mapping[str, tuple[str, ...]]:
 def default_fillers(language: str) -> tuple[str, ...]:
     """What people put around any sentence of a language ("please"), for grammars that say nothing of fillers."""
     return _language_words(language).get(FILLER, ())
+
+
+def default_around(language: str) -> tuple[str, ...]:
+    """What people put before a number ("about"), for the same grammars."""
+    return _language_words(language).get(AROUND, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -267,6 +272,7 @@ class _Builder:
         grammar = Grammar(
             language=self.language,
             fillers=tuple(map(plain_phrase, default_fillers(self.language) if self.fillers is None else self.fillers)),
+            around=tuple(map(plain_phrase, default_around(self.language))) if self.fillers is None else (),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

@@ -180,7 +180,7 @@ def _values(
         if kind in QUANTITY_KINDS:
             found = parts.quantity(at, kind, value, None)  # a plain number is in SI: units are for what is said
             if found is not None:
-                result[key] = found
+                result[key] = slot.counted(found) if slot is not None else found
         elif parts.finite(at, value):
             result[key] = value
     return result

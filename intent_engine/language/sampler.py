@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
-from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
@@ -202,12 +202,16 @@ class Sampler:
             return None
         said = {**sentence.fixed, **{piece.label: piece.value for piece in pieces if piece.label is not None}}
         try:
+            slots = (
+                (piece.label, piece.slot) for piece in pieces if piece.label is not None and piece.slot is not None
+            )
+            check_speeds(self.grammar.intents[intent], said, slots)
             action = build_action(self.grammar.intents[intent], said, self.locations)
         except CannotActError:
             return None
-        slots = {label: value.factor if isinstance(value, Relative) else value for label, value in said.items()}
+        values = {label: value.factor if isinstance(value, Relative) else value for label, value in said.items()}
         kept = _one_article(pieces)
-        return Sample(_joined(kept), intent, slots, (action,), kept, sentence)
+        return Sample(_joined(kept), intent, values, (action,), kept, sentence)
 
     # -- trees --------------------------------------------------------------------------------------------------
 

@@ -72,6 +72,8 @@ class SlotValues:
             status = "unknown"
         elif isinstance(value, float) and (beyond := slot.beyond(value)) is not None:
             problem, status = f"{label} of {slot.written(value)} is {beyond[1]}", "limit"
+        elif isinstance(value, float):
+            value = slot.counted(value)
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:

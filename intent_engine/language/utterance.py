@@ -96,6 +96,8 @@ class Openers:
     """Phrases after which another command begins."""
     listing: PhraseSet
     """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
+    around: PhraseSet
+    """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
 
     def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether such a phrase stands here, and no command begins here, or a pause divides it.
@@ -103,6 +105,9 @@ class Openers:
         After a joint "right then" is no filler either: "turn left then right then left". Nor is "go and" one where its
         joint goes on: "go and then turn left" are two.
         """
+        if self.around.at(said.words, position) == length:
+            after = said.words[position + length : position + length + 1]
+            return not after or not (after[0] in NUMBER_WORDS or is_numeral(after[0]))
         if self.phrases.at(said.words, position) != length:
             return False
         if self.joints.at(said.words, position + length - 1) > 1:

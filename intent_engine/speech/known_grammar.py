@@ -62,7 +62,7 @@ class KnownGrammar:
             negations=PhraseSet(operators.negation),
             narrating=narrating(grammar),
             wake=WakeWords(grammar),
-            empty=PhraseSet(grammar.fillers),
+            empty=PhraseSet((*grammar.fillers, *grammar.around)),
             leading=PhraseSet((*grammar.fillers, *operators.opening)),
             in_slots=known_in_slots(matcher),
             as_written=words_as_written(matcher),

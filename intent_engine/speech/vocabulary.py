@@ -28,7 +28,8 @@ def known_words(matcher: Matcher) -> frozenset[str]:
     for slot in grammar.slots.values():
         found |= slot.known
     found |= matcher.patterns.words
-    found.update(word for words in (*grammar.fillers, *grammar.wake, *grammar.operators.sequence) for word in words)
+    spoken = (*grammar.fillers, *grammar.around, *grammar.wake, *grammar.operators.sequence)
+    found.update(word for words in spoken for word in words)
     for name in matcher.locations.written() if matcher.locations is not None else ():
         found.update(Utterance.of(name, grammar.language).words)
     return frozenset(found)

@@ -142,7 +142,7 @@ def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, A
         values["steps"] = [{**step, "slots": _in_si(step["slots"], got["slots"])} for step, got in pairs]
     for label, value in expected.items():
         got = found.get(label)
-        if isinstance(value, str) and isinstance(got, float):
+        if isinstance(value, str) and isinstance(got, (int, float)) and not isinstance(got, bool):
             words = [token.word for token in tokenize(value)]
             for kind in QUANTITY_KINDS:
                 number = quantities.evaluate(words, kind)

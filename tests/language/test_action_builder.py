@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from intent_engine import IntentEngine
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import (
     MOVE_DURATION,
@@ -22,6 +24,7 @@ from intent_engine.language.action_builder import (
 from intent_engine.language.grammar import ActionSpec, Condition, Intent
 from intent_engine.language.locations import LocationMap
 from intent_engine.language.quantities import Relative
+from intent_engine.language.sampler import RandomChoices, Sampler
 
 HOME = LocationMap.from_mapping({"kitchen": (5.0, 2.0, 0.5)})
 
@@ -94,12 +97,19 @@ def test_the_others() -> None:
     assert act("place", {}) == Place(None, None)
     assert act("place", {"object": "cup", "location": "table"}) == Place("cup", "table")
     assert act("navigate", {"location": "kitchen"}) == Navigate("kitchen", 5.0, 2.0, 0.5, "map")
-    assert act("custom", {"a": 1.5, "b": None, "speed": Relative(0.5)}, {"c": "x"}) == Custom(
-        "it", {"c": "x", "a": 1.5, "speed": 0.5}
-    )
+    assert act("custom", {"a": 1.5, "b": None}, {"c": "x"}) == Custom("it", {"c": "x", "a": 1.5})
     assert act("custom", {"who": "ann"}, parameters={"person": "{who}", "mood": "glad"}, name="wave") == Custom(
         "wave", {"person": "ann", "mood": "glad"}
     )
+
+
+def test_a_program_gets_a_speed_in_meters_per_second() -> None:
+    """A factor would be taken for one."""
+    assert act("custom", {"pace": Relative(0.5)}, {"pace": 4.0}) == Custom("it", {"pace": 2.0})
+    found = act("custom", {"pace": Relative(0.5)}, {"pace": 4.0}, parameters={"limit": "{pace}"})
+    assert found == Custom("it", {"limit": 2.0})
+    with pytest.raises(CannotActError, match="no usual pace is known"):
+        act("custom", {"pace": Relative(0.5)})
 
 
 def test_slots_have_other_names_than_parameters() -> None:
@@ -177,3 +187,27 @@ def test_whatever_was_said_the_motion_is_finite_and_adds_up(kind: str, said: Map
     assert found.duration > 0
     assert velocity
     assert abs(way) == pytest.approx(abs(velocity) * found.duration)
+
+
+LIMIT = """
+language: en
+slots:
+  pace: {type: speed, max: 3 m/s}
+intents:
+  limit: {action: custom, defaults: {pace: 2 m/s}, sentences: ["keep to {pace}"]}
+  record: {action: custom, sentences: ["note {pace}"]}
+"""
+
+
+def test_a_speed_of_the_usual_one_has_the_limits_of_its_slot(tmp_path: Path) -> None:
+    file = tmp_path / "limit.yaml"
+    file.write_text(LIMIT, "utf-8")
+    engine = IntentEngine.from_files(file)
+    assert engine.parse("keep to half speed").actions == (Custom("limit", {"pace": 1.0}),)
+    assert engine.parse("keep to full speed").reason == "pace of 4 m/s is more than the largest, 3 m/s"
+    assert engine.parse("note half speed").reason == "no usual pace is known that this could be 0.5 times of"
+    assert engine.parse("note one meter per second").actions == (Custom("record", {"pace": 1.0}),)
+    sampler = Sampler(engine.grammar)
+    drawn = [sampler.draw(RandomChoices(seed)) for seed in range(200)]
+    assert all(engine.parse(each.text).actions == each.actions for each in drawn)
+    assert {"keep to half speed"} <= {each.text for each in drawn}

@@ -24,7 +24,8 @@ FOOT, INCH, MILE, MPH = 0.3048, 0.0254, 1609.344, 0.44704
 KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
 GRAMMAR = "language: en\nfillers: []\nslots:\n" + "".join(f"  {kind}: {{type: {kind}}}\n" for kind in KINDS)
 GRAMMAR += "intents:\n" + "".join(
-    f'  {kind}: {{action: {{type: custom, name: x}}, sentences: ["{kind.replace("_", " ")} {{{kind}}}"]}}\n'
+    f'  {kind}: {{action: {{type: custom, name: x}}, sentences: ["{kind.replace("_", " ")} {{{kind}}}"]'
+    + (f", defaults: {{{kind}: 1.0}}}}\n" if "speed" in kind else "}\n")
     for kind in KINDS
 )
 """One sentence for each kind, so that what evaluate() values can be compared with what a grammar hears."""

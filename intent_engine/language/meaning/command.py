@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from intent_engine.actions import Action
-from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
 from intent_engine.language.matcher import Matcher
@@ -162,6 +162,7 @@ class Commands:
             return Clause(best, reason=forbidden(best, state))
         best = allowed[0]
         try:
+            check_speeds(best.intent, best.values(), ((slot.label, slot.slot) for slot in best.slots))
             action = build_action(best.intent, best.values(), self.matcher.locations)
         except CannotActError as error:
             return Clause(best, reason=str(error))

@@ -3,6 +3,7 @@ replaces."""
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import Any
@@ -129,13 +130,54 @@ class Corrections:
                 introduced = not any(slot.start <= at for slot in touched)
                 kept.setdefault((known, introduced, count), {}).setdefault(meaning, words)
         if kept:
-            best = kept[max(kept)]
+            best, known = kept[max(kept)], max(kept)[0]
+            if not known and first is not None and not whole:
+                # "Spell tea twice, no, honey once": "honey once" is a word only where it cannot be both again.
+                several = self._replace_several(said, meant, first)
+                if several is not None:
+                    return several
             return next(iter(best.values())) if len(best) == 1 else None
         if whole:
             # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
             _, reached = self._matcher.strict.walk(said)
             return meant if reached is not None else None
-        return None
+        return self._replace_several(said, meant, first) if first is not None else None
+
+    def _replace_several(self, said: list[str], meant: list[str], first: Reading) -> list[str] | None:
+        """``said`` with neighbouring slots replaced by ``meant``, which says each of them again: "two crates of pears,
+        no, three sacks of plums"; at the end of the sentence it may say more than was said. None if it is not clear.
+
+        Nothing that was said before may be lost, so what ``meant`` leaves out makes it unclear. Free words are replaced
+        only along with something else, since alone they take any others in.
+        """
+        old = first.values()
+        spoken = sorted(first.slots, key=lambda slot: slot.start)
+        kept: dict[int, dict[tuple[Any, ...], list[str]]] = {}
+        for start, end in itertools.combinations_with_replacement(range(len(spoken)), 2):
+            run = spoken[start : end + 1]
+            last = end == len(spoken) - 1
+            edges = itertools.product(_beginnings(said, meant, run[0].start), _ends(said, meant, run[-1].end))
+            for at, after in edges:
+                words = said[:at] + meant + said[after:]
+                reading = next(iter(self._matcher.read(words)), None)
+                if reading is None or reading.problem or reading.intent is not first.intent:
+                    continue
+                stop = at + len(meant)
+                touched = [slot for slot in reading.slots if slot.start < stop and slot.end > at]
+                if any(slot.start < at or slot.end > stop for slot in touched):
+                    continue
+                if all(slot.slot.type in _FREE for slot in run):
+                    continue
+                again, new = {slot.label for slot in touched}, reading.values()
+                same = all(new.get(label) == value for label, value in old.items() if label not in again)
+                if not same or not {slot.label for slot in run} <= again or (not last and set(new) != set(old)):
+                    continue
+                if not set(old) <= set(new) or not set(new) - set(old) <= again:
+                    continue
+                meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
+                kept.setdefault(len(words) - len(meant), {}).setdefault(meaning, words)
+        best = kept[max(kept)] if kept else {}
+        return next(iter(best.values())) if len(best) == 1 else None
 
     def _replacements(
         self, said: list[str], meant: list[str], reading: Reading, whole: bool
@@ -171,3 +213,19 @@ class Corrections:
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
+
+
+def _beginnings(said: list[str], meant: list[str], start: int) -> Iterator[int]:
+    """Where ``meant`` may begin in ``said``: at a slot, or with words before it that it says again ("bed five")."""
+    yield start
+    for length in range(1, min(start, len(meant))):
+        if said[start - length : start] == meant[:length]:
+            yield start - length
+
+
+def _ends(said: list[str], meant: list[str], end: int) -> Iterator[int]:
+    """Where ``said`` may go on after ``meant``: after a slot, or after words behind it that it says again ("times")."""
+    yield end
+    for length in range(1, min(len(said) - end, len(meant) - 1) + 1):
+        if said[end : end + length] == meant[-length:]:
+            yield end + length

@@ -21,11 +21,12 @@ class Phrases:
 
     def __init__(self, grammar: Grammar, lists: Callable[[list[str]], bool] | None = None) -> None:
         operators = grammar.operators
-        self.fillers = PhraseSet(grammar.fillers)
+        fillers = (*grammar.fillers, *grammar.around)
+        self.fillers = PhraseSet(fillers)
         own = own_words(grammar)
-        self.idle = PhraseSet(words for words in grammar.fillers if not own.issuperset(words))
+        self.idle = PhraseSet(words for words in fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
-        self.whole = PhraseSet(words for words in grammar.fillers if not _may_be_cut(words, self.fillers, own))
+        self.whole = PhraseSet(words for words in fillers if not _may_be_cut(words, self.fillers, own))
         """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
         """Operators, of which no filler takes a part."""
@@ -52,7 +53,7 @@ class Phrases:
             if command is not None and len(filler) > 1 and filler not in joining:
                 self._hiding[tuple(filler)] = command
         self._hides = PhraseSet(self._hiding)
-        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing)
+        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, PhraseSet(grammar.around))
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:

@@ -1,0 +1,77 @@
+"""What a grammar understands that says nothing of fillers: people put the same words around any command."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from intent_engine import IntentEngine, Status
+
+GRAMMAR = """
+language: en
+slots:
+  way: [ahead, back]
+  time: duration
+  count: {type: number, max: 20}
+  subject: {type: text, max_words: 4}
+intents:
+  roll: {action: custom, sentences: ["roll {way}", "go {way}"]}
+  ring: {action: custom, sentences: ["ring [for {time}]", "ring {count} bells"]}
+  search: {action: custom, sentences: ["search {subject}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    file = tmp_path_factory.mktemp("grammar") / "bells.yaml"
+    file.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("go ahead and ring", [{}]),
+        ("go ahead", [{"way": "ahead"}]),
+        ("go ahead and go back", [{"way": "back"}]),
+        ("so ring now", [{}]),
+        ("okay now ring for me", [{}]),
+        ("I want you to ring right away", [{}]),
+        ("I'd like you to ring", [{}]),
+        ("ring for about ten seconds", [{"time": 10}]),
+        ("ring for approximately half a minute", [{"time": 30}]),
+        ("ring exactly 3 bells", [{"count": 3}]),
+        ("ring another five bells", [{"count": 5}]),
+        ("search a book about cars", [{"subject": "book about cars"}]),
+        ("search about cars", [{"subject": "about cars"}]),
+    ],
+)
+def test_what_people_put_around_a_command_says_nothing(engine: IntentEngine, said: str, slots: list) -> None:
+    found = engine.parse(said)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert [action.slots for action in found.actions] == slots
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "I wanted you to ring",
+        "I don't want you to ring",
+        "if you can ring",
+        "ring about",
+        "about ten seconds",
+        "they rang for about ten seconds",
+        "go ahead and don't ring",
+    ],
+)
+def test_what_is_no_command_stays_none(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(said).actions == ()
+
+
+def test_a_file_with_fillers_of_its_own_has_only_these(tmp_path: Path) -> None:
+    file = tmp_path / "few.yaml"
+    file.write_text(GRAMMAR + "fillers: [please]\n", "utf-8")
+    engine = IntentEngine.from_files(file)
+    assert engine.parse("please ring").status is Status.ACCEPTED
+    assert engine.parse("ring for about ten seconds").status is Status.REJECTED

@@ -1,0 +1,67 @@
+"""A correction that says several things again: nothing said before is lost, and what is unclear is not done."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine import IntentEngine, Status
+
+GRAMMAR = """
+language: en
+slots:
+  count: {type: number, min: 1, max: 50}
+  vessel: [cups, jars, tins]
+  content: [tea, honey, salt]
+  shelf: {type: number, min: 1, max: 20}
+  time: duration
+  word: text
+intents:
+  fetch: {action: custom, sentences: ["fetch {count} {vessel} [of {content}]"]}
+  dust: {action: custom, sentences: ["dust shelf {shelf} [for {time}]"]}
+  spell: {action: custom, sentences: ["spell {word} {count} times"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    file = tmp_path_factory.mktemp("grammar") / "pantry.yaml"
+    file.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("fetch two cups of tea, no, three jars of honey", {"count": 3, "vessel": "jars", "content": "honey"}),
+        ("fetch two cups of tea, no, three jars", {"count": 3, "vessel": "jars", "content": "tea"}),
+        ("fetch two cups of tea, I mean jars of salt", {"count": 2, "vessel": "jars", "content": "salt"}),
+        ("fetch two cups, no, three jars of honey", {"count": 3, "vessel": "jars", "content": "honey"}),
+        ("fetch two cups, no, three, no, four jars of salt", {"count": 4, "vessel": "jars", "content": "salt"}),
+        ("dust shelf four, no, five for ten minutes", {"shelf": 5, "time": 600}),
+        ("dust shelf four for ten minutes, no, shelf five", {"shelf": 5, "time": 600}),
+        ("dust shelf four for ten minutes, no, shelf five for six minutes", {"shelf": 5, "time": 360}),
+        ("dust shelf four, no, dust shelf five", {"shelf": 5}),
+        ("spell tea two times, no, honey three times", {"word": "honey", "count": 3}),
+        ("spell tea two times, no, honey", {"word": "honey", "count": 2}),
+        ("spell tea two times, no, three times", {"word": "tea", "count": 3}),
+    ],
+)
+def test_several_values_are_corrected_at_once(engine: IntentEngine, said: str, slots: dict[str, object]) -> None:
+    found = engine.parse(said)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert found.slots == slots
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "fetch two cups of tea, no, honey jars",  # in no order that the grammar has
+        "dust shelf four, no, ten minutes",  # the shelf would be lost, or there would be none
+        "dust shelf four for ten minutes, no, five",  # of what?
+        "fetch two cups of tea, no, shelf five for ten minutes",
+        "fetch two cups of tea, no, three jars of sand",
+        "fetch two cups of tea, not three jars of honey",
+    ],
+)
+def test_what_is_not_clear_is_not_done(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(said).actions == ()
