@@ -403,14 +403,15 @@ class Runtime:
             "goes_on": understood.step.goes_on,
             "in_turn": understood.step.in_turn,
         }
-        if meaning.stops or understood.withdrawn:  # first of all: who is told may take its time
+        if meaning.stops:
+            self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
+        if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
             self._held = False
             self._last = ()
             self.executor.stop()
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         if meaning.stops:
-            self._continuing.stopped(utterance, meaning)
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
