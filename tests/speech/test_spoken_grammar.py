@@ -141,7 +141,7 @@ def test_a_number_is_plain_in_every_language(root):
         ("take the cup", False),
         ("put the cup on the table", False),
         ("go to the kitchen and pick up the bottle", False),
-        ("take meter the living room", True),
+        ("take meter from the living room", True),
         ("pick up the florble", True),
         ("go to the kitchen and pick up the meter", True),
     ],
