@@ -16,7 +16,7 @@ from intent_engine.language.matcher import NEGATED
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
-from intent_engine.language.spellings import own_words
+from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.utterance import PhraseSet
 
@@ -42,6 +42,8 @@ MOST_FILLERS = 3
 _VALUES = frozenset((*QUANTITY_KINDS, "choice", "boolean", "location"))
 """Slots whose value can be corrected by saying it alone; for words of free text nobody knows what they replace."""
 _FREE = frozenset(("text", "object"))
+MOST_SPELLINGS = 50
+"""Ways to say one value of a slot that are looked at."""
 
 
 def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list[Piece]:
@@ -57,10 +59,15 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     )
     own = own_words(grammar) if special[0].find(_words(said)) is not None else frozenset()
     usable = [filler for filler in grammar.fillers if not own.issuperset(filler)]
+    choosing = (node for slot in grammar.slots.values() for _, node in slot.values)
+    alone = {
+        words[0] for node in choosing for words in spellings(node, grammar.phrases, MOST_SPELLINGS) if len(words) == 1
+    }
     for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
         filler = usable[choices.below(len(usable))]
-        # "right then, turn left": elsewhere, and without the pause, it joins two commands.
-        opens = any((word,) in operators.sequence for word in filler)
+        # "right then, turn left": elsewhere, and without the pause, it joins two commands. And whether "turn right away
+        # ninety degrees" is to the right nobody knows.
+        opens = any((word,) in operators.sequence or (len(filler) > 1 and word in alone) for word in filler)
         place = 0 if opens else choices.below(len(said) + (0 if _dictated(said) else 1))
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
