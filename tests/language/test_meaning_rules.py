@@ -73,7 +73,7 @@ RULES = {
     (Corrections, "_corrected_before"): lambda self, part, state: None,
     (Corrections, "_grafted"): lambda self, slot, at, meant, whole: False,
     (Corrections, "taken_back"): lambda self, words: 0,
-    (Compounds, "split"): lambda self, core, state: None,
+    (Compounds, "split"): lambda self, core, state, exactly=False: None,
     (RunOns, "split"): lambda self, core, state: None,
     (RunOns, "_is_certain"): lambda self, clause, start: clause.accepted,
     (RunOns, "_is_thing"): lambda self, slot, reading: True,
