@@ -131,16 +131,11 @@ class Judge:
                 alternatives=(transcript.text,),
             )
             return near if transcript.sureness >= WORTH_ASKING else self._with_reason(near, transcript, state, last)
-        if (other := self._other_way(transcript, meaning)) is not None:
-            why = f"{transcript.text!r} or {other!r}, the other way? say it again"
-            return Interpretation(
-                transcript.free_text, Status.REJECTED, reason=why, alternatives=(transcript.text, other)
-            )
-        if (other := self._run_together(transcript, meaning)) is not None:
-            why = f"{transcript.text!r} or {other!r}? say it again"
-            return Interpretation(
-                transcript.free_text, Status.REJECTED, reason=why, alternatives=(transcript.text, other)
-            )
+        turned = self._other_way(transcript, meaning)
+        if (other := turned or self._run_together(transcript, meaning)) is not None:
+            why = f"{transcript.text!r} or {other!r}{', the other way' if turned else ''}? say it again"
+            either = (transcript.text, other)
+            return Interpretation(transcript.free_text, Status.REJECTED, reason=why, alternatives=either)
         if meaning.status is Status.REJECTED and not meaning.refuses and self.unsure(transcript):
             return self._with_reason(meaning, transcript, state, last)
         return meaning

@@ -19,6 +19,7 @@ from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
 from intent_engine.heard import Heard, HeardKind, Summary
+from intent_engine.holding import Holding
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
@@ -32,8 +33,6 @@ from intent_engine.speech.voice import SileroVoice, VoiceDetector
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
-REFLEX_FRAMES = 11
-"""Frames up to the onset which the reflex is given: a window that begins in silence holds less of the word."""
 SECOND_LOOK = 0.1
 """s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
@@ -97,14 +96,13 @@ class Runtime:
         self._stepped = isinstance(executor.clock, SteppedClock)
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
-        self._reflex = reflex
+        self._holding = Holding(reflex, executor, lambda kind, time, why: self._tell(kind, time, detail=why))
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
         self._closing = threading.Event()
         self._talk = threading.Event()
         self._push_to_talk = False
-        self._held = False
         self._last: tuple[Action, ...] = ()
         """What was last understood, for words that point back to it."""
         self._deaf = False
@@ -159,7 +157,8 @@ class Runtime:
         self._endpoint.reset()
         # A run that was ended in the middle may have left anything behind: a robot that still counts as held would not
         # be held by the next stop word.
-        self._held = self._deaf = False
+        self._holding.forget()
+        self._deaf = False
         self._last = ()
         self._continuing.forget()
         self._torn = -1.0
@@ -198,8 +197,8 @@ class Runtime:
                 self._decoding.leave()
                 if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
                     frames.close()
-            elif self._held:
-                self._release(self._summary.seconds, "the sound ended")
+            else:
+                self._holding.release(self._summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
             self._decoding.settle(LAST_DECODE)
         return self._summary
@@ -222,15 +221,13 @@ class Runtime:
             utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
-            if self._reflex is not None:
-                self._reflex.begin(utterance.frames[-REFLEX_FRAMES:-1])
-                self._listen(frame.samples, frame.time)
+            self._holding.begin(utterance.frames, frame.time)
             self._tell(HeardKind.SPEECH, frame.time)
             return utterance
         if utterance is None:
             return None
         utterance.take(frame.samples)
-        self._listen(frame.samples, frame.time)
+        self._holding.listen(frame.samples, frame.time)
         if self._endpoint.silence == 0 and self._endpoint.speaking:
             utterance.voiced(frame.time)
         if signal is Signal.PAUSED and utterance.glance and self._endpoint.faded_long:
@@ -278,7 +275,7 @@ class Runtime:
                 self._deaf = True
                 self._waiting.clear()
                 self._failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
-        elif utterance is not None and self._held:
+        elif utterance is not None and self._holding.on:
             self._failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
         elif utterance is not None:
             why = f"{frame.lost:.2f} s of sound were lost, so what was being said is not acted on"
@@ -352,7 +349,7 @@ class Runtime:
 
     def _goes_on(self, utterance: SpokenUtterance) -> bool:
         """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""
-        before = self._continuing.heard_with(utterance, self._state(), self._last, held=self._held)
+        before = self._continuing.heard_with(utterance, self._state(), self._last, held=self._holding.on)
         if before is not None:
             utterance.together_with(before)
         return before is not None
@@ -378,22 +375,20 @@ class Runtime:
 
     def _state(self) -> Collection[str]:
         linear, angular = self.executor.snapshot().velocity
-        return ("moving",) if linear or angular or not self.executor.idle or self._held else ()
+        return ("moving",) if linear or angular or not self.executor.idle or self._holding.on else ()
 
     def _finish(self, utterance: SpokenUtterance, time: float) -> None:
         understood = self._continuing.understood(utterance, self._state(), self._last)
         transcript, meaning = understood.transcript, understood.meaning
         if not transcript.text.strip():
-            if self._held:
-                self._release(time, "nothing was said")
+            self._holding.release(time, "nothing was said")
             return
-        if self._held:
+        if self._holding.on:
             meaning = self._judgement.held(transcript, meaning)
         if utterance.torn and meaning.status is Status.ACCEPTED and not meaning.stops:
             meaning = Interpretation(transcript.text, Status.REJECTED, reason=_TORN)
         if utterance.short and not meaning.stops:
-            if self._held:
-                self._release(time, "too short to be another word than a stop")
+            self._holding.release(time, "too short to be another word than a stop")
             return
         self._summary.utterances += 1
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
@@ -406,7 +401,7 @@ class Runtime:
         if meaning.stops:
             self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
         if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
-            self._held = False
+            self._holding.forget()
             self._last = ()
             self.executor.stop()
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
@@ -415,8 +410,7 @@ class Runtime:
             self._summary.accepted += 1
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
-        if self._held:
-            self._release(time, "no stop was said")
+        self._holding.release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
         self._last = meaning.actions
@@ -430,21 +424,8 @@ class Runtime:
         self._continuing.carried_out(utterance, understood, goals)
         return tuple(goals)
 
-    def _listen(self, samples: Samples, time: float) -> None:
-        if self._reflex is None or self._held:
-            return
-        if self._reflex.heard(samples):
-            self._held = True
-            self.executor.hold()
-            self._tell(HeardKind.HOLD, time)
-
-    def _release(self, time: float, why: str) -> None:
-        self._held = False
-        self.executor.release()
-        self._tell(HeardKind.RELEASE, time, detail=why)
-
     def _failed(self, time: float, why: str) -> None:
-        self._held = False
+        self._holding.forget()
         self._last = ()
         self._continuing.forget()
         self._summary.errors += 1

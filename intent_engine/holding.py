@@ -1,0 +1,60 @@
+"""A robot that is held while a stop word is being said, until it is known whether one was."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from intent_engine.execution.executor import Executor
+from intent_engine.heard import HeardKind
+from intent_engine.speech.audio import Samples
+from intent_engine.speech.reflex import Reflex
+
+__all__ = ["Holding"]
+
+REFLEX_FRAMES = 11
+"""Frames up to the onset which the reflex is given: a window that begins in silence holds less of the word."""
+
+
+class Holding:
+    """Listens for stop words with a reflex, and holds the robot. For one thread.
+
+    Args:
+        reflex: hears them; None: nothing is held.
+        executor: is held and released.
+        tell: is told of it: what, when (s since the source began), and why.
+    """
+
+    def __init__(
+        self, reflex: Reflex | None, executor: Executor, tell: Callable[[HeardKind, float, str], object]
+    ) -> None:
+        self._reflex = reflex
+        self._executor = executor
+        self._tell = tell
+        self.on = False
+        """Whether the robot is held."""
+
+    def begin(self, frames: Sequence[Samples], time: float) -> None:
+        """An utterance has begun, with the last of these frames."""
+        if self._reflex is not None:
+            self._reflex.begin(list(frames[-REFLEX_FRAMES:-1]))
+            self.listen(frames[-1], time)
+
+    def listen(self, samples: Samples, time: float) -> None:
+        """Hear one frame of it."""
+        if self._reflex is None or self.on:
+            return
+        if self._reflex.heard(samples):
+            self.on = True
+            self._executor.hold()
+            self._tell(HeardKind.HOLD, time, "")
+
+    def release(self, time: float, why: str) -> None:
+        """Let a robot that is held go on: no stop was said."""
+        if self.on:
+            self.on = False
+            self._executor.release()
+            self._tell(HeardKind.RELEASE, time, why)
+
+    def forget(self) -> None:
+        """It was stopped, or nothing is known any more of what it was held for."""
+        self.on = False
