@@ -123,19 +123,25 @@ def test_listen_drives_another_process(spoken_to, tmp_path, go_forward, options)
     assert (last["linear"], last["angular"]) == (0.0, 0.0)
 
 
+def driving(write: int, options: list[str]) -> subprocess.Popen[bytes]:
+    """It listens, and drives by a descriptor, which is closed here."""
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    process = subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes)
+    os.close(write)
+    process.stdin.write(bytes(3_200))
+    process.stdin.flush()
+    assert b"listening to" in process.stderr.readline()
+    return process
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="descriptors of Unix")
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
 def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     """While it goes on being spoken to: the standard input stays open."""
     read, write = os.pipe()
-    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
-    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
-    with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
+    with driving(write, options) as process:
         try:
-            os.close(write)
-            process.stdin.write(bytes(3_200))
-            process.stdin.flush()
-            assert b"listening to" in process.stderr.readline()
             speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
             assert os.read(read, 1)
             os.close(read)
@@ -151,21 +157,17 @@ def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     assert error.count("no stop could be written") <= 1
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="pipes of Linux")
+@pytest.mark.skipif(
+    sys.platform != "linux", reason="only Linux lets a program set how much a pipe holds; CI is Linux, and runs it"
+)
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
 def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
     """Its pipe stays open, and takes two seconds of velocities."""
     fcntl = pytest.importorskip("fcntl")
     read, write = os.pipe()
     fcntl.fcntl(write, fcntl.F_SETPIPE_SZ, 8192)
-    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--json", "--no-reflex", *options]
-    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
-    with subprocess.Popen([*command, "--drive", f"/dev/fd/{write}"], cwd=ROOT, pass_fds=(write,), **pipes) as process:
+    with driving(write, options) as process:
         try:
-            os.close(write)
-            process.stdin.write(bytes(3_200))
-            process.stdin.flush()
-            assert b"listening to" in process.stderr.readline()
             speak(process.stdin, np.concatenate([go_forward, np.zeros(RATE, np.float32)]))
             assert process.wait(60) == 6
         finally:
@@ -215,7 +217,7 @@ def test_noise_reduction_as_an_option(intent_engine, go_forward):
     assert end_of(done)["pose"]["x"] == pytest.approx(2.0), done.stdout + done.stderr
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process; CI is Linux, and runs it")
 def test_a_microphone_until_ctrl_c(tmp_path, go_forward):
     """A process of its own, in real time: the robot is on its way when Ctrl-C comes."""
     soundfile.write(tmp_path / "said.wav", np.concatenate([np.zeros(RATE, np.float32), go_forward]), RATE)
@@ -243,7 +245,7 @@ def fake(played: str) -> dict[str, str]:
     return {"PYTHONPATH": str(PLAYED), "PLAYED": played}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process; CI is Linux, and runs it")
 def test_a_pipe_that_goes_on_until_ctrl_c(speak, go_forward):
     """The reader of the pipe is still at it when the program ends; that must not abort it."""
     command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "-", "--no-reflex", "--json"]

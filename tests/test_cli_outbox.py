@@ -86,7 +86,9 @@ def commands() -> bytes:
     return (samples * 32_767).astype("<i2").tobytes()
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="the size of a pipe is set")
+@pytest.mark.skipif(
+    sys.platform != "linux", reason="only Linux lets a program set how much a pipe holds; CI is Linux, and runs it"
+)
 @pytest.mark.parametrize("options", [["--json"], []], ids=["json", "text"])
 def test_a_reader_that_stands_still_holds_up_no_command(commands, tmp_path, options):
     import fcntl
