@@ -188,7 +188,13 @@ def accuracy_rows(what: str, command: str, ours: Sequence[Outcome], peer: Sequen
     if one.others:
         mistaken = [(found.false_accepts, found.others) for found in (one, other)]
         rows.append(share(f"{what}: other speech acted on", command, *mistaken))
+        danger = [(_more_than_stopped(heard), found.others) for heard, found in ((ours, one), (peer, other))]
+        rows.append(share(f"{what}: other speech answered by more than a stop", command, *danger))
     return rows + latency_rows(what, command, one, other, ours)
+
+
+def _more_than_stopped(heard: Sequence[Outcome]) -> int:
+    return sum(one.unasked for one in heard if not one.row.expected.command)
 
 
 def latency_rows(what: str, command: str, one: Score, other: Score, ours: Sequence[Outcome]) -> list[dict[str, Any]]:

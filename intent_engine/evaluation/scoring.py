@@ -79,6 +79,12 @@ class Outcome:
     transcripts: tuple[Transcript, ...] = ()
     """What the recogniser made of it, utterance by utterance."""
 
+    @property
+    def unasked(self) -> bool:
+        """Whether something was done that was not said and is more than a stop, which harms nobody."""
+        mistaken = self.verdict in (Verdict.WRONG, Verdict.FALSE_ACCEPT)
+        return mistaken and not (self.actions and all(isinstance(action, Stop) for action in self.actions))
+
 
 def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
     """Score one recording."""
@@ -205,6 +211,8 @@ class Score:
     """Recordings that are no command."""
     false_accepts: int
     """Of these: acted on."""
+    unasked: int
+    """Of all recordings: something was done that was not said and is more than a stop."""
     word_error_rate: float | None
     """Wrong, missing and added words, of all words said."""
     free_word_error_rate: float | None
@@ -265,6 +273,7 @@ def score(outcomes: Sequence[Outcome]) -> Score:
         slot_accuracy=sum(outcome.slots_right for outcome in outcomes) / slots if slots else None,
         others=count[Verdict.QUIET] + count[Verdict.FALSE_ACCEPT],
         false_accepts=count[Verdict.FALSE_ACCEPT],
+        unasked=sum(outcome.unasked for outcome in outcomes),
         word_error_rate=_word_error_rate(outcomes, [outcome.heard for outcome in outcomes]),
         free_word_error_rate=_word_error_rate(outcomes, [outcome.free for outcome in outcomes]),
         latency_p50=quantile(latencies, 0.5),

@@ -89,6 +89,28 @@ def test_verdicts(expected, meanings, verdict):
     assert judge(row(expected), CONDITION, heard(*meanings)).verdict is verdict
 
 
+@pytest.mark.parametrize(
+    ("expected", "meanings", "unasked"),
+    [
+        (FORWARD_LABEL, [FORWARD], False),
+        (FORWARD_LABEL, [], False),
+        (FORWARD_LABEL, [LEFT], True),
+        (FORWARD_LABEL, [FORWARD, STOPPED], True),
+        (FORWARD_LABEL, [STOPPED], False),
+        (Expected(), [STOPPED], False),
+        (Expected(), [STOPPED, STOPPED], False),
+        (Expected(), [FORWARD], True),
+        (Expected(), [STOPPED, LEFT], True),
+        (Expected(), [], False),
+        (STOP_LABEL, [LEFT], True),
+    ],
+)
+def test_a_stop_that_nobody_said_is_a_mistake_and_no_danger(expected, meanings, unasked):
+    outcome = judge(row(expected), CONDITION, heard(*meanings))
+    assert outcome.unasked is unasked
+    assert score([outcome]).unasked == unasked
+
+
 def test_latency_is_of_right_actions_alone_and_from_the_label_where_it_says():
     assert judge(row(FORWARD_LABEL), CONDITION, heard(FORWARD)).latency == pytest.approx(0.25)
     assert judge(row(FORWARD_LABEL, speech_end=1.6), CONDITION, heard(FORWARD)).latency == pytest.approx(0.4)
