@@ -83,8 +83,8 @@ def _broken_off(
     meant: Sequence[tuple[str, ...]],
     near: Callable[[tuple[str, ...]], Sequence[tuple[str, ...]]],
 ) -> Iterator[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """What may have been broken off, and said after the correction, as it was heard or was ``meant``: two sentences that
-    end alike, as "thirty" and "forty microliters"."""
+    """What may have been broken off, and said after the correction, as it was heard or was ``meant``: two sentences
+    that end alike, as "thirty" and "forty microliters"."""
     for count in range(1, min(BROKEN_OFF, len(after) - 1) + 1):
         end = after[count:]
         for sentence in near((*before, *end))[:FIRST]:

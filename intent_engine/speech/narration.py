@@ -75,10 +75,10 @@ def leaves_out(words: Sequence[str], story: Iterable[str], heard: Collection[str
 
 
 def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) -> Sequence[str]:
-    """The first words that all models heard alike, up to one with which something is told or asked, where a sentence
-    has no place for that: "she" of "she goes back", "all of us went", "who moved the cup" for "remove the cup". In noise one model alone hears anything, and two
-    the same only if it was said: of 1,296 commands of synthetic voices that were done in doubt, clean and at 10 dB, one
-    is lost by it.
+    """The first words that all models heard alike, up to one with which something is told or asked, where a
+    sentence has no place for that: "she" of "she goes back", "all of us went", "who moved the cup" for "remove the
+    cup". In noise one model alone hears anything, and two the same only if it was said: of 1,296 commands of
+    synthetic voices that were done in doubt, clean and at 10 dB, one is lost by it.
 
     Args:
         words: of the sentence.

@@ -115,7 +115,13 @@ LIFT = Interpretation(
 
 @pytest.mark.parametrize(
     ("slots", "right"),
-    [({"way": "up"}, 1), ({"way": "down"}, 0), ({"way": None}, 1), ({"tool": "bucket", "way": "up"}, 2), ({"tool": "arm"}, 0)],
+    [
+        ({"way": "up"}, 1),
+        ({"way": "down"}, 0),
+        ({"way": None}, 1),
+        ({"tool": "bucket", "way": "up"}, 2),
+        ({"tool": "arm"}, 0),
+    ],
 )
 def test_what_a_command_takes_unsaid_may_be_labelled_too(slots, right):
     """The label of a person, who may not know which slots a sentence says: "lift the bucket" lifts it up."""

@@ -70,7 +70,9 @@ def test_what_several_heard_alike_tells_of_somebody(sentence, heard, lead, found
     assert " ".join(told(sentence.split(), [one.split() for one in heard], lead)) == found
 
 
-WORDS = st.lists(st.sampled_from([*sorted(TELLING | ASKING | set(SUBJECTS)), "go", "left", "please", "robot"]), max_size=6)
+WORDS = st.lists(
+    st.sampled_from([*sorted(TELLING | ASKING | set(SUBJECTS)), "go", "left", "please", "robot"]), max_size=6
+)
 
 
 @given(WORDS, st.lists(WORDS, max_size=2), st.integers(0, 2))

@@ -145,8 +145,9 @@ class Corrections:
         return several or self._replace_before_end(said, meant)
 
     def _replace_before_end(self, said: list[str], meant: list[str]) -> list[str] | None:
-        """``said``, which was broken off, with its last slots replaced by what ``meant`` begins with; the rest of ``meant``
-        is how both go on: "follow the blue, no, the red line", "wait five, no, ten minutes". None if it is not clear.
+        """``said``, which was broken off, with its last slots replaced by what ``meant`` begins with; the rest of
+        ``meant`` is how both go on: "follow the blue, no, the red line", "wait five, no, ten minutes". None if it is
+        not clear.
 
         What was broken off must be a command with that end, and differ in nothing but those slots. Free words are none
         of them, since they take any others in.
@@ -244,8 +245,9 @@ class Corrections:
 
 
 def _same_but(begun: Reading, run: list[SlotReading], stop: int, reading: Reading, at: int, after: int) -> bool:
-    """Whether two readings differ in nothing but the slots that begin in ``run``, before ``stop``, in the one, and between
-    ``at`` and ``after`` in the other; those go equally far into the words that follow ("two" and "three" of "meters")."""
+    """Whether two readings differ in nothing but some slots: those of ``run``, which begin before ``stop``, in the one,
+    and in the other those that begin between ``at`` and ``after``. They go equally far into the words that follow:
+    "two" and "three" of "meters"."""
     again = [slot for slot in sorted(reading.slots, key=lambda slot: slot.start) if at <= slot.start < after]
     if [(slot.label, max(slot.end - stop, 0)) for slot in run] != [
         (slot.label, max(slot.end - after, 0)) for slot in again
