@@ -7,9 +7,9 @@ from collections.abc import Iterable
 __all__ = ["did_you_mean"]
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str | None:
-    """A hint naming the known word that is nearest, or None if none is near."""
+def did_you_mean(word: str, known: Iterable[str], alike: float = 60) -> str | None:
+    """A hint naming the known word that is nearest, or None if none is near: ``alike`` percent of its letters."""
     from rapidfuzz import fuzz, process
 
-    found = process.extractOne(word, list(known), scorer=fuzz.ratio, score_cutoff=60)
+    found = process.extractOne(word, list(known), scorer=fuzz.ratio, score_cutoff=alike)
     return f"did you mean {found[0]!r}?" if found else None

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from enum import StrEnum
 from typing import Any
 
-from intent_engine.actions import Action, Stop
+from intent_engine.actions import Action, Custom, Stop
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.evaluation.labels import Row, Step, steps_of
@@ -106,7 +106,7 @@ def judge(row: Row, condition: Condition, hearing: Hearing) -> Outcome:
         tuple(step.intent for step in steps),
         actions,
         len(labelled),
-        _slots_right(row.expected.steps, steps),
+        _slots_right(row.expected.steps, steps, actions),
         latency,
         hearing.decodes[-1] if hearing.decodes else 0.0,
         _held(row, hearing),
@@ -136,7 +136,7 @@ def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verd
     if expected.stops and all(isinstance(action, Stop) for action in actions):
         steps, actions = _once(steps), actions[:1]  # a robot that is stopped twice is stopped
     right = (
-        (not expected.steps or expected.by_text or _same_steps(expected.steps, steps))
+        (not expected.steps or expected.by_text or _same_steps(expected.steps, steps, actions))
         and (expected.types is None or expected.types == tuple(action.type for action in actions))
         and (expected.actions is None or _same_actions(expected.actions, actions))
     )
@@ -148,11 +148,24 @@ def _once(steps: Sequence[Step]) -> Sequence[Step]:
     return steps[:1] if len({step.intent for step in steps}) == 1 else steps
 
 
-def _same_steps(expected: Sequence[Step], found: Sequence[Step]) -> bool:
+def _same_steps(expected: Sequence[Step], found: Sequence[Step], actions: Sequence[Action]) -> bool:
     return len(expected) == len(found) and all(
-        one.intent == other.intent and all(same(value, other.slots.get(name)) for name, value in one.slots.items())
-        for one, other in zip(expected, found, strict=True)
+        one.intent == other.intent and all(_came_out(name, one, other, default) for name in one.slots)
+        for one, other, default in zip(expected, found, _defaults(found, actions), strict=True)
     )
+
+
+def _came_out(name: str, expected: Step, found: Step, default: Mapping[str, Any]) -> bool:
+    """Whether a labelled value was said, or taken where nothing was said."""
+    value = expected.slots[name]
+    return same(value, found.slots.get(name)) or (name not in found.slots and same(value, default.get(name)))
+
+
+def _defaults(steps: Sequence[Step], actions: Sequence[Action]) -> Sequence[Mapping[str, Any]]:
+    """What each of some commands hands to the user's program, said or not; nothing of other commands."""
+    if len(steps) != len(actions):
+        return [{}] * len(steps)
+    return [action.slots if isinstance(action, Custom) else {} for action in actions]
 
 
 def _same_actions(expected: Sequence[Action], found: Sequence[Action]) -> bool:
@@ -161,13 +174,13 @@ def _same_actions(expected: Sequence[Action], found: Sequence[Action]) -> bool:
     )
 
 
-def _slots_right(expected: Sequence[Step], found: Sequence[Step]) -> int:
+def _slots_right(expected: Sequence[Step], found: Sequence[Step], actions: Sequence[Action]) -> int:
     """Labelled values that came out, step by step; none of a step whose intent is another."""
     return sum(
-        same(value, other.slots.get(name))
-        for one, other in zip(expected, found, strict=False)
+        _came_out(name, one, other, default)
+        for one, other, default in zip(expected, found, _defaults(found, actions), strict=False)
         if one.intent == other.intent
-        for name, value in one.slots.items()
+        for name in one.slots
     )
 
 

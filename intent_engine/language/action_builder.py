@@ -240,5 +240,6 @@ def _in_full(label: str, value: Any, defaults: Mapping[str, Any]) -> Any:
         return value
     usual = defaults.get(label)
     if not isinstance(usual, (int, float)):
-        raise CannotActError(f"no usual {label} is known that this could be {value.factor:g} times of")
+        share = f"{value.factor:g} times of"
+        raise CannotActError(f"no usual {label} is known that this could be {share}: the intent has no default for it")
     return usual * value.factor

@@ -33,6 +33,7 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "meeters": ("meters",), "meeter": ("meter",), "ford": ("forward",),
         "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
         "moved": ("move",), "stopped": ("stop",), "goto": ("go",), "b": ("bay",), "lift": ("left",),
+        "know": ("no",), "feed": ("feet",), "fee": ("feet",),
     },
 }  # fmt: skip
 """Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those that

@@ -35,7 +35,8 @@ drafts draughts; dual duel; duct ducked; earn urn; earns urns; ewe yew; eye aye;
 fairs fares; fairy ferry; favorite favourite; feat feet; fiber fibre; fibers fibres; find fined; fir fur; firs furs;
 flair flare; flavor flavour; flavors flavours; flea flee; flew flu flue; flour flower; flours flowers; flyer flier;
 flyers fliers; foreword forward; forth fourth; foul fowl; freeze frees frieze; friar fryer; gait gate; gaits gates;
-gauge gage; gilt guilt; gorilla guerrilla; grate great; grater greater; gray grey; grease greece; groan grown;
+gauge gage; gilt guilt; gorilla guerrilla; gram gramme; grams grammes; grate great; grater greater; gray grey;
+grease greece; groan grown;
 guessed guest; hail hale; hair hare; hairs hares; hall haul; halls hauls; handsome hansom; hangar hanger; hangars
 hangers; harbor harbour; hart heart; hay hey; heal heel; heals heels; hear here; heard herd; hertz hurts; hi high;
 higher hire; him hymn; hoard horde; hoarse horse; hoes hose; hold holed; hole whole; holes wholes; honor honour;
@@ -46,7 +47,8 @@ lead led; leak leek; leaks leeks; lean lien; leased least; lessen lesson; levee 
 lightning lightening; liter litre; liters litres; load lode; loads lodes; loan lone; loch lock; lochs locks lox;
 loot lute; made maid; mail male; mails males; main mane; maize maze; mall maul; maneuver manoeuvre; manner manor;
 mantel mantle; marshal martial; mast massed; meat meet mete; meats meets; medal meddle; metal mettle; meter metre;
-meters metres; might mite; milliliter millilitre; milliliters millilitres; millimeter millimetre; millimeters
+meters metres; microliter microlitre; microliters microlitres; might mite; milliliter millilitre; milliliters
+millilitres; millimeter millimetre; millimeters
 millimetres; mind mined; miner minor; missed mist; mode mowed; mold mould; molds moulds; moose mousse; morning
 mourning; muscle mussel; muscles mussels; mustache moustache; mustard mustered; naval navel; neighbor neighbour;
 none nun; nose knows; oar ore or; oars ores; ode owed; ok okay; omelet omelette; organize organise; paced paste;

@@ -38,15 +38,29 @@ class Relative:
     factor: float
 
 
-RELATIVE_SPEEDS: Mapping[str, float] = {
-    "slowly": 0.5, "slow": 0.5, "slower": 0.5, "gently": 0.5, "carefully": 0.5, "very slowly": 0.25, "at a crawl": 0.25,
-    "really slowly": 0.25, "slowly and carefully": 0.5, "quickly": 1.5, "fast": 1.5, "faster": 1.5, "rapidly": 1.5,
-    "very fast": 2.0, "very quickly": 2.0, "half speed": 0.5, "half the speed": 0.5, "half your speed": 0.5,
-    "quarter speed": 0.25, "a quarter speed": 0.25, "full speed": 2.0, "top speed": 2.0, "maximum speed": 2.0,
-    "normal speed": 1.0, "normally": 1.0, "the usual speed": 1.0, "twice the speed": 2.0, "double speed": 2.0,
-    "low speed": 0.5, "slow speed": 0.5, "high speed": 1.5,
+RELATIVE_SPEEDS: Mapping[str, Mapping[str, float]] = {
+    "en": {
+        "slowly": 0.5, "slow": 0.5, "slower": 0.5, "gently": 0.5, "carefully": 0.5, "very slowly": 0.25,
+        "at a crawl": 0.25, "really slowly": 0.25, "slowly and carefully": 0.5, "quickly": 1.5, "fast": 1.5,
+        "faster": 1.5, "rapidly": 1.5, "very fast": 2.0, "very quickly": 2.0, "half speed": 0.5,
+        "half the speed": 0.5, "half your speed": 0.5, "quarter speed": 0.25, "a quarter speed": 0.25,
+        "full speed": 2.0, "top speed": 2.0, "maximum speed": 2.0, "normal speed": 1.0, "normally": 1.0,
+        "the usual speed": 1.0, "twice the speed": 2.0, "double speed": 2.0, "low speed": 0.5, "slow speed": 0.5,
+        "high speed": 1.5,
+    },
+    "de": {
+        "langsam": 0.5, "langsamer": 0.5, "vorsichtig": 0.5, "ganz langsam": 0.25, "sehr langsam": 0.25, "schnell": 1.5,
+        "schneller": 1.5, "sehr schnell": 2.0, "halber geschwindigkeit": 0.5, "halbe geschwindigkeit": 0.5,
+        "halbem tempo": 0.5, "halbes tempo": 0.5, "voller geschwindigkeit": 2.0, "volle geschwindigkeit": 2.0,
+        "vollem tempo": 2.0, "normaler geschwindigkeit": 1.0, "normalem tempo": 1.0, "doppelter geschwindigkeit": 2.0,
+        "doppeltem tempo": 2.0, "geringer geschwindigkeit": 0.5, "niedriger geschwindigkeit": 0.5,
+        "hoher geschwindigkeit": 1.5, "hohem tempo": 1.5,
+    },
 }  # fmt: skip
-"""English words for speeds, as factors of the usual speed. Modest on purpose: limits of the robot file still hold."""
+"""Words for speeds, by language, as factors of the usual speed. Modest on purpose: limits of the robot file still
+hold."""
+_SHARE_OF: Mapping[str, Sequence[str]] = {"en": ("speed",), "de": ("geschwindigkeit", "tempo")}
+"""What may be said after a percentage of it."""
 
 _WHOLE_ANGLES: Mapping[tuple[str, ...], float] = {
     ("all", "the", "way", "around"): 2 * math.pi,
@@ -126,10 +140,10 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
     if table is None:
         return None
     if kind in ("speed", "angular_speed"):
-        relative = RELATIVE_SPEEDS.get(" ".join(words)) if language == "en" else None
+        relative = RELATIVE_SPEEDS.get(language, {}).get(" ".join(words))
         if relative is not None:
             return Relative(relative)
-        share = words[:-1] if words[-1] == "speed" else words
+        share = words[:-1] if words[-1] in _SHARE_OF.get(language, ()) else words
         percent = _whole(_quantities(share, 0, "percent", language, table), len(share)) if len(share) > 1 else None
         if percent is not None and math.isfinite(percent):
             return Relative(percent) if 0 < percent <= 2 else None
@@ -400,10 +414,9 @@ def templates(language: str) -> Mapping[str, str]:
         base["turns"] = f"({{counted}} [{article}|more|further|extra|additional]|{single}) turn"
         base["angle"] += f"|{{turns}} [{joint} {{fraction}}]"
         base["angle"] += "".join(f"|{' '.join(words)}" for words in _WHOLE_ANGLES)
-        relative = "|".join(RELATIVE_SPEEDS)
     for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
         base[kind] = f"{{count}} {{{top}_unit}} {per} {{duration_unit}}{single}"
-        if language == "en":
-            base[kind] += f"|{relative}|{{percent}} [speed]"
+        if language in RELATIVE_SPEEDS:
+            base[kind] += f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(_SHARE_OF[language])}]"
     return base

@@ -26,6 +26,8 @@ _WORDS = {
     "number": "a number",
     "boolean": "true or false",
 }
+_SLIP = 70
+"""Percent of the letters that a misspelt key has of the one that was meant; "small" has as many as 60 of "allow"."""
 _YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 
 
@@ -63,6 +65,12 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     instance: Any = error.instance
     broken = path
     if error.validator == "additionalProperties" and isinstance(instance, dict):
+        if _bare_values(path, instance, schema):
+            source.broken |= {(*path, "type"), *((*path, key) for key in instance)}
+            first = next(iter(instance))
+            hint = f"put them under 'values': {{values: {{{first}: ...}}}}"
+            yield _at(source, path, f"{name} has values, and no keys of a slot", hint, key=True)
+            return
         for key in [key for key in instance if key not in schema.get("properties", ())]:
             source.broken.add((*path, key))
             yield _unknown_key(source, (*path, key), instance, schema)
@@ -109,6 +117,14 @@ def _name(path: tuple[Any, ...]) -> str:
         owner = next((part for part in reversed(path) if isinstance(part, str)), "the file")
         return f"entry {path[-1] + 1} of {owner!r}"
     return repr(path[-1])
+
+
+def _bare_values(path: tuple[Any, ...], instance: dict[Any, Any], schema: Any) -> bool:
+    """Whether a slot is a mapping from values to what is said, as only its ``values`` may be: ``{small: [tiny]}``."""
+    if path[:1] != ("slots",) or len(path) != 2 or not all(isinstance(said, str | list) for said in instance.values()):
+        return False
+    known = list(schema.get("properties", ()))
+    return not any(did_you_mean(str(key), known, _SLIP) for key in instance)
 
 
 def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schema: Any) -> Problem:

@@ -7,9 +7,13 @@ from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.homophones import homophones
+from intent_engine.language.numbers.units import SIGNS, units
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
 __all__ = ["own_homophones", "own_words", "spellings", "stops_by_sound"]
+
+_SCALES: Mapping[str, tuple[str, ...]] = {"c": ("celsius",), "f": ("fahrenheit",)}
+"""Letters that recognisers write for a word: "95 °C"."""
 
 
 def spellings(node: Node, phrases: Mapping[str, Node], most: int) -> list[tuple[str, ...]]:
@@ -54,10 +58,19 @@ def own_words(grammar: Grammar) -> frozenset[str]:
 
 
 def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
-    """Words that sound like some that a grammar is written in: each with those."""
+    """Words that sound like some that a grammar is written in, or are its signs in words: each with those."""
     own = own_words(grammar)
-    found = {word: tuple(filter(own.__contains__, same)) for word, same in homophones(grammar.language).items()}
+    said = {**homophones(grammar.language), **_SCALES, **_of_signs(grammar.language)}
+    found = {word: tuple(filter(own.__contains__, same)) for word, same in said.items()}
     return {word: same for word, same in found.items() if same}
+
+
+def _of_signs(language: str) -> dict[str, tuple[str, ...]]:
+    """What the words that signs are read as are called in a language: "°" is "degrees" in every one, and "grad"."""
+    table = units(language)
+    if table is None or language == "en":
+        return {}
+    return {word: (table.first_name(word),) for word in SIGNS}
 
 
 def stops_by_sound(grammar: Grammar) -> tuple[tuple[str, ...], ...]:

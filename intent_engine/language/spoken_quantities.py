@@ -205,8 +205,8 @@ def _rates(kind: str, table: Units, language: str) -> Iterator[Iterable[_Said]]:
     for key, size in RATES[kind].items():
         if names := _names(key, table):
             yield [(f"{text} {names[0]}", number * size) for text, number in _whole_numbers(language)]
-    if language == "en":
-        yield [(text, Relative(factor)) for text, factor in RELATIVE_SPEEDS.items()]
+    if language in RELATIVE_SPEEDS:
+        yield [(text, Relative(factor)) for text, factor in RELATIVE_SPEEDS[language].items()]
 
 
 def _english(kind: str, names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> Iterator[Iterable[_Said]]:

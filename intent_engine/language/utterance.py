@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
+from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
@@ -98,6 +99,8 @@ class Openers:
     """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
     around: PhraseSet
     """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
+    language: str = "en"
+    """Whose numbers."""
 
     def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether such a phrase stands here, and no command begins here, or a pause divides it.
@@ -106,8 +109,7 @@ class Openers:
         joint goes on: "go and then turn left" are two.
         """
         if self.around.at(said.words, position) == length:
-            after = said.words[position + length : position + length + 1]
-            return not after or not (after[0] in NUMBER_WORDS or is_numeral(after[0]))
+            return not any(map(self._counts, said.words[position + length : position + length + 1]))
         if self.phrases.at(said.words, position) != length:
             return False
         if self.joints.at(said.words, position + length - 1) > 1:
@@ -117,6 +119,12 @@ class Openers:
         else:
             begins = not before or said.breaks[position] or self.joints.ends(before) > 0
         return not begins or any(said.breaks[position + 1 : position + length])
+
+    def _counts(self, word: str) -> bool:
+        """Whether a word begins a number, or is one."""
+        if is_numeral(word):
+            return True
+        return word in NUMBER_WORDS if self.language == "en" else foreign.is_number_word(word, self.language)
 
 
 @dataclass(frozen=True, slots=True)

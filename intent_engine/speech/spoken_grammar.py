@@ -19,7 +19,7 @@ from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
-from intent_engine.speech.corrections import as_meant, corrected_like
+from intent_engine.speech.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.dictating import DICTATED, begin_of
 from intent_engine.speech.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.guided import WORD, word_count
@@ -140,6 +140,8 @@ class SpokenGrammar:
     def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         corrections = self.corrections(language)
         meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
+        if corrections.find(meant, 1) is None:
+            meant = no_between(meant, corrections, language)
         like = corrected_like(meant, corrections, lambda words: self._like(words, language))
         return [words for words in like if self.parse(" ".join(words), language).corrected]
 

@@ -9,14 +9,11 @@ from intent_engine.language.as_written import as_written
 from intent_engine.language.free_text import ARTICLES_IN
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.spelled import number_words
-from intent_engine.language.numbers.units import units
+from intent_engine.language.numbers.units import SIGNS, units
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary, words_in
 
 __all__ = ["known_in_slots", "known_words", "said_in_slots", "said_of_signs", "words_as_written"]
-
-SIGNS = ("degrees", "percent")
-"""What signs are read as, "45°", in every language."""
 
 
 def known_words(matcher: Matcher) -> frozenset[str]:

@@ -94,7 +94,8 @@ def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:
         WeightsError: nothing was found, files are missing, or the digest is wrong; says what to install.
     """
     folder = Path(name).expanduser()
-    if folder.is_dir():
+    another = name in HUB and not any((folder / file).is_file() for file in NEEDED)  # a folder "base" of some robot
+    if folder.is_dir() and not another:
         _complete(folder, name)
         return Weights(folder.name, folder, "path", False)
     if os.sep in name and name not in HUB.values():

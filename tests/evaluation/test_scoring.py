@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.actions import Move, Stop, Turn
+from intent_engine.actions import Custom, Move, Stop, Turn
 from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.labels import Expected, Row, Step
 from intent_engine.evaluation.scoring import Condition, Verdict, judge, quantile, same, score, wilson
@@ -123,6 +123,33 @@ def test_slots_are_counted_one_by_one():
     assert (outcome.slots, outcome.slots_right) == (2, 1)
     outcome = judge(row(expected), CONDITION, heard(LEFT))
     assert (outcome.slots, outcome.slots_right) == (2, 0)
+
+
+LIFT = Interpretation(
+    "lift the bucket",
+    Status.ACCEPTED,
+    "lift",
+    {"tool": "bucket"},
+    (Custom("lift", {"tool": "bucket", "way": "up"}),),
+    confidence=1.0,
+)
+
+
+@pytest.mark.parametrize(
+    ("slots", "right"),
+    [
+        ({"way": "up"}, 1),
+        ({"way": "down"}, 0),
+        ({"way": None}, 1),
+        ({"tool": "bucket", "way": "up"}, 2),
+        ({"tool": "arm"}, 0),
+    ],
+)
+def test_what_a_command_takes_unsaid_may_be_labelled_too(slots, right):
+    """The label of a person, who may not know which slots a sentence says: "lift the bucket" lifts it up."""
+    outcome = judge(row(Expected((Step("lift", slots),))), CONDITION, heard(LIFT))
+    assert outcome.slots_right == right
+    assert outcome.verdict is (Verdict.RIGHT if right == len(slots) else Verdict.WRONG)
 
 
 @pytest.mark.parametrize(

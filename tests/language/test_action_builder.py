@@ -205,7 +205,9 @@ def test_a_speed_of_the_usual_one_has_the_limits_of_its_slot(tmp_path: Path) -> 
     engine = IntentEngine.from_files(file)
     assert engine.parse("keep to half speed").actions == (Custom("limit", {"pace": 1.0}),)
     assert engine.parse("keep to full speed").reason == "pace of 4 m/s is more than the largest, 3 m/s"
-    assert engine.parse("note half speed").reason == "no usual pace is known that this could be 0.5 times of"
+    assert engine.parse("note half speed").reason == (
+        "no usual pace is known that this could be 0.5 times of: the intent has no default for it"
+    )
     assert engine.parse("note one meter per second").actions == (Custom("record", {"pace": 1.0}),)
     sampler = Sampler(engine.grammar)
     drawn = [sampler.draw(RandomChoices(seed)) for seed in range(200)]

@@ -75,3 +75,44 @@ def test_a_file_with_fillers_of_its_own_has_only_these(tmp_path: Path) -> None:
     engine = IntentEngine.from_files(file)
     assert engine.parse("please ring").status is Status.ACCEPTED
     assert engine.parse("ring for about ten seconds").status is Status.REJECTED
+
+
+FIELD = """
+language: de
+slots:
+  time: duration
+  row: {type: number, max: 40, whole: true}
+  light: {type: boolean, values: {true: an, false: aus}}
+intents:
+  dig: {action: custom, sentences: ["grab [{time}]", "grab ein loch"]}
+  hoot: {action: custom, sentences: ["hup [{row} mal]"]}
+  light: {action: custom, sentences: ["mach das licht {light}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def field(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    file = tmp_path_factory.mktemp("grammar") / "field.yaml"
+    file.write_text(FIELD, "utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("mach bitte mal das Licht an", {"light": True}),
+        ("mach doch mal das Licht aus", {"light": False}),
+        ("kannst du jetzt mal das Licht an machen", None),
+        ("so, grab also ein Loch", {}),
+        ("grab ungefähr drei Minuten", {"time": 180}),
+        ("grab etwa eine halbe Minute", {"time": 30}),
+        ("hup genau 2 mal", {"row": 2}),
+        ("hup zwei mal", {"row": 2}),
+        ("grab etwa", None),
+        ("grab doch nicht", None),
+        ("mach doch nicht das Licht aus", None),
+        ("jetzt", None),
+    ],
+)
+def test_germans_put_other_words_around_a_command(field: IntentEngine, said: str, slots: dict | None) -> None:
+    assert [action.slots for action in field.parse(said).actions] == ([] if slots is None else [slots])

@@ -256,6 +256,12 @@ def test_a_word_that_the_grammar_has_is_not_written_for_another():
     assert load(turning + "  g: {action: {type: custom}, sentences: ['go to it']}\n").sound_alikes["to"] == ("two",)
 
 
+def test_what_takes_back_is_heard_in_every_english_grammar_as_recognisers_write_it():
+    turning = "intents:\n  t: {action: {type: custom}, sentences: ['turn left']}\n"
+    assert load(turning).sound_alikes["know"] == ("no",)
+    assert "know" not in load(turning + "  k: {action: {type: custom}, sentences: ['let me know']}\n").sound_alikes
+
+
 def test_operators_and_sound_alikes_are_added_to_those_of_the_language():
     grammar = load(
         "operators: {stop: [red light], closed: [perhaps]}\nsound_alikes: {whale: [wave]}\nwake: [hey bot]\n"

@@ -149,3 +149,38 @@ def test_what_only_leads_to_a_number_is_none(heard: str) -> None:
 
 def test_where_more_of_a_number_follows_it_is_less_sure() -> None:
     assert shipped().parse("go forward to hundred meters").confidence < 1.0
+
+
+OVEN = """
+language: de
+slots: {heat: number, tilt: angle}
+intents:
+  heat: {action: custom, sentences: ["heize auf {heat} Grad [Celsius]", "heize mit {heat} Prozent"]}
+  tilt: {action: custom, sentences: ["kippe um {tilt}"]}
+"""
+LAB = """
+language: en
+slots: {heat: number, row: [A, B, C], column: {type: number, max: 12}}
+intents:
+  heat: {action: custom, sentences: ["heat to {heat} degrees [celsius] [in {row} {column}]"]}
+  draw: {action: custom, sentences: ["draw {heat} microliters from {row} {column}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("grammar", "said", "slots"),
+    [
+        (OVEN, "heize auf 90°", {"heat": 90}),
+        (OVEN, "heize auf 90 °C", {"heat": 90}),
+        (OVEN, "heize mit 50%", {"heat": 50}),
+        (OVEN, "kippe um 90°", {"tilt": pytest.approx(math.pi / 2)}),
+        (LAB, "heat to 90°C", {"heat": 90}),
+        (LAB, "heat to 90 °C in C4", {"heat": 90, "row": "C", "column": 4}),
+        (LAB, "heat to 90 degrees in C four", {"heat": 90, "row": "C", "column": 4}),
+        (LAB, "draw fifty microlitres from C three", {"heat": 50, "row": "C", "column": 3}),
+    ],
+)
+def test_a_sign_is_its_word_in_any_language(tmp_path, grammar, said, slots):
+    """Recognisers write "90 °C" and "50%", whatever unit the author of a grammar counts with a plain number."""
+    (action,) = engine_of(grammar, tmp_path).parse(said).actions
+    assert action.slots == slots

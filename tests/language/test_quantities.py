@@ -221,11 +221,27 @@ def test_a_bare_number_takes_the_unit_that_the_slot_gives() -> None:
     assert evaluate(["half"], "distance", unit="m") == 0.5
 
 
-@pytest.mark.parametrize(("said", "factor"), RELATIVE_SPEEDS.items())
+GERMAN_SPEED = """
+language: de
+slots: {tempo: speed}
+intents: {roll: {action: custom, defaults: {tempo: 0.4 m/s}, sentences: ["roll [mit {tempo}]"]}}
+"""
+
+
+@pytest.mark.parametrize(("said", "factor"), RELATIVE_SPEEDS["en"].items())
 def test_a_speed_in_terms_of_the_usual_one(engine: IntentEngine, said: str, factor: float) -> None:
     assert evaluate(said.split(), "speed") == Relative(factor)
     assert evaluate(said.split(), "angular_speed") == Relative(factor)
     assert heard(engine, "speed", said) == factor
+
+
+@pytest.mark.parametrize(("said", "factor"), [*RELATIVE_SPEEDS["de"].items(), ("50 prozent geschwindigkeit", 0.5)])
+def test_a_german_speed_in_terms_of_the_usual_one(tmp_path: Path, said: str, factor: float) -> None:
+    assert evaluate(said.split(), "speed", "de") == Relative(factor)
+    file = tmp_path / "tempo.yaml"
+    file.write_text(GERMAN_SPEED, "utf-8")
+    (action,) = IntentEngine.from_files(file).parse(f"roll mit {said}").actions
+    assert action.slots == {"tempo": pytest.approx(0.4 * factor)}
 
 
 def test_a_percentage_of_the_usual_speed(engine: IntentEngine) -> None:

@@ -71,6 +71,17 @@ def test_a_path_comes_first(tmp_path, package):
     assert (found.source, found.path, found.name, found.checked) == ("path", tmp_path / "mine", "mine", False)
 
 
+def test_a_folder_of_another_kind_is_no_model(tmp_path, package, monkeypatch):
+    """A robot's "base" may lie where the program is started."""
+    package(b"weights")
+    (tmp_path / "work" / "tiny.en" / "src").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path / "work")
+    assert find_weights("tiny.en", download=False).source == "package"
+    (tmp_path / "work" / "tiny.en" / "config.json").write_text("{}", "utf-8")
+    with pytest.raises(WeightsError, match=r"has no model\.bin"):
+        find_weights("tiny.en", download=False)
+
+
 def test_a_package_comes_before_the_cache(tmp_path, package):
     package(b"weights")
     cached(tmp_path / "hub", "Systran/faster-whisper-tiny.en")

@@ -141,7 +141,36 @@ class Corrections:
             # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
             _, reached = self._matcher.strict.walk(said)
             return meant if reached is not None else None
-        return self._replace_several(said, meant, first) if first is not None else None
+        several = self._replace_several(said, meant, first) if first is not None else None
+        return several or self._replace_before_end(said, meant)
+
+    def _replace_before_end(self, said: list[str], meant: list[str]) -> list[str] | None:
+        """``said``, which was broken off, with its last slots replaced by what ``meant`` begins with; the rest of
+        ``meant`` is how both go on: "follow the blue, no, the red line", "wait five, no, ten minutes". None if it is
+        not clear.
+
+        What was broken off must be a command with that end, and differ in nothing but those slots. Free words are none
+        of them, since they take any others in.
+        """
+        found: dict[tuple[Any, ...], list[str]] = {}
+        for length in range(1, len(meant)):
+            begun = next(iter(self._matcher.read(said + meant[length:])), None)
+            if begun is None or begun.problem:
+                continue
+            spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
+            for index, slot in enumerate(spoken):
+                if any(one.slot.type in _FREE for one in spoken[index:]):
+                    continue
+                for at in _beginnings(said, meant[:length], slot.start):
+                    words = said[:at] + meant
+                    reading = next(iter(self._matcher.read(words)), None)
+                    if reading is None or reading.problem or reading.intent is not begun.intent:
+                        continue
+                    if not _same_but(begun, spoken[index:], len(said), reading, at, at + length):
+                        continue
+                    meaning = tuple(sorted((label, str(value)) for label, value in reading.values().items()))
+                    found[meaning] = min(found.get(meaning, words), words, key=len)
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def _replace_several(self, said: list[str], meant: list[str], first: Reading) -> list[str] | None:
         """``said`` with neighbouring slots replaced by ``meant``, which says each of them again: "two crates of pears,
@@ -213,6 +242,19 @@ class Corrections:
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
+
+
+def _same_but(begun: Reading, run: list[SlotReading], stop: int, reading: Reading, at: int, after: int) -> bool:
+    """Whether two readings differ in nothing but some slots: those of ``run``, which begin before ``stop``, in the one,
+    and in the other those that begin between ``at`` and ``after``. They go equally far into the words that follow:
+    "two" and "three" of "meters"."""
+    again = [slot for slot in sorted(reading.slots, key=lambda slot: slot.start) if at <= slot.start < after]
+    if [(slot.label, max(slot.end - stop, 0)) for slot in run] != [
+        (slot.label, max(slot.end - after, 0)) for slot in again
+    ]:
+        return False
+    replaced, old, new = {slot.label for slot in run}, begun.values(), reading.values()
+    return set(old) == set(new) and all(old[label] == new[label] for label in set(old) - replaced)
 
 
 def _beginnings(said: list[str], meant: list[str], start: int) -> Iterator[int]:

@@ -53,7 +53,8 @@ class Phrases:
             if command is not None and len(filler) > 1 and filler not in joining:
                 self._hiding[tuple(filler)] = command
         self._hides = PhraseSet(self._hiding)
-        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, PhraseSet(grammar.around))
+        around = PhraseSet(grammar.around)
+        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:

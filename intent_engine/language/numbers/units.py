@@ -10,7 +10,10 @@ from pathlib import Path
 
 import yaml
 
-__all__ = ["Units", "units"]
+__all__ = ["SIGNS", "Units", "units"]
+
+SIGNS = ("degrees", "percent")
+"""What signs are read as, "45°", in every language."""
 
 FACTORS: Mapping[str, Mapping[str, float]] = {
     "distance": {

@@ -1,0 +1,85 @@
+"""Corrections of what was broken off: "follow the blue, no, the red line"."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+
+GRAMMAR = """
+language: en
+slots:
+  colour: [blue, red, green]
+  length: {type: distance}
+  share: percent
+  volume: {type: number, max: 1000}
+  row: [A, B, C]
+  column: {type: number, max: 12, whole: true}
+  floor: ordinal
+  guest: {type: text, max_words: 3}
+phrases:
+  well: "{row} {column}"
+intents:
+  follow: {action: custom, sentences: ["follow the {colour} line [for {length}]"]}
+  loud: {action: custom, sentences: ["set the volume to {share}"]}
+  lift: {action: custom, sentences: ["take the lift to the {floor} floor"]}
+  draw: {action: custom, sentences: ["draw {volume} microliters [from {well}]"]}
+  pour: {action: custom, sentences: ["pour {well} [slowly] into the {colour} cup"]}
+  call: {action: custom, sentences: ["call {guest} to the {floor} floor"]}
+  drill: {action: custom, sentences: ["drill {volume} holes", "drill {column} rows"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
+    file = tmp_path_factory.mktemp("grammar") / "corrected.yaml"
+    file.write_text(GRAMMAR, "utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("follow the blue no red line", "follow the red line"),
+        ("follow the blue, no, the red line", "follow the red line"),
+        ("follow the blue I mean the red line for two meters", "follow the red line for two meters"),
+        ("follow the blue line for two no three meters", "follow the blue line for three meters"),
+        ("set the volume to fifty no sixty percent", "set the volume to sixty percent"),
+        ("set the volume to fifty no to sixty percent", "set the volume to sixty percent"),
+        ("take the lift to the second no third floor", "take the lift to the third floor"),
+        ("take the lift to the second no the third floor", "take the lift to the third floor"),
+        ("draw thirty no forty microliters from B six", "draw forty microliters from B six"),
+        ("pour A one no B two into the red cup", "pour B two into the red cup"),
+        ("draw thirty no forty microliters and follow the red line", "draw forty microliters and follow the red line"),
+    ],
+)
+def test_the_rest_goes_on_from_both(engine: IntentEngine, said: str, meant: str) -> None:
+    found = engine.parse(said)
+    assert found.corrected
+    assert found.actions == engine.parse(meant).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "follow the no red line",  # nothing is taken back
+        "follow the blue no nonsense line",
+        "follow the blue no red",  # what goes on from neither
+        "set the volume to fifty no sixty",
+        "draw thirty no forty cups from B six",
+        "drill thirty no four rows",  # thirty rows would be too many: holes, perhaps
+        "call the doctor no the nurse to the second floor",  # any words would be a name
+        "we follow the blue no the red line",
+    ],
+)
+def test_where_it_is_not_clear_nothing_is_done(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(said).actions == ()
+
+
+@given(st.integers(1, 99), st.integers(1, 99), st.sampled_from(["A", "B", "C"]), st.integers(1, 12))
+def test_of_two_amounts_the_last_is_meant(engine: IntentEngine, said: int, meant: int, row: str, column: int) -> None:
+    rest = f"microliters from {row} {column}"
+    found = engine.parse(f"draw {said} no {meant} {rest}")
+    assert found.actions == engine.parse(f"draw {meant} {rest}").actions != ()
