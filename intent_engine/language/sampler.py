@@ -22,6 +22,7 @@ from intent_engine.language.action_builder import CannotActError, build_action, 
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.own_units import units_called
 from intent_engine.language.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spellings import own_words
@@ -293,7 +294,9 @@ class Sampler:
             if slot.type in QUANTITY_KINDS:
                 smallest = [limit for limit in (slot.minimum, slot.least) if limit is not None]
                 limits = max(smallest, default=None), slot.maximum
-                ways = spoken_forms(slot.type, self.grammar.language, slot.unit, *limits, whole=slot.whole)
+                phrases, language = self.grammar.phrases, self.grammar.language
+                own = tuple((size, tuple(map(" ".join, names))) for size, names in units_called(slot, phrases))
+                ways = spoken_forms(slot.type, language, slot.unit, *limits, whole=slot.whole, own=own)
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),

@@ -210,6 +210,8 @@ class Corrections:
         if not mixed:
             return False
         if slot.slot.type in QUANTITY_KINDS:
+            if self._matcher.values.in_own_units(slot.slot, meant) is not None:
+                return True
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
