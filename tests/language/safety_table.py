@@ -710,7 +710,7 @@ NO_NAME = {
     "get me the manager": NOTHING,
     "look at you": NOTHING,
     # Of a list each is a thing.
-    "pick up the cup, the plate and the fork": NOTHING,
+    "pick up the cup, the plate and the fork": "pick cup, pick plate, pick fork",
     "pick up the cup the plate": NOTHING,
     "pick up the cup and the plate and the fork": "pick cup, pick plate, pick fork",
     "pick up the lid of the pot": "pick lid of the pot",
