@@ -78,7 +78,10 @@ class Compounds:
                 elif self._phrases.only_stops(words, after) and not listed:
                     found = [clause]  # "... and stop": every command ends with the robot at rest
                 elif depth < MAX_PARTS:
-                    onward = rest(after, depth + 1, self._goes_on_from(clause), after > end)
+                    name = self._goes_on_from(clause)
+                    onward = None
+                    if after > end or (name and self._commands.may_go_on(words[after:], name)):
+                        onward = rest(after, depth + 1, name, after > end)
                     if onward is None and after == end:
                         onward = rest(after, depth + 1, "")
                     later = onward is not None and _goes_on(onward[0])
