@@ -12,7 +12,7 @@ from intent_engine.interpretation import Interpretation, Status
 if TYPE_CHECKING:
     from intent_engine.execution.robots.robot import Pose
 
-__all__ = ["STYLES", "action_text", "interpretation_lines", "pose_text", "slots_text"]
+__all__ = ["STYLES", "action_text", "interpretation_lines", "meaning_text", "pose_text", "slots_text"]
 
 STYLES: Mapping[Status, str] = {
     Status.ACCEPTED: "green",
@@ -50,6 +50,14 @@ def action_text(action: Action) -> str:
             return f"{action.name} {slots}".rstrip()
 
 
+def meaning_text(intent: str | None, slots: Mapping[str, Any]) -> str:
+    """An intent with its slots, or each of several."""
+    steps = slots.get("steps")
+    if isinstance(steps, list):
+        return "; ".join(meaning_text(step["intent"], step["slots"]) for step in steps)
+    return f"{intent} {slots_text(slots)}".rstrip()
+
+
 def slots_text(slots: Mapping[str, Any]) -> str:
     """Slots as ``name=value``, floats to three places."""
     return " ".join(f"{name}={_value(value)}" for name, value in slots.items())
@@ -70,12 +78,7 @@ def interpretation_lines(found: Interpretation) -> Iterator[tuple[str, str | Non
     """What was understood, line by line, each with its style."""
     head = found.status.value
     if found.status is Status.ACCEPTED:
-        steps = found.slots.get("steps")
-        if isinstance(steps, list):
-            meaning = "; ".join(f"{step['intent']} {slots_text(step['slots'])}".rstrip() for step in steps)
-        else:
-            meaning = f"{found.intent} {slots_text(found.slots)}".rstrip()
-        head += f": {meaning} (confidence {found.confidence:.2f})"
+        head += f": {meaning_text(found.intent, found.slots)} (confidence {found.confidence:.2f})"
     elif found.reason:
         head += f": {found.reason}"
     yield head, STYLES[found.status]

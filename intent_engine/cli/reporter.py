@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from intent_engine.actions import to_json
-from intent_engine.cli.describe import STYLES, action_text, pose_text, slots_text
+from intent_engine.cli.describe import STYLES, action_text, meaning_text, pose_text
 from intent_engine.cli.outbox import Outbox
 from intent_engine.cli.streams import OutputError
 from intent_engine.cli.terminal import json_line, say
@@ -198,10 +198,7 @@ class Reporter:
 
 def _meaning(found: Interpretation) -> str:
     if found.status is Status.ACCEPTED:
-        steps = found.slots.get("steps")
-        if isinstance(steps, list):
-            return "; ".join(f"{step['intent']} {slots_text(step['slots'])}".rstrip() for step in steps)
-        return f"{found.intent} {slots_text(found.slots)}".rstrip()
+        return meaning_text(found.intent, found.slots)
     nearest = f" (nearest: {', '.join(found.alternatives)})" if found.alternatives else ""
     return f"{found.reason or 'not a command'}{nearest}"
 

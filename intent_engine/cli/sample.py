@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from intent_engine.cli.describe import action_text, slots_text
+from intent_engine.cli.describe import action_text, meaning_text
 from intent_engine.cli.guard import verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, say
@@ -39,7 +39,7 @@ def sample(
             json_line({"text": drawn.text, "intent": drawn.intent, "slots": dict(drawn.slots), "actions": actions})
         else:
             say(drawn.text)
-            meaning = f"    {drawn.intent} {slots_text(drawn.slots)}".rstrip()
+            meaning = f"    {meaning_text(drawn.intent, drawn.slots)}"
             actions_text = "; ".join(action_text(action) for action in drawn.actions if action.type != "custom")
             say(f"{meaning} -> {actions_text}" if actions_text else meaning, "dim")
     return 0

@@ -7,13 +7,14 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.language.grammar import Condition, Intent, Slot
+from intent_engine.language.grammar import ACTION_PARAMETERS, Condition, Intent, Slot
+from intent_engine.language.grammar_intents import slot_of_parameter
 from intent_engine.language.quantities import Relative
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["CannotActError", "build_action", "check_speeds", "defaults_of", "holds"]
+__all__ = ["CannotActError", "build_action", "check_speeds", "defaults_of", "holds", "names_taken"]
 
 MOVE_SPEED = 0.5
 """m/s, where a grammar gives no default."""
@@ -69,6 +70,16 @@ def defaults_of(intent: Intent, said: Mapping[str, Any]) -> dict[str, Any]:
         if holds(condition, said):
             defaults.update(condition.defaults)
     return defaults
+
+
+def names_taken(intent: Intent, said: Mapping[str, Any]) -> frozenset[str]:
+    """The labels of the things, places and choices that were said and that the action of an intent takes."""
+    spec = intent.action
+    names = frozenset(label for label, value in said.items() if isinstance(value, str | bool))
+    if spec.type == "custom" and not spec.parameters:
+        return names
+    parameters = spec.parameters if spec.type == "custom" else ACTION_PARAMETERS[spec.type]
+    return names & {slot_of_parameter(spec, parameter) for parameter in parameters}
 
 
 def holds(condition: Condition, said: Mapping[str, Any]) -> bool:

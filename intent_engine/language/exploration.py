@@ -69,10 +69,11 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
     """
     matcher = Matcher(grammar, _few(locations, vocabulary(grammar)))
     trees = spoken_trees(grammar.language)
-    for kind in QUANTITY_KINDS:
+    for kind in (*QUANTITY_KINDS, "count"):
         # English ordinals are few words, and none is a numeral: "third", "3rd".
         if kind in trees and (kind != "ordinal" or grammar.language != "en"):
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
+    matcher.networks.add_template("quantity:and_part", Word("\0never"), {})
     free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
     walk = _Walk(matcher.strict, grammar, free)
     meetings = [Meeting(words, tuple(matcher.read(list(words)))) for words in walk.endings(most)]

@@ -97,6 +97,8 @@ class Slot:
     """One of ``SLOT_TYPES``."""
     unit: str | None = None
     """Taken when a number is said without one; None: a unit must be said."""
+    units: tuple[tuple[float, Node], ...] = ()
+    """Units of its own, besides those that everybody knows: the size of each in SI, and the template that spells it."""
     minimum: float | None = None
     """SI, inclusive."""
     maximum: float | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from intent_engine.errors import Problem
@@ -11,7 +11,10 @@ from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slo
 from intent_engine.language.grammar_parts import Draft, Places, Written
 from intent_engine.language.grammar_shapes import Shapes
 from intent_engine.language.grammar_values import action_problems, example_problems, value_problems
+from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.patterns import pattern_problems
+from intent_engine.language.quantities import evaluate
+from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, references
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.vocabulary import words_in
@@ -45,6 +48,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
         problems += _dictations(grammar, draft)
         if not unknown:  # else a value may name its own slot
             problems += _too_wide(grammar, places, shapes)
+            problems += _own_units(grammar, draft)
         sound = not unknown and not draft.blind
         for intent in grammar.intents.values():
             whole = sound and intent.name not in draft.partial
@@ -167,6 +171,30 @@ def _alike(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                     message = f"slot {slot.name!r}: the same words mean {spelled[option]!r} and {value!r}"
                     yield _written_problem(draft, slot, option, message, "remove one")
                 spelled[option] = value
+
+
+def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Units of a slot that are some already, or are said in too many ways to know them all."""
+    for slot in grammar.slots.values():
+        sizes: dict[tuple[str, ...], float] = {}
+        for size, node in slot.units:
+            for option in node.items if isinstance(node, Choice) else (node,):
+                names = spellings(option, grammar.phrases, MAX_NAMES + 1)
+                known = {words: _known_size(words, slot, sizes, grammar.language) for words in names}
+                taken = {words: other for words, other in known.items() if other not in (0.0, size)}
+                if len(names) > MAX_NAMES:
+                    message = f"slot {slot.name!r}: there are more than {MAX_NAMES} ways to say one unit"
+                    yield _written_problem(draft, slot, option, message, "leave some out")
+                for words, other in [*taken.items()][:1]:
+                    message = f"slot {slot.name!r}: {' '.join(words)!r} is a unit already, of {slot.written(other)}"
+                    yield _written_problem(draft, slot, option, message, "call one of them something else")
+                sizes.update(dict.fromkeys(names, size))
+
+
+def _known_size(words: tuple[str, ...], slot: Slot, sizes: Mapping[tuple[str, ...], float], language: str) -> float:
+    """The size of a unit that has a name already: one of the slot's own, or one that everybody knows; 0: none has."""
+    known = sizes.get(words) or evaluate(("1", *words), slot.type, language)
+    return known if isinstance(known, float) else 0.0
 
 
 def _written_problem(draft: Draft, slot: Slot, node: Node, message: str, hint: str) -> Problem:

@@ -18,8 +18,9 @@ from intent_engine.language.yaml_source import YamlPath, YamlSource
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(QUANTITY_KINDS, ("unit", "min", "max", "least", "usual_step", "usual_max")),
-    "number": ("unit", "min", "max", "least", "usual_step", "usual_max", "whole"),
+    **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max")),
+    "number": ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "whole"),
+    "ordinal": ("unit", "min", "max", "least", "usual_step", "usual_max"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -182,6 +183,7 @@ class PartReader:
         if most is not None and most <= 0:
             message = f"{spec['usual_max']!r} is nothing that anybody would say"
             source.problem((*path, "usual_max"), message, "more than 0: 20 m")
+        own = self._own_units((*path, "units"), name, kind, spec.get("units"), unit)
         values = self._values(values_at, name, kind, spec.get("values")) if kind in ("choice", "boolean") else ()
         if len(source.problems) > before or any(broken[: len(path)] == path for broken in source.broken):
             return None
@@ -189,6 +191,7 @@ class PartReader:
             name=name,
             type=kind,
             unit=unit,
+            units=own,
             minimum=low,
             maximum=high,
             least=least,
@@ -243,8 +246,25 @@ class PartReader:
                 found.append(step)
         return tuple(found)
 
-    def quantity(self, path: YamlPath, kind: str, raw: Any, unit: str | None) -> float | None:
-        """A limit, default or fixed value: text with its unit, or a plain number in ``unit`` (None: in SI)."""
+    def _own_units(
+        self, path: YamlPath, name: str, kind: str, given: Any, unit: str | None
+    ) -> tuple[tuple[float, Node], ...]:
+        """The size of each unit that the file has of its own, and how it is said."""
+        if not isinstance(given, Mapping) or "units" not in _KEYS[kind] or path in self.source.broken:
+            return ()
+        found: list[tuple[float, Node]] = []
+        for at, key, texts in self.source.entries(path, given):
+            size = self.quantity(at, kind, key, unit, key=True)
+            if size is not None and size <= 0:
+                self.source.problem(at, f"{key!r} is no size of a unit", "more than 0: 30 cm", key=True)
+            node = self.alternatives(at, texts, "slot", name)
+            if size is not None and node is not None:
+                found.append((size, node))
+        return tuple(found)
+
+    def quantity(self, path: YamlPath, kind: str, raw: Any, unit: str | None, *, key: bool = False) -> float | None:
+        """A limit, default or fixed value: text with its unit, or a plain number in ``unit`` (None: in SI). ``key``
+        tells whether it stands before a colon."""
         if not self.finite(path, raw):
             return None
         if isinstance(raw, (int, float)) and not isinstance(raw, bool) and unit is None:
@@ -255,7 +275,7 @@ class PartReader:
             if kind in _UNITS:
                 hint = f"write a number in SI units, or one with its unit ({_UNITS[kind]})"
             article = "an" if kind[0] in "aeiou" else "a"
-            self.source.problem(path, f"{raw!r} is not {article} {kind.replace('_', ' ')}", hint)
+            self.source.problem(path, f"{raw!r} is not {article} {kind.replace('_', ' ')}", hint, key=key)
         return value
 
     def finite(self, path: YamlPath, raw: Any) -> bool:

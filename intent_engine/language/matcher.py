@@ -39,6 +39,8 @@ NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht"
 """What stands behind the first words of a command that shall not be done, in some languages."""
 BEHIND = ("\0behind", "\0sound behind")
 """Names that no template has."""
+OWN_UNIT = "\0unit"
+"""Another one: of the units that a slot has of its own."""
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
@@ -286,8 +288,10 @@ class Matcher:
             kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word("\0never")
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
+            if slot.units:
+                kind = Choice((kind, self._own_units(slot, spoken)))
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
-            self.networks.add_template(key, kind, scope)
+            self.networks.add_template(key, kind, scope | {OWN_UNIT: Call(f"units:{slot.name}")})
         elif slot.type in ("choice", "boolean"):
             scope = {}
             for _, node in slot.values:
@@ -296,6 +300,13 @@ class Matcher:
         elif slot.type == "location":
             respell = number_otherwise if self.grammar.language == "en" else None
             self.networks.add_names(key, NamesOf(self.locations, slot.tags, self.grammar.language), respell)
+
+    def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
+        """How many there are of a unit that only this slot has: "two steps", "a step and a half"."""
+        node = Choice(tuple(self._spoken(node) for _, node in slot.units))
+        self.networks.add_template(f"units:{slot.name}", node, self._scope(node))
+        part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word("\0never"))
+        return TemplateSequence((Reference("count", "count", 0), Reference(OWN_UNIT, OWN_UNIT, 0), part))
 
     def _spoken(self, node: Node) -> Node:
         """A template of the file with its numbers in digits and in words, where those are known."""

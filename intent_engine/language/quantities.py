@@ -18,6 +18,7 @@ from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 __all__ = [
     "Found",
     "Relative",
+    "counts",
     "evaluate",
     "find",
     "is_number_word",
@@ -156,6 +157,11 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
         if number is not None and factor is not None:
             value = tidy(number * factor)
     return value if value is not None and math.isfinite(value) else None
+
+
+def counts(words: Sequence[str], language: str = "en") -> Iterator[tuple[float, int]]:
+    """How many of something the words begin with, and where that ends: "two", "half a", "another"."""
+    yield from _counts(words, 0, language, units(language) or Units({}, {}))
 
 
 def tidy(value: float) -> float:
@@ -383,7 +389,7 @@ def templates(language: str) -> Mapping[str, str]:
     """
     table = units(language)
     if table is None:
-        return {"number": "{#}", "ordinal": "{#}"}
+        return {"number": "{#}", "ordinal": "{#}", "count": "{#}"}
     base = dict(english.TEMPLATES) if language == "en" else dict(foreign.TEMPLATES)
     one = "(" + "|".join(sorted(table.words["one"])) + ")"
     of = "(" + "|".join(sorted(table.words["of"])) + ")"
@@ -399,6 +405,7 @@ def templates(language: str) -> Mapping[str, str]:
         if language == "en"
         else f"({{number}} {article}|{{one}})"
     )
+    base["and_part"] = f"{joint} {{fraction}}"
     for kind in ("distance", "duration", "angle", "percent"):
         base[f"{kind}_unit"] = table.spoken(kind)
         base[kind] = (

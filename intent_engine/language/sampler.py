@@ -18,10 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
-from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
+from intent_engine.language.action_builder import CannotActError, build_action, check_speeds, names_taken
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.own_units import units_called
 from intent_engine.language.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spellings import own_words
@@ -48,6 +49,10 @@ THINGS: Mapping[str, tuple[str, ...]] = {
     "it": ("tazza", "scatola", "palla", "bottiglia", "libro", "martello", "tazza rossa", "scatola blu", "ombrello"),
 }  # fmt: skip
 """What is said in a text slot, by language, as far as the grammar does not use the words itself."""
+ONCE_IN = 4
+"""Of so many sentences from which something may go on, one does."""
+USUAL_JOINTS = 3
+"""Joints that are sampled, the first of the list: "and", "then", "and then"."""
 STAND_INS = ("blick", "dax", "wug", "zorp")
 """For a grammar that uses all of these words itself."""
 _DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
@@ -76,7 +81,7 @@ def sample(
     seed: int = 0,
     state: Collection[str] = (),
 ) -> list[Sample]:
-    """Random sentences of a grammar. The same seed gives the same sentences.
+    """Random sentences of a grammar, some of them with what goes on from them. The same seed gives the same sentences.
 
     Args:
         grammar: as loaded.
@@ -91,7 +96,7 @@ def sample(
     """
     sampler = Sampler(grammar, locations, state=state)
     choices = RandomChoices(seed)
-    return [sampler.draw(choices, intent) for _ in range(count)]
+    return [sampler.going_on(sampler.draw(choices, intent), choices) for _ in range(count)]
 
 
 class Sampler:
@@ -188,13 +193,30 @@ class Sampler:
             return self.finish(name, sentence, pieces) if pieces is not None else None
         return self.finish(name, sentence, self._drawn(sentence.template, choices))
 
-    def attempt_later(self, choices: Choices, intent: str) -> Sample | None:
-        """What goes on from a command of an intent behind a joint; None: nothing does, or its values make no action."""
-        sayable = [one for one in self.grammar.intents[intent].then if math.isfinite(self.length(one.template))]
+    def attempt_later(self, choices: Choices, first: Sample) -> Sample | None:
+        """What goes on from a command behind a joint; None: nothing does, or its values make no action, or it names
+        more than the command does, or less."""
+        intent = self.grammar.intents[first.intent]
+        sayable = [one for one in intent.then if math.isfinite(self.length(one.template))]
         if not sayable:
             return None
         sentence = pick(choices, sayable)
-        return self.finish(intent, sentence, self._drawn(sentence.template, choices))
+        later = self.finish(intent.name, sentence, self._drawn(sentence.template, choices))
+        alike = later is not None and names_taken(intent, later.slots) == names_taken(intent, first.slots)
+        return later if alike else None
+
+    def going_on(self, first: Sample, choices: Choices) -> Sample:
+        """A sentence, and now and then another behind it that is one only there."""
+        joints = self.grammar.operators.sequence
+        if not joints or not self.grammar.intents[first.intent].then or one(choices, ONCE_IN) > 0:
+            return first
+        later = self.attempt_later(choices, first)
+        if later is None:
+            return first
+        pieces = (*first.pieces, Piece(" ".join(pick(choices, joints[:USUAL_JOINTS]))), *later.pieces)
+        steps = [{"intent": each.intent, "slots": dict(each.slots)} for each in (first, later)]
+        actions = (*first.actions, *later.actions)
+        return Sample(_joined(pieces), "compound", {"steps": steps}, actions, pieces, first.sentence)
 
     def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
         """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
@@ -293,7 +315,9 @@ class Sampler:
             if slot.type in QUANTITY_KINDS:
                 smallest = [limit for limit in (slot.minimum, slot.least) if limit is not None]
                 limits = max(smallest, default=None), slot.maximum
-                ways = spoken_forms(slot.type, self.grammar.language, slot.unit, *limits, whole=slot.whole)
+                phrases, language = self.grammar.phrases, self.grammar.language
+                own = tuple((size, tuple(map(" ".join, names))) for size, names in units_called(slot, phrases))
+                ways = spoken_forms(slot.type, language, slot.unit, *limits, whole=slot.whole, own=own)
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),

@@ -14,6 +14,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
 from intent_engine.language.numbers import foreign
+from intent_engine.language.own_units import OwnUnits
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
 
@@ -35,6 +36,11 @@ class SlotValues:
         self._free = free
         self._indexes: dict[str, NameIndex] = {}
         self._index_lock = threading.Lock()
+        self._units = {
+            slot.name: OwnUnits(slot, grammar.phrases, grammar.language)
+            for slot in grammar.slots.values()
+            if slot.units
+        }
 
     def read(
         self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
@@ -64,6 +70,8 @@ class SlotValues:
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
+        if value is None:
+            value = self.in_own_units(slot, said)
         problem = ""
         status = "exact"
         if value is None:
@@ -75,6 +83,11 @@ class SlotValues:
         elif isinstance(value, float):
             value = slot.counted(value)
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
+
+    def in_own_units(self, slot: Slot, said: Sequence[str]) -> float | None:
+        """What words are in the units that only this slot has, in SI; None: nothing."""
+        own = self._units.get(slot.name)
+        return own.value(said) if own is not None else None
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         match = self.index(slot).resolve(said)

@@ -53,7 +53,7 @@ def own_words(grammar: Grammar) -> frozenset[str]:
     """The words that the grammar's sentences, phrases and choices are written in."""
     nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
     nodes.extend(grammar.phrases.values())
-    nodes.extend(node for slot in grammar.slots.values() for _, node in slot.values)
+    nodes.extend(node for slot in grammar.slots.values() for _, node in (*slot.values, *slot.units))
     return frozenset(word for node in nodes for word in _literal(node))
 
 

@@ -56,7 +56,14 @@ _DECIMALS = ("0.5", "1.5", "2.5", "0.2", "0.3", "0.75", "1.25", "3.4", "7.05", "
 
 @cache
 def spoken_forms(
-    kind: str, language: str, unit: str | None, minimum: float | None, maximum: float | None, *, whole: bool = False
+    kind: str,
+    language: str,
+    unit: str | None,
+    minimum: float | None,
+    maximum: float | None,
+    *,
+    whole: bool = False,
+    own: tuple[tuple[float, tuple[str, ...]], ...] = (),
 ) -> tuple[tuple[Spoken, ...], ...]:
     """The ways to say a quantity, by form (whole numbers, decimals, fractions, ...), the shortest form first.
 
@@ -67,9 +74,10 @@ def spoken_forms(
         minimum: SI, inclusive; None: no limit.
         maximum: SI, inclusive; None: no limit.
         whole: only whole numbers.
+        own: units of the slot itself: the size of each, and what it is called, singular and plural first.
     """
     limits = (-math.inf if minimum is None else minimum, math.inf if maximum is None else maximum)
-    forms = (_within(form, limits, whole) for form in _forms(kind, language, unit))
+    forms = (_within(form, limits, whole) for form in (*_forms(kind, language, unit), *_in_own(language, own)))
     return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
 
 
@@ -115,6 +123,15 @@ def _forms(kind: str, language: str, unit: str | None) -> Iterator[Iterable[_Sai
     ]
     if english:
         yield from _english(kind, names, sizes)
+
+
+def _in_own(language: str, own: Iterable[tuple[float, tuple[str, ...]]]) -> Iterator[Iterable[_Said]]:
+    """In units that only the slot has."""
+    names = {str(at): forms for at, (_, forms) in enumerate(own)}
+    sizes = {str(at): size for at, (size, _) in enumerate(own)}
+    yield _with_units(_whole_numbers(language), names, sizes)
+    if language == "en":
+        yield _singular(names, sizes)
 
 
 def _factor(kind: str, unit: str | None) -> float | None:

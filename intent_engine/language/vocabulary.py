@@ -14,7 +14,7 @@ def vocabulary(grammar: Grammar) -> frozenset[str]:
     """Every word that stands in the sentences, phrases and lists of a grammar."""
     trees = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
     trees += grammar.phrases.values()
-    trees += [node for slot in grammar.slots.values() for _, node in slot.values]
+    trees += [node for slot in grammar.slots.values() for _, node in (*slot.values, *slot.units)]
     return frozenset(word for tree in trees for word in words_in(tree))
 
 

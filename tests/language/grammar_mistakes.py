@@ -141,6 +141,22 @@ MISTAKES: dict[str, str | bytes] = {
     "a usual step for words": slot("{type: text, usual_step: 5}"),
     "a usual step in the wrong unit": slot("{type: angle, usual_step: 5 m}"),
     "a unit of something else": slot("{type: angle, unit: m}"),
+    "a unit of its own of nothing": slot("{type: distance, units: {0 cm: step}}"),
+    "a unit of its own of another kind": slot("{type: distance, units: {3 kg: step}}"),
+    "a unit of its own that is one already": slot("{type: distance, units: {30 cm: [step, foot]}}"),
+    "two units of its own with one name": slot("{type: distance, units: {30 cm: [step, pace], 70 cm: [pace]}}"),
+    "a unit of its own without a word": slot("{type: distance, units: {30 cm: '[step]'}}"),
+    "a unit of its own that is a slot": slot("{type: distance, units: {30 cm: '{it} step'}}"),
+    "a unit of its own said in too many ways": slot(
+        "{type: distance, units: {30 cm: '("
+        + "|".join("abcdefgh")
+        + ") ("
+        + "|".join("abcdefgh")
+        + ") ("
+        + "|".join("abcdefgh")
+        + ")'}}"
+    ),
+    "units of a text": slot("{type: text, units: {30 cm: step}}"),
     "too many words": slot("{type: text, max_words: 40}"),
     # -- actions and their values
     "a misspelt action": move(action="mvoe"),

@@ -54,6 +54,8 @@ HARD = [
     *("go forward turn left", "turn left go", "pick up the cup go forward", "turn left slowly go forward"),
     *("go to the kitchen and to the dock and", "pick up the cup and the", "go to the kitchen and the", "right then"),
     *("go forward a few feet and", "some", "a few"),
+    *("to the kitchen,", "go to the kitchen, the", "turn left ninety, right forty", "the cup,", "pick up the cup, the"),
+    *("to the kitchen, no the dock and", "turn left ninety no right"),
     *("pick up the cup no the bottle and", "go to the kitchn and", "go to the kitchn,", "go forward stop turn left"),
 ]
 

@@ -52,7 +52,7 @@ TABLE = {
     "nimm die Tasse um drei": NOTHING,
     "nimm die Tasse nach dem Essen": NOTHING,
     "nimm die Tasse zweimal": NOTHING,
-    "nimm die Tasse, den Teller und die Gabel": NOTHING,
+    "nimm die Tasse, den Teller und die Gabel": "pick tasse, pick teller, pick gabel",
     "nimm Kontakt auf": NOTHING,
     "nimm Anlauf": NOTHING,
     "bring die Kinder ins Bett": NOTHING,

@@ -13,7 +13,7 @@ from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Status
 from intent_engine.language.checker import check_grammar
-from intent_engine.language.sampler import RandomChoices, Sampler
+from intent_engine.language.sampler import RandomChoices, Sampler, sample
 from intent_engine.language.utterance import Utterance
 
 ENGLISH = {
@@ -31,6 +31,34 @@ ENGLISH = {
     "go to the kitchen no to the bedroom and then to the dock": "to bedroom, to dock",
     "go to the kitchen and then to the bedroom and stop": "to kitchen, to bedroom",
     "go to the kitchen and then to the bedroom stop": "stop",
+    # In a list, where a joint comes at last.
+    "go to the kitchen, the bedroom and the dock": "to kitchen, to bedroom, to dock",
+    "turn left, go to the kitchen, the bedroom, and the dock": "left 43, to kitchen, to bedroom, to dock",
+    "pick up the cup, the plate, the fork and the spoon": "pick cup, pick plate, pick fork, pick spoon",
+    "go to the kitchen, the bedroom": "rejected",
+    "go to the kitchen, the bedroom, the dock": "rejected",
+    "go to the kitchen, the bedroom and turn left": "rejected",
+    "go to the kitchen, the bedroom and stop": "rejected",
+    "go to the kitchen, the bedroom or the dock": "rejected",
+    "turn left, the bedroom and the dock": "rejected",
+    # Corrected.
+    "go to the kitchen and then to the bedroom, no, the dock": "to kitchen, to dock",
+    "go to the kitchen and then to the bedroom, no, to the dock": "to kitchen, to dock",
+    "go to the kitchen and then to the bedroom, no, turn left": "to kitchen, left 43",
+    "go to the kitchen, the bedroom and the dock, I mean the living room": "to kitchen, to bedroom, to living room",
+    "pick up the cup and the plate, no, the bowl": "pick cup, pick bowl",
+    "put the cup on the table and the plate in the sink, no, on the shelf": "place cup table, place plate shelf",
+    "put the cup on the table and the plate in the sink, no, the fork": "place cup table, place fork sink",
+    "turn left ninety degrees then right forty five, no, sixty": "left 90, right 60",
+    "go to the kitchen and then to the bedroom, no": "rejected",
+    "go to the kitchen and then to the bedroom, no, the cup": "rejected",
+    # It names as much as what it goes on from.
+    "bring me the cup and the plate": "bring, bring",
+    "bring the cup to the office and the plate to the kitchen": "bring, bring",
+    "bring the cup to the office and the plate": "rejected",
+    "bring me the cup and the plate from the kitchen": "rejected",
+    "drop the cup and the plate": "place cup, place plate",
+    "place the cup and the plate on the table": "rejected",
     # By themselves, behind another intent, or without a joint they are nothing.
     "to the bedroom": "rejected",
     "and then to the bedroom": "rejected",
@@ -60,6 +88,11 @@ GERMAN = {
     "stell die Tasse auf den Tisch und den Teller ins Regal": "place tasse tisch, place teller regal",
     "fahr in die Küche und dann ins Schlafzimmer": "to küche, to schlafzimmer",
     "dreh dich um 90 Grad nach links und dann um 45 Grad nach rechts": "left 90, right 45",
+    "fahr in die Küche, ins Schlafzimmer und ins Wohnzimmer": "to küche, to schlafzimmer, to wohnzimmer",
+    "fahr in die Küche und dann ins Schlafzimmer, nein, ins Wohnzimmer": "to küche, to wohnzimmer",
+    "bring mir die Tasse und den Teller": "bring, bring",
+    "bring die Tasse zum Tisch und den Teller": "rejected",
+    "stell die Tasse ab und den Teller": "place tasse, place teller",
     "den Teller": "rejected",
     "dreh dich nach links und den Teller": "rejected",
     "nimm die Tasse und den Teller nicht": "rejected",
@@ -125,7 +158,7 @@ def lists(draw):
     engine = of()
     sampler = Sampler(engine.grammar, engine.locations)
     first = sampler.draw(RandomChoices(draw(st.integers(0, 10**6))), intent)
-    then = sampler.attempt_later(RandomChoices(draw(st.integers(0, 10**6))), intent)
+    then = sampler.attempt_later(RandomChoices(draw(st.integers(0, 10**6))), first)
     assume(then is not None)
     joint = " ".join(draw(st.sampled_from(engine.grammar.operators.sequence)))
     before, after = (" ".join(piece.text for piece in sample.pieces) for sample in (first, then))
@@ -169,6 +202,17 @@ def test_behind_another_intent_it_is_nothing(said, other):
     engine, _, joint, then, _ = said
     assume(engine is shipped() and engine.parse(then).status is Status.REJECTED)
     assert not engine.parse(f"{other} {joint} {then}").actions
+
+
+@settings(max_examples=10, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.sampled_from([shipped, german]))
+def test_it_is_sampled(seed, of):
+    engine = of()
+    drawn = [one for one in sample(engine.grammar, engine.locations, 60, seed=seed) if one.intent == "compound"]
+    assert drawn
+    for one in drawn:
+        found = engine.parse(one.text)
+        assert found.actions in ((), one.actions), one.text
 
 
 # -- the key of the file --------------------------------------------------------------------------------------

@@ -22,6 +22,8 @@ slots:
   nth: {type: ordinal}
   length: {type: distance, unit: m}
   span: {type: distance}
+  walk: {type: distance, units: {30 cm: [stride, strides], 2 m: "[long] (pole|poles)"}, max: 90 m}
+  stack: {type: number, units: {12: (crate|crates)}, whole: true}
   bend: {type: angle, unit: deg}
   wait: {type: duration, unit: s, min: 1 s}
   pace: {type: speed}
@@ -37,6 +39,9 @@ intents:
   measure:
     action: {type: custom, name: measure}
     sentences: ["count {n}", "stack {pieces} high", "choose the {nth} one", "measure {length}", "stretch {span}"]
+  count:
+    action: {type: custom, name: count}
+    sentences: ["walk {walk} [{pace}]", "order {stack}"]
   adjust:
     action: {type: custom, name: adjust}
     sentences: ["bend {bend}", "linger {wait}", "pace {pace}", "whirl {spin}", "fill {part}", "lamp {lamp}"]

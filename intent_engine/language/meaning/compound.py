@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from intent_engine.actions import Stop
+from intent_engine.language.action_builder import names_taken
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
@@ -58,29 +59,39 @@ class Compounds:
     def _commands_in(self, core: Utterance, state: Collection[str], exactly: bool = False) -> list[Clause] | None:
         """The same of an utterance that may be a single command."""
         words = core.words
-        tried: dict[tuple[int, str], list[Clause] | None] = {}
+        tried: dict[tuple[int, str, bool], list[Clause] | None] = {}
 
-        def rest(start: int, depth: int, before: str) -> list[Clause] | None:
-            if (start, before) in tried:
-                return tried[start, before]
-            tried[start, before] = None
+        def rest(start: int, depth: int, before: str, joined: bool = True) -> list[Clause] | None:
+            """Of the commands from a place on, behind one of the intent ``before`` and a joint, or only a pause."""
+            if (start, before, joined) in tried:
+                return tried[start, before, joined]
+            tried[start, before, joined] = None
             found: list[Clause] | None = None
             for end, after in self._boundaries(core, start):
                 clause = self._one(core.part(start, end), state, before, exactly)
                 if clause is None or not clause.accepted:
                     continue
+                # "The kitchen, the bedroom and the dock" is a list: its last joint tells it from a correction.
+                listed = not joined and _goes_on(clause)
                 if end == len(words):
-                    found = [clause]
-                elif self._phrases.only_stops(words, after):
+                    found = [clause] if not listed else None
+                elif self._phrases.only_stops(words, after) and not listed:
                     found = [clause]  # "... and stop": every command ends with the robot at rest
                 elif depth < MAX_PARTS:
-                    onward = rest(after, depth + 1, self._goes_on_from(clause) if after > end else "")
-                    found = [clause, *onward] if onward is not None else None
-                    if after > end and onward and len(onward) == 1 and isinstance(onward[0].action, Stop):
-                        found = [clause]  # "... and wait there"
+                    name = self._goes_on_from(clause)
+                    onward = None
+                    if after > end or (name and self._commands.may_go_on(words[after:], name)):
+                        onward = rest(after, depth + 1, name, after > end)
+                    if onward is None and after == end:
+                        onward = rest(after, depth + 1, "")
+                    later = onward is not None and _goes_on(onward[0])
+                    if onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
+                        found = [clause, *onward]
+                        if after > end and len(onward) == 1 and isinstance(onward[0].action, Stop):
+                            found = [clause]  # "... and wait there"
                 if found is not None:
                     break
-            tried[start, before] = found
+            tried[start, before, joined] = found
             return found
 
         return rest(self._phrases.goes_on(words), 1, "") or None
@@ -99,6 +110,10 @@ class Compounds:
         later = self._commands.exact(words, state, before)
         if exactly or (later is not None and later.accepted):
             return later
+        if self._corrections.may_stand_in(words):
+            corrected = self._corrections.corrected(part, state, before)
+            if corrected is not None and corrected.accepted:
+                return corrected
         clause = self.part(part, state)
         if not (clause is not None and clause.accepted) and not self._phrases.change_meaning(words):
             return self._commands.misheard(words, state, before) or clause
@@ -140,3 +155,18 @@ class Compounds:
                 # "turn 15 and 20 degrees", "turn 100, 80 degrees": one number or two, nobody can know.
                 if after < len(words) and not (is_number(words[end - 1]) and is_number(words[after])):
                     yield end, after
+
+
+def _goes_on(clause: Clause) -> bool:
+    """Whether a command is one only behind another."""
+    reading = clause.reading
+    return reading is not None and any(reading.sentence is one for one in reading.intent.then)
+
+
+def _of_one_kind(clause: Clause, onward: Clause) -> bool:
+    """Whether what goes on from a command names all that the command does, and no more: nobody knows whose the table is
+    in "place the cup and the plate on the table", nor where the plate goes in "put the cup on it and the plate"."""
+    one, other = clause.reading, onward.reading
+    assert one is not None
+    assert other is not None
+    return names_taken(one.intent, one.values()) == names_taken(other.intent, other.values())

@@ -12,7 +12,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.quantities import evaluate
+from intent_engine.language.quantities import counts, evaluate
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.utterance import Utterance
 
@@ -42,20 +42,25 @@ class Corrections:
         return self._correction.may_stand_in(words)
 
     @step(Kind.CORRECTION)
-    def corrected(self, part: Utterance, state: Collection[str]) -> Clause | None:
-        """The command that is meant at last; None if nothing is corrected or it is not clear what."""
+    def corrected(self, part: Utterance, state: Collection[str], before: str = "") -> Clause | None:
+        """The command that is meant at last; None if nothing is corrected or it is not clear what.
+
+        ``before`` names an intent whose command the part goes on from: "to the bedroom, no, to the office".
+        """
         pieces = list(self._split(part))
         if len(pieces) < 2:
-            return self._corrected_before(part, state)
+            return self._corrected_before(part, state) if not before else None
         current = pieces[0].words
         for piece in pieces[1:]:
             if not piece.words:
                 continue
-            replaced = self._replace(current, piece.words, state)
+            replaced = self._replace(current, piece.words, state, before)
             if replaced is None:
                 return None
             current = replaced
         clause = self._commands.exact(current, state)
+        if before and not (clause is not None and clause.accepted):
+            clause = self._commands.exact(current, state, before)
         if clause is None or not clause.accepted:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
@@ -96,7 +101,7 @@ class Corrections:
         return position < len(part) and part.breaks[position]
 
     @step(Kind.REPLACEMENT)
-    def _replace(self, said: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
+    def _replace(self, said: list[str], meant: list[str], state: Collection[str], before: str) -> list[str] | None:
         """``said`` with the part that ``meant`` corrects replaced, or None if that is not clear.
 
         ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
@@ -108,17 +113,19 @@ class Corrections:
         if not said:
             return meant if whole else None
         kept: dict[tuple[bool, bool, int], dict[tuple[Any, ...], list[str]]] = {}
-        first = next((reading for reading in self._matcher.read(said) if not reading.problem), None)
+        first = next((reading for reading in self._matcher.read(said, after=before) if not reading.problem), None)
+        if first is not None and before and self._says_all_again(first, meant, before):
+            return meant
         for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
             old = first.values()
-            for reading in self._matcher.read(words)[:1]:
+            for reading in self._matcher.read(words, after=before)[:1]:
                 if reading.problem or reading.intent is not first.intent:
                     continue
                 touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
                 if label is not None and label not in (slot.label for slot in touched):
                     continue
-                if any(self._grafted(slot, at, meant, whole) for slot in touched):
+                if any(self._grafted(slot, words, at, meant, whole) for slot in touched):
                     continue
                 new = reading.values()
                 changed = {label for label, value in new.items() if old.get(label) != value}
@@ -133,16 +140,17 @@ class Corrections:
             best, known = kept[max(kept)], max(kept)[0]
             if not known and first is not None and not whole:
                 # "Spell tea twice, no, honey once": "honey once" is a word only where it cannot be both again.
-                several = self._replace_several(said, meant, first)
+                several = self._replace_several(said, meant, first, before)
                 if several is not None:
                     return several
             return next(iter(best.values())) if len(best) == 1 else None
         if whole:
             # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
-            _, reached = self._matcher.strict.walk(said)
+            automaton = self._matcher.later[before][0] if before else self._matcher.strict
+            _, reached = automaton.walk(said)
             return meant if reached is not None else None
-        several = self._replace_several(said, meant, first) if first is not None else None
-        return several or self._replace_before_end(said, meant)
+        several = self._replace_several(said, meant, first, before) if first is not None else None
+        return several or (None if before else self._replace_before_end(said, meant))
 
     def _replace_before_end(self, said: list[str], meant: list[str]) -> list[str] | None:
         """``said``, which was broken off, with its last slots replaced by what ``meant`` begins with; the rest of
@@ -172,7 +180,12 @@ class Corrections:
                     found[meaning] = min(found.get(meaning, words), words, key=len)
         return next(iter(found.values())) if len(found) == 1 else None
 
-    def _replace_several(self, said: list[str], meant: list[str], first: Reading) -> list[str] | None:
+    def _says_all_again(self, first: Reading, meant: list[str], before: str) -> bool:
+        """Whether what is meant is such a part itself, and says a value for all that was said."""
+        again = next(iter(self._matcher.read(meant, after=before)), None)
+        return again is not None and not again.problem and again.values().keys() == first.values().keys()
+
+    def _replace_several(self, said: list[str], meant: list[str], first: Reading, before: str) -> list[str] | None:
         """``said`` with neighbouring slots replaced by ``meant``, which says each of them again: "two crates of pears,
         no, three sacks of plums"; at the end of the sentence it may say more than was said. None if it is not clear.
 
@@ -188,7 +201,7 @@ class Corrections:
             edges = itertools.product(_beginnings(said, meant, run[0].start), _ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
-                reading = next(iter(self._matcher.read(words)), None)
+                reading = next(iter(self._matcher.read(words, after=before)), None)
                 if reading is None or reading.problem or reading.intent is not first.intent:
                     continue
                 stop = at + len(meant)
@@ -219,19 +232,30 @@ class Corrections:
                 # Any words would do there, so all of them are replaced, and never by what is a command itself.
                 within.update(range(slot.start + (not whole), slot.end))
                 ends = [] if whole else [slot.end]
+                start = slot.start - (said[slot.start - 1 : slot.start] == meant[:1])  # an article of the sentence
             else:
-                ends = list(range(slot.end, slot.start, -1))
+                ends = [end for end in range(slot.end, slot.start, -1) if self._is_whole(slot, said, end)]
+                start = slot.start
             for end in ends:
-                yield said[: slot.start] + meant + said[end:], len(said) - (end - slot.start), slot.start, slot.label
+                yield said[:start] + meant + said[end:], len(said) - (end - start), start, slot.label
         for start in range(len(said) - 1, 0, -1):
             if start not in within:
                 yield said[:start] + meant, start, start, None
 
-    def _grafted(self, slot: SlotReading, at: int, meant: list[str], whole: bool) -> bool:
+    def _is_whole(self, slot: SlotReading, said: list[str], end: int) -> bool:
+        """Whether the words of a slot up to a place may be replaced by themselves: of a quantity all, or how many there
+        are, which is no "four feet six" of "four feet six inches"."""
+        if end == slot.end or slot.slot.type not in QUANTITY_KINDS:
+            return True
+        words = said[slot.start : end]
+        return any(after == len(words) for _, after in counts(words, self._matcher.grammar.language))
+
+    def _grafted(self, slot: SlotReading, words: list[str], at: int, meant: list[str], whole: bool) -> bool:
         """Whether a slot would hold what was said and what was meant as one: "point" + "20 degrees per second".
 
-        A number alone may take the unit that was said before ("two meters, no, three"), a value with its unit takes
-        the place of all. Free words take nothing over, and never hold what is a command by itself.
+        A number alone may take the unit that was said before ("two meters, no, three"), but goes together with no other
+        number ("twenty five meters, no, thirty" is no 35); a value with its unit takes the place of all. Free words
+        take nothing over, and never hold what is a command by itself.
         """
         mixed = slot.start < at or slot.end > at + len(meant)
         if slot.slot.type in _FREE:
@@ -239,6 +263,11 @@ class Corrections:
         if not mixed:
             return False
         if slot.slot.type in QUANTITY_KINDS:
+            kept = [*words[slot.start : at], *words[at + len(meant) : slot.end]]
+            if any(map(self._matcher.is_number, kept)):
+                return True
+            if self._matcher.values.in_own_units(slot.slot, meant) is not None:
+                return True
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"

@@ -1,0 +1,53 @@
+"""Units that a grammar has of its own: "two steps", "half a crate", with their size in SI."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from intent_engine.language import quantities
+from intent_engine.language.grammar import Slot
+from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers.units import units
+from intent_engine.language.spellings import spellings
+from intent_engine.language.template_tree import Node
+
+__all__ = ["MAX_NAMES", "OwnUnits", "units_called"]
+
+MAX_NAMES = 200
+"""Ways to say one unit."""
+
+
+def units_called(slot: Slot, phrases: Mapping[str, Node]) -> Iterator[tuple[float, list[tuple[str, ...]]]]:
+    """The size of each unit of a slot, and what it is called, the shortest names first."""
+    for size, node in slot.units:
+        yield size, sorted(spellings(node, phrases, MAX_NAMES), key=len)
+
+
+class OwnUnits:
+    """The units of one slot."""
+
+    def __init__(self, slot: Slot, phrases: Mapping[str, Node], language: str) -> None:
+        self._language = language
+        self._sizes = {words: size for size, names in units_called(slot, phrases) for words in names}
+
+    def value(self, words: Sequence[str]) -> float | None:
+        """The value in SI units of exactly these words, normalised: how many, the unit, and perhaps "and a half"."""
+        if not self._sizes or len(words) > quantities.MAX_WORDS:
+            return None
+        for count, after in quantities.counts(words, self._language):
+            for end in range(len(words), after, -1):
+                size = self._sizes.get(tuple(words[after:end]))
+                part = self._part(words[end:]) if size is not None and count.is_integer() else None
+                if size is not None and end == len(words):
+                    return quantities.tidy(count * size)
+                if size is not None and part is not None:
+                    return quantities.tidy((count + part) * size)
+        return None
+
+    def _part(self, words: Sequence[str]) -> float | None:
+        """What is said after a unit: "and a half"."""
+        table = units(self._language)
+        if table is None or not words or words[0] not in table.words.get("and", ()):
+            return None
+        part = english.fraction(words, 1) if self._language == "en" else foreign.fraction(words, 1, self._language)
+        return part[0] if part is not None and part[0] < 1 and part[1] == len(words) else None
