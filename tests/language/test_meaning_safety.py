@@ -83,6 +83,26 @@ def test_two_things_are_no_one_thing(command: str, one: str, other: str, form: s
     assert not shipped().parse(command.format(form.format(one, other))).actions
 
 
+TAILS = [
+    *("in five minutes", "at noon", "later", "someday", "eventually", "on Mondays", "every day", "this afternoon"),
+    *("in case of fire", "on my signal", "on the count of three", "if you dare", "as soon as I leave", "until I clap"),
+    *("said Tom", "he said", "means something", "is a joke", "as usual", "for fun", "in your dreams", "in theory"),
+    *("or so", "huh", "where", "really", "seriously", "or else", "three times a day", "like yesterday"),
+]
+
+
+@quick
+@given(commands(), st.sampled_from(TAILS))
+@example("turn counterclockwise", "in five minutes")
+@example("drive straight ahead", "in five minutes")
+@example("turn right ninety degrees", "every day")
+@example("go to the charging station", "huh")
+@example("pick up the cup", "as usual")
+def test_a_command_that_goes_on_with_when_or_what_of_it_is_none(command: str, tail: str) -> None:
+    found = shipped().parse(f"{command} {tail}")
+    assert all(isinstance(action, Stop) for action in found.actions), done(found)
+
+
 @quick
 @given(commands(), commands(), st.sampled_from([" and ", ", then ", " and then ", ". "]))
 def test_a_negated_part_moves_nothing_of_the_whole(first: str, second: str, joint: str) -> None:

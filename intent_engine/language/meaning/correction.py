@@ -60,6 +60,17 @@ class Corrections:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
 
+    def instead(self, denied: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
+        """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
+        bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
+        words = self._replace(denied, meant, state)
+        if words is None:
+            return None
+        before, after = (self._commands.exact(some, state) for some in (denied, words))
+        if before is None or after is None or after.reading is None or after.reading.free_words:
+            return None
+        return words if before.accepted and after.accepted and before.action != after.action else None
+
     def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
         """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
 

@@ -68,7 +68,7 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._run_ons = made(RunOns(phrases, self._commands))
-        self._negations = made(Negations(phrases, self._commands, self._compounds))
+        self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
 
     def dictated(self, text: str) -> Dictated | None:
@@ -226,6 +226,8 @@ class Interpreter:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
         if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
+            return self._stopped(text)
+        if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")

@@ -89,6 +89,21 @@ class Stops:
         return stops or (MOVING in state and protests > 1)
 
     @step(Kind.STOP)
+    def in_denial(self, core: Utterance) -> bool:
+        """ "Don't!", "no, don't do that": nothing but that something is not to be done, whatever it is. Of a robot that
+        moves that is what it does."""
+        words, phrases = core.words, self._phrases
+        position, denies = 0, False
+        while position < len(words):
+            cancelled = phrases.cancel.at(words, position)
+            length = max(cancelled, phrases.correction.at(words, position))
+            if not length:
+                return False
+            denies = denies or phrases.negation.find(words[position : position + cancelled]) is not None
+            position += length
+        return denies
+
+    @step(Kind.STOP)
     def between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
         words = said.words
