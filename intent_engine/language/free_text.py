@@ -84,11 +84,14 @@ NEVER_IN: Mapping[str, frozenset[str]] = {
         ("or", "either", "whichever", "whatever", "whoever", "somebody", "someone", "anybody", "anyone", "before",
          "after", "later", "soon", "someday", "today", "tonight", "tomorrow", "yesterday", "noon", "midnight",
          "mondays", "tuesdays", "wednesdays", "thursdays", "fridays", "saturdays", "sundays", "weekends", "twice",
-         "thrice", "times", "count", "as", "where", "huh", "said", "says", "saying", "means", "meant")
+         "thrice", "once", "always", "often", "seldom", "sometimes", "ever", "times", "count", "during", "throughout",
+         "only", "almost", "halfway", "partly", "somewhere", "elsewhere", "anywhere", "everywhere",
+         "myself", "himself", "herself", "themselves", "ourselves", "etcetera", "as", "where", "huh", "said", "says", "saying", "means", "meant")
     ),
     "de": frozenset(
         ("oder", "entweder", "jemand", "jemanden", "irgendwen", "irgendjemanden", "bevor", "nachdem", "zweimal",
-         "dreimal", "viermal", "mal", "später", "nachher", "irgendwann", "demnächst", "neulich", "vorhin", "morgens",
+         "dreimal", "viermal", "mal", "einmal", "immer", "oft", "selten", "manchmal", "jemals", "irgendwo", "irgendwohin",
+         "überall", "nirgends", "woanders", "später", "nachher", "irgendwann", "demnächst", "neulich", "vorhin", "morgens",
          "vormittags", "mittags", "nachmittags", "abends", "nachts", "montags", "dienstags", "mittwochs",
          "donnerstags", "freitags", "samstags", "sonntags", "sagt", "sagte", "gesagt", "heißt", "bedeutet")
     ),
@@ -172,6 +175,8 @@ _BINDING: Mapping[str, frozenset[str]] = {
     "en": frozenset(("of", "all", "both", "half", "that", "like", "next", "off", "up", "down", "out")),
     "de": frozenset(("alle", "beide", "wie")),
 }
+_TELLS: Mapping[str, frozenset[str]] = {"en": frozenset(("is", "are", "isnt", "arent"))}
+"""Words that say something of a thing: "the cup is red", but "the cup that is red". In German none is in a free slot."""
 TIMED: Mapping[str, frozenset[str]] = {"en": frozenset(("at", "by")), "de": frozenset(("um", "gegen"))}
 """Words between a thing and the time when it is wanted."""
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}
@@ -201,6 +206,7 @@ class FreeText:
         self._no_handful = NO_HANDFUL.get(grammar.language, frozenset())
         self._never_in = NEVER_IN.get(grammar.language, frozenset())
         self._alone_things = THINGS_ALONE.get(grammar.language, frozenset())
+        self._tells = _TELLS.get(grammar.language, frozenset())
         self._in_the_middle = _IN_THE_MIDDLE.get(grammar.language, frozenset())
         self._binding = self._no_thing | self._articles | _BINDING.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
@@ -238,6 +244,8 @@ class FreeText:
         for place in range(1, len(said)):
             word = said[place]
             if said[place - 1] in self._alone_things and word not in self._no_thing | allowed:
+                return frozenset((word,))
+            if word in self._tells and said[place - 1] not in self._binding:
                 return frozenset((word,))
             last = place == len(said) - 1  # "box a" has a letter
             if word in self._in_the_middle and not last and said[place - 1] not in self._binding:

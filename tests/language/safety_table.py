@@ -313,6 +313,23 @@ CONTINUED = {
     "I continued to the kitchen": NOTHING,
     "take over": NOTHING,
 }
+AGREED = {
+    # A word of agreement, or a command: nobody knows.
+    "right, go forward": NOTHING,
+    "Right. Turn left.": NOTHING,
+    "okay right, please go to the kitchen": NOTHING,
+    "right, so turn left": NOTHING,
+    "right, left": "right 43, left 43",
+    "right, and then go forward": "right 43, forward 1",
+    "right, ninety degrees": "right 90",
+    "right, no, left": "left 43",
+    "right, stop": "stop",
+    "turn right, go forward": "right 43, forward 1",
+    "left, go forward": "left 43, forward 1",
+    "nope turn left": NOTHING,
+    "nah go forward": NOTHING,
+    "nope, turn left": "left 43",
+}
 RUN_ON = {
     "go forward turn left": "forward 1, left 43",
     "turn left go forward two meters": "left 43, forward 2",
@@ -669,6 +686,10 @@ NO_NAME = {
     "grab the bottle, huh": NOTHING,
     "pick up the cup in case of fire": NOTHING,
     "pick up the cup in theory": NOTHING,
+    "bring me the cup always": NOTHING,
+    "put the cup somewhere": NOTHING,
+    "pick up the cup is dangerous": NOTHING,
+    "pick up the cup that is red": "pick cup that is red",
     "pick up the case": "pick case",
     "put the cup on the butterfly": "place cup butterfly",
     "bring me the assembly": "bring",
@@ -809,6 +830,7 @@ TABLE = {
     **CANCELLED,
     **COMPOUND,
     **CONTINUED,
+    **AGREED,
     **RUN_ON,
     **UNFINISHED,
     **NO_NAME,

@@ -20,6 +20,8 @@ __all__ = ["Corrections"]
 
 _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "ordinal"))
 _FREE = ("text", "object")
+_MAY_FORBID = frozenset(("no", "nope", "nah"))
+"""Words of correction that forbid what follows in one breath: "no turn left", but "no, turn left"."""
 
 
 class Corrections:
@@ -79,7 +81,7 @@ class Corrections:
         start = 0
         while length := self._correction.at(part.words, start):
             start += length
-        forbids = set(part.words[:start]) == {"no"} and not self._pause_after(part, start)
+        forbids = _MAY_FORBID.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return None
         clause = self._commands.exact(part.words[start:], state)
@@ -94,7 +96,7 @@ class Corrections:
             length = self._correction.at(part.words, position)
             if length:
                 bare = position == 0 and not self._pause_after(part, position + length)
-                if bare and part.words[0] == "no" and length == 1:
+                if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position)

@@ -182,8 +182,8 @@ class Interpreter:
         return self._operated(text, said, core, state, clause)
 
     def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
-        """ "right then left": two commands. "right then turn left": two, or one after a word that says nothing. Nobody
-        knows, so nothing is done. None: no command follows, or a stop."""
+        """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
+        says nothing. Nobody knows, so nothing is done. None: no command follows, or a stop."""
         before = self._commands.exact(first, state)
         found, parts = self._meant(text, rest, state, spoken=False)
         if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
@@ -197,7 +197,8 @@ class Interpreter:
         if begins is not None and not self._commands.opens_with_a_verb(begins):
             return self._joined(text, [before, *parts])
         after = ", then ".join(described(part.reading) for part in parts if part.reading is not None)
-        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it with a pause"
+        clearer = "in a whole sentence" if rest.breaks[0] else "with a pause"
+        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it {clearer}"
         either = (f"{described(before.reading)}, then {after}", after)
         return Interpretation(text, Status.AMBIGUOUS, alternatives=either, reason=reason), ()
 
