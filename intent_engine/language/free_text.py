@@ -84,16 +84,18 @@ NEVER_IN: Mapping[str, frozenset[str]] = {
         ("or", "either", "whichever", "whatever", "whoever", "somebody", "someone", "anybody", "anyone", "before",
          "after", "later", "soon", "someday", "today", "tonight", "tomorrow", "yesterday", "noon", "midnight",
          "mondays", "tuesdays", "wednesdays", "thursdays", "fridays", "saturdays", "sundays", "weekends", "twice",
-         "thrice", "once", "always", "often", "seldom", "sometimes", "ever", "times", "count", "during", "throughout",
-         "only", "almost", "halfway", "partly", "somewhere", "elsewhere", "anywhere", "everywhere",
-         "myself", "himself", "herself", "themselves", "ourselves", "etcetera", "as", "where", "huh", "said", "says", "saying", "means", "meant")
+         "thrice", "once", "always", "often", "seldom", "sometimes", "ever", "times", "count", "during",
+         "throughout", "only", "almost", "halfway", "partly", "somewhere", "elsewhere", "anywhere", "everywhere",
+         "myself", "himself", "herself", "themselves", "ourselves", "etcetera", "as", "where", "huh", "said", "says",
+         "saying", "means", "meant")
     ),
     "de": frozenset(
         ("oder", "entweder", "jemand", "jemanden", "irgendwen", "irgendjemanden", "bevor", "nachdem", "zweimal",
-         "dreimal", "viermal", "mal", "einmal", "immer", "oft", "selten", "manchmal", "jemals", "irgendwo", "irgendwohin",
-         "überall", "nirgends", "woanders", "später", "nachher", "irgendwann", "demnächst", "neulich", "vorhin", "morgens",
-         "vormittags", "mittags", "nachmittags", "abends", "nachts", "montags", "dienstags", "mittwochs",
-         "donnerstags", "freitags", "samstags", "sonntags", "sagt", "sagte", "gesagt", "heißt", "bedeutet")
+         "dreimal", "viermal", "mal", "einmal", "immer", "oft", "selten", "manchmal", "jemals", "irgendwo",
+         "irgendwohin", "überall", "nirgends", "woanders", "später", "nachher", "irgendwann", "demnächst", "neulich",
+         "vorhin", "morgens", "vormittags", "mittags", "nachmittags", "abends", "nachts", "montags", "dienstags",
+         "mittwochs", "donnerstags", "freitags", "samstags", "sonntags", "sagt", "sagte", "gesagt", "heißt",
+         "bedeutet")
     ),
     "fr": frozenset(("ou", "soit", "avant", "après")),
     "es": frozenset(("o", "u", "antes", "después")),
@@ -176,7 +178,7 @@ _BINDING: Mapping[str, frozenset[str]] = {
     "de": frozenset(("alle", "beide", "wie")),
 }
 _TELLS: Mapping[str, frozenset[str]] = {"en": frozenset(("is", "are", "isnt", "arent"))}
-"""Words that say something of a thing: "the cup is red", but "the cup that is red". In German none is in a free slot."""
+"""Words that say something of a thing: "the cup is red", but "the cup that is red". In German they are closed."""
 TIMED: Mapping[str, frozenset[str]] = {"en": frozenset(("at", "by")), "de": frozenset(("um", "gegen"))}
 """Words between a thing and the time when it is wanted."""
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}

@@ -62,6 +62,19 @@ FILLED = {
     "right now go to the kitchen": "to kitchen",
     "go right now": NOTHING,
     "right now": NOTHING,
+    "go to the kitchen immediately": "to kitchen",
+    "turn left at once": "left 43",
+    "pick up the cup at once": "pick cup",
+    "immediately": NOTHING,
+    # A verb that was begun twice.
+    "go go to the kitchen": "to kitchen",
+    "turn, turn left": "left 43",
+    "pick pick up the cup": "pick cup",
+    "left left": NOTHING,
+    "turn left left": NOTHING,
+    "two two meters forward": NOTHING,
+    "go go go": NOTHING,
+    "don't go go to the kitchen": NOTHING,
     "uh": NOTHING,
     "please": NOTHING,
     "okay robot": NOTHING,
@@ -394,6 +407,8 @@ TURNS = {
     "two turn left": NOTHING,
     "two turns left": "left 720",
     "one turn left": "left 360",
+    "step one turn left": NOTHING,
+    "go ninety degrees left": "left 90",
     "make a 2 turn left": "left 720",
 }
 UNFINISHED = {
@@ -856,6 +871,7 @@ MOTION_FORBIDDEN = [
     *("don't turn left", "not forward", "never go back", "uh don't move"),
     *("don't follow me", "don't come here"),
     *("don't", "no, don't!", "don't do that", "please don't do it", "don't you dare", "no no don't do that"),
+    *("cut it out", "hey, knock it off!", "watch out!", "not one more step", "ignore that", "no, scratch that"),
 ]
 """Nothing is done when the robot stands; when it moves, it stops."""
 NOT_EVEN_MOVING = [

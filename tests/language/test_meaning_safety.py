@@ -7,10 +7,11 @@ import string
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from meanings import commands, does, done, shipped
+from meanings import ROOT, commands, does, done, shipped
 from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
 
 from intent_engine.actions import Move, Navigate, Stop, Turn
+from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
 from intent_engine.language.utterance import Utterance
@@ -31,6 +32,16 @@ def test_while_the_robot_moves_whatever_begins_or_ends_with_a_stop_word_stops_it
 def test_while_the_robot_moves_a_forbidden_motion_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
+
+
+@pytest.mark.parametrize("said", ["{}", "no, {}!", "hey {}", "{} {}"])
+def test_what_only_takes_back_stops_a_moving_robot_of_every_grammar(said: str) -> None:
+    """Also of one that has no command for it, in the words of its language."""
+    waving = IntentEngine.from_files(ROOT / "examples" / "custom_command.yaml")
+    for phrase in waving.grammar.operators.cancel:
+        text = said.replace("{}", " ".join(phrase))
+        assert done(waving.parse(text, state=["moving"])) == "stop", text
+        assert not waving.parse(text).actions, text
 
 
 @pytest.mark.parametrize("text", NOT_EVEN_MOVING)

@@ -11,7 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.command import Clause, Commands, described, slot_values
+from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands, described, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -284,11 +284,21 @@ class Interpreter:
         they are a command so."""
         written = self._understood_as(text, core, self.matcher.spacing.otherwise(core), state)
         if written is None:
+            written = self._begun_twice(text, core, state)
+        if written is None:
             written = self._understood_as(text, core, figures_apart(core), state)
             readings = [part.reading for part in written[1] if part.reading is not None] if written is not None else []
             if not are_apart(core, readings, self._language):
                 return None
         return written
+
+    def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "go go to the kitchen": a verb that was said twice, as people do who begin again. "Left left" may be two."""
+        if len(core) < LEAST_WORDS + 1 or core.words[0] != core.words[1]:
+            return None
+        once = self._understood_as(text, core, core.part(1, len(core)), state)
+        first = once[1][0].reading if once is not None and once[1] else None
+        return once if first is not None and self._commands.opens_with_a_verb(first) else None
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
