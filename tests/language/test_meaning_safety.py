@@ -133,6 +133,7 @@ def test_commands_in_one_breath_are_negated_together(first: str, second: str, ne
 @given(st.lists(commands(), min_size=2, max_size=3).map(" ".join))
 @example("go forward turn left")
 @example("pick up the cup go to the kitchen")
+@example("about face your anti clockwise lead me to base station")
 def test_commands_in_one_breath_are_done_only_if_they_can_be_parted_in_one_way(text: str) -> None:
     """A reference that tries every way to cut the words into commands, each understood for itself."""
     found = shipped().parse(text)

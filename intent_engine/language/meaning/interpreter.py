@@ -261,6 +261,10 @@ class Interpreter:
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
+            fuller = self.phrases.without_idle_fillers(said)  # of "about face" one word is a filler
+            other = self._run_ons.split(fuller, state) if len(fuller) > len(core) else None
+            if other is not None and [one.action for one in other] != [one.action for one in commands]:
+                return self._rejected(text, "it could mean two things")
             return self._joined(text, commands)
         written = self._written_otherwise(text, core, state)
         if written is not None:
@@ -294,8 +298,9 @@ class Interpreter:
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "go go to the kitchen": a verb that was said twice, as people do who begin again. "Left left" may be two."""
-        if len(core) < LEAST_WORDS + 1 or core.words[0] != core.words[1]:
-            return None
+        words = core.words
+        if len(words) < LEAST_WORDS + 1 or words[0] != words[1] or words[0] == words[2]:
+            return None  # three times is no beginning, and would be looked at again and again
         once = self._understood_as(text, core, core.part(1, len(core)), state)
         first = once[1][0].reading if once is not None and once[1] else None
         return once if first is not None and self._commands.opens_with_a_verb(first) else None
