@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
@@ -48,7 +49,8 @@ NO_THING: Mapping[str, frozenset[str]] = {
          "für", "über", "unter", "vor", "hinter", "neben", "zwischen", "gegen", "durch", "um", "nach", "seit", "oder",
          "als", "denn", "damit", "sehr", "jede", "jeder", "jedes", "jeden", "sein", "euer", "seine", "seinen", "ihre",
          "ihren", "unser", "unsere", "unseren", "eure", "euren", "mich", "mir", "dich", "dir", "sich", "uns", "euch",
-         "ihm", "ihr", "ihnen", "kann", "kannst", "mag", "möchte", "werden", "hin", "her", "ab", "los", "weg", "hoch",
+         "ihm", "ihr", "ihnen", "kann", "kannst", "mag", "möchte", "werden", "wahr", "hin", "her", "ab", "los", "weg",
+         "hoch",
          "runter", "herum", "weiter")
     ),
     "fr": frozenset(
@@ -78,23 +80,41 @@ MAY_BEGIN: Mapping[str, frozenset[str]] = {
 }  # fmt: skip
 """Of these words those with which the name of a thing may begin. "Drop by later" drops no "by later"."""
 NEVER_IN: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("or", "whichever", "either", "before", "after", "twice", "thrice")),
-    "de": frozenset(("oder", "entweder", "bevor", "nachdem", "zweimal", "dreimal", "viermal", "später", "nachher")),
+    "en": frozenset(
+        ("or", "either", "whichever", "whatever", "whoever", "somebody", "someone", "anybody", "anyone", "before",
+         "after", "later", "soon", "someday", "today", "tonight", "tomorrow", "yesterday", "noon", "midnight",
+         "mondays", "tuesdays", "wednesdays", "thursdays", "fridays", "saturdays", "sundays", "weekends", "twice",
+         "thrice", "once", "always", "often", "seldom", "sometimes", "ever", "times", "count", "during",
+         "throughout", "only", "almost", "halfway", "partly", "somewhere", "elsewhere", "anywhere", "everywhere",
+         "myself", "himself", "herself", "themselves", "ourselves", "etcetera", "as", "where", "huh", "said", "says",
+         "saying", "means", "meant")
+    ),
+    "de": frozenset(
+        ("oder", "entweder", "jemand", "jemanden", "irgendwen", "irgendjemanden", "bevor", "nachdem", "zweimal",
+         "dreimal", "viermal", "mal", "einmal", "immer", "oft", "selten", "manchmal", "jemals", "irgendwo",
+         "irgendwohin", "überall", "nirgends", "woanders", "später", "nachher", "irgendwann", "demnächst", "neulich",
+         "vorhin", "morgens", "vormittags", "mittags", "nachmittags", "abends", "nachts", "montags", "dienstags",
+         "mittwochs", "donnerstags", "freitags", "samstags", "sonntags", "sagt", "sagte", "gesagt", "heißt",
+         "bedeutet")
+    ),
     "fr": frozenset(("ou", "soit", "avant", "après")),
     "es": frozenset(("o", "u", "antes", "después")),
     "it": frozenset(("o", "oppure", "prima", "dopo")),
 }  # fmt: skip
-"""Not one thing, or no thing but when and how often: "the cup or the plate", "the cup after lunch"."""
+"""Not one thing, or none that anybody could know; no thing but when and how often: "the cup after lunch"; or what is
+said of the sentence: "the cup, said Tom"."""
 NO_BARE: Mapping[str, frozenset[str]] = {
     "en": frozenset(
         ("up", "down", "off", "out", "back", "along", "away", "together", "apart", "through", "forth", "rid", "used",
          "married", "divorced", "engaged", "busy", "dressed", "undressed", "drunk", "sober", "angry", "mad", "jealous",
          "serious", "real", "rich", "poor", "well", "better", "worse", "sick", "tired", "bored", "hungry", "thirsty",
-         "stuck", "started", "done", "finished")
+         "stuck", "started", "done", "finished", "case", "theory", "practice", "general", "fact", "private", "public",
+         "vain")
     ),
     "de": frozenset(("frei", "teil")),
 }  # fmt: skip
-"""No name begins so without an article: "get married", "take back control", but "the used cup", "the back wheel"."""
+"""No name begins so without an article: "get married", "take back control", "in case of fire", but "the used cup",
+"the back wheel"."""
 NO_HANDFUL: Mapping[str, frozenset[str]] = {
     "en": frozenset(
         ("action", "advantage", "charge", "charges", "comfort", "command", "control", "courage", "credit", "effect",
@@ -108,18 +128,41 @@ NO_HANDFUL: Mapping[str, frozenset[str]] = {
          "boil", "vote", "test", "court", "close", "touch", "mess", "hotel", "exit", "stairs", "subway", "bus",
          "hands", "hand", "head", "eyes", "feet", "mouth", "finger", "fingers", "face", "smile", "kid", "kids",
          "baby", "child", "children", "husband", "wife", "boss", "manager", "police", "policeman", "doctor",
-         "lawyer", "plumber")
+         "lawyer", "plumber", "signal", "cue", "afternoon", "fun", "dream", "dreams", "joke", "example", "instance",
+         "granted", "attention", "opinion", "opinions", "tension", "anger", "fear", "fears", "mood", "temper", "curse",
+         "ban", "opportunity", "opportunities", "trouble", "troubles", "heat", "clue", "drift", "exercise", "air",
+         "compliment", "limit", "limits", "use", "fire", "difference", "differences", "conversation", "scent",
+         "argument", "arguments", "feeling", "feelings", "hope", "hopes", "chance", "chances", "voice", "chills",
+         "win", "victory", "deal", "decision", "decisions", "initiative", "interest", "measures", "precautions",
+         "notice", "stance", "oath", "pain", "relief", "satisfaction", "approval", "permission", "support", "closure",
+         "justice", "success", "happiness", "sadness", "sense", "nonsense", "reason", "reasons", "excuse", "excuses",
+         "apology", "blessing", "regards", "greetings", "trust", "faith", "respect", "honor", "glory", "fame",
+         "memory", "memories", "future", "tone", "standards", "expectations", "stakes", "daily", "weekly", "monthly",
+         "hourly")
     ),
     "de": frozenset(
         ("anlauf", "anstoß", "einfluss", "fahrt", "glück", "kontakt", "kredit", "maß", "mut", "ordnung", "rache",
          "reißaus", "schaden", "zuflucht", "polizei", "arzt", "chef", "kind", "kinder", "bahn", "treppe", "ausfahrt",
          "bad", "dusche", "essen", "arbeit", "schule", "thema", "kochen", "ende", "punkt", "chaos", "schuld", "wort",
          "adresse", "nummer", "rechtschreibung", "kontostand", "wahrheit", "fehler", "hand", "hände", "kopf",
-         "beine", "finger", "augen", "mund", "rücken", "hosen", "sache")
+         "beine", "finger", "augen", "mund", "rücken", "hosen", "sache", "tag", "woche", "monat", "jahr", "nächsten",
+         "zeichen", "kommando", "notfall", "spaß", "scherz", "traum", "träumen", "beispiel", "gelegenheit", "chance",
+         "kampf", "job", "hoffnung", "vergangenheit", "zukunft", "bemerkung", "weite", "lösung", "fakten", "stimmung",
+         "freude", "angst", "wut", "meinung", "aufmerksamkeit", "entscheidung", "erlaubnis", "vertrauen", "geduld",
+         "gefühl", "gefühle", "erfolg", "wahl", "grund", "ausrede")
     ),
 }  # fmt: skip
 """People, what becomes of them, and what nobody can hold: "take charge", "put the kids to bed", "take a bath". With a
 word behind them they are about a thing: "control panel", "baby bottle", "bath towel"."""
+_MANNER: Mapping[str, re.Pattern[str]] = {
+    "en": re.compile(
+        r"\w{2,}(?:ally|ully|ously|ently|antly|edly|ingly|ickly|tely|rely|isely|udly|owly|ietly|ptly|iftly|ftly|arly|"
+        r"ably|ibly|ively|[sc]tly|ightly)"
+    ),
+    "de": re.compile(r"\w{2,}(?:lich|weise)"),
+}
+"""Words that say how something is done, or what is thought of it, as a name does not end: "the cup carefully", "the cup
+seriously". "Family", "assembly" and "butterfly" are no such words."""
 THINGS_ALONE: Mapping[str, frozenset[str]] = {
     "en": frozenset(("it", "them", "him", "everything", "everyone")),
     "de": frozenset(("es", "ihn", "alles", "alle")),
@@ -134,6 +177,8 @@ _BINDING: Mapping[str, frozenset[str]] = {
     "en": frozenset(("of", "all", "both", "half", "that", "like", "next", "off", "up", "down", "out")),
     "de": frozenset(("alle", "beide", "wie")),
 }
+_TELLS: Mapping[str, frozenset[str]] = {"en": frozenset(("is", "are", "isnt", "arent"))}
+"""Words that say something of a thing: "the cup is red", but "the cup that is red". In German they are closed."""
 TIMED: Mapping[str, frozenset[str]] = {"en": frozenset(("at", "by")), "de": frozenset(("um", "gegen"))}
 """Words between a thing and the time when it is wanted."""
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}
@@ -163,6 +208,7 @@ class FreeText:
         self._no_handful = NO_HANDFUL.get(grammar.language, frozenset())
         self._never_in = NEVER_IN.get(grammar.language, frozenset())
         self._alone_things = THINGS_ALONE.get(grammar.language, frozenset())
+        self._tells = _TELLS.get(grammar.language, frozenset())
         self._in_the_middle = _IN_THE_MIDDLE.get(grammar.language, frozenset())
         self._binding = self._no_thing | self._articles | _BINDING.get(grammar.language, frozenset())
         self.unfinished = UNFINISHED.get(grammar.language, frozenset())
@@ -193,13 +239,15 @@ class FreeText:
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
         """The word that shows that words are not the name of one thing, in a slot that lists things."""
         allowed = slot.allow
-        if never := self._never_in.intersection(said) - allowed:
+        if never := self._never_in.intersection(said) - allowed - slot.known:
             return never
         if said[0] in self._no_bare - allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
             if said[place - 1] in self._alone_things and word not in self._no_thing | allowed:
+                return frozenset((word,))
+            if word in self._tells and said[place - 1] not in self._binding:
                 return frozenset((word,))
             last = place == len(said) - 1  # "box a" has a letter
             if word in self._in_the_middle and not last and said[place - 1] not in self._binding:
@@ -222,10 +270,16 @@ class FreeText:
             (
                 word
                 for word, after in zip(said, following, strict=True)
-                if word in self._no_handful - slot.known - slot.allow and (not after or after in self._no_thing)
+                if (word in self._no_handful or self._is_manner(word))
+                and word not in slot.known | slot.allow
+                and (not after or after in self._no_thing)
             ),
             "",
         )
+
+    def _is_manner(self, word: str) -> bool:
+        manner = _MANNER.get(self._language)
+        return manner is not None and manner.fullmatch(word) is not None
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".

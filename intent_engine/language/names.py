@@ -219,7 +219,8 @@ class _Tables:
             like = compare(said, words)
             same = len(said) == len(words) and all(sound(a) == sound(b) for a, b in zip(said, words, strict=True))
             how: Literal["sound", "spelling"] = "sound" if same else "spelling"
-            found.extend(_Found(name, like.score, like.passes, how) for name in self._exact[words])
+            if not _stands_in(words, said):
+                found.extend(_Found(name, like.score, like.passes, how) for name in self._exact[words])
         return found
 
     def arrange(self, identifiers: tuple[str, ...]) -> _Group:
@@ -306,6 +307,17 @@ class _Group:
         for text, _, _ in sorted(found, key=lambda row: (-row[1], row[0])):
             forms.extend(self._forms[text][: SUGGESTION_SCAN - len(forms)])
         return forms
+
+
+def _stands_in(words: Words, said: Words) -> bool:
+    """Whether a name was said as it is, and words beside it: these were heard, and say something. "Straight ahead in",
+    before "five minutes", is no way to say "straight ahead"."""
+    from intent_engine.language.likeness import sound
+
+    if len(words) >= len(said):
+        return False
+    name, heard = [sound(word) for word in words], [sound(word) for word in said]
+    return any(heard[at : at + len(name)] == name for at in range(len(heard) - len(name) + 1))
 
 
 def _split(words: Words) -> tuple[tuple[str, ...], str]:

@@ -7,10 +7,11 @@ import string
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from meanings import commands, does, done, shipped
+from meanings import ROOT, commands, does, done, shipped
 from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHILE_MOVING, matches
 
 from intent_engine.actions import Move, Navigate, Stop, Turn
+from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
 from intent_engine.language.utterance import Utterance
@@ -31,6 +32,16 @@ def test_while_the_robot_moves_whatever_begins_or_ends_with_a_stop_word_stops_it
 def test_while_the_robot_moves_a_forbidden_motion_stops_it(text: str) -> None:
     assert does(text, "moving") == "stop"
     assert matches(NOTHING, does(text))
+
+
+@pytest.mark.parametrize("said", ["{}", "no, {}!", "hey {}", "{} {}"])
+def test_what_only_takes_back_stops_a_moving_robot_of_every_grammar(said: str) -> None:
+    """Also of one that has no command for it, in the words of its language."""
+    waving = IntentEngine.from_files(ROOT / "examples" / "custom_command.yaml")
+    for phrase in waving.grammar.operators.cancel:
+        text = said.replace("{}", " ".join(phrase))
+        assert done(waving.parse(text, state=["moving"])) == "stop", text
+        assert not waving.parse(text).actions, text
 
 
 @pytest.mark.parametrize("text", NOT_EVEN_MOVING)
@@ -83,6 +94,26 @@ def test_two_things_are_no_one_thing(command: str, one: str, other: str, form: s
     assert not shipped().parse(command.format(form.format(one, other))).actions
 
 
+TAILS = [
+    *("in five minutes", "at noon", "later", "someday", "eventually", "on Mondays", "every day", "this afternoon"),
+    *("in case of fire", "on my signal", "on the count of three", "if you dare", "as soon as I leave", "until I clap"),
+    *("said Tom", "he said", "means something", "is a joke", "as usual", "for fun", "in your dreams", "in theory"),
+    *("or so", "huh", "where", "really", "seriously", "or else", "three times a day", "like yesterday"),
+]
+
+
+@quick
+@given(commands(), st.sampled_from(TAILS))
+@example("turn counterclockwise", "in five minutes")
+@example("drive straight ahead", "in five minutes")
+@example("turn right ninety degrees", "every day")
+@example("go to the charging station", "huh")
+@example("pick up the cup", "as usual")
+def test_a_command_that_goes_on_with_when_or_what_of_it_is_none(command: str, tail: str) -> None:
+    found = shipped().parse(f"{command} {tail}")
+    assert all(isinstance(action, Stop) for action in found.actions), done(found)
+
+
 @quick
 @given(commands(), commands(), st.sampled_from([" and ", ", then ", " and then ", ". "]))
 def test_a_negated_part_moves_nothing_of_the_whole(first: str, second: str, joint: str) -> None:
@@ -102,6 +133,7 @@ def test_commands_in_one_breath_are_negated_together(first: str, second: str, ne
 @given(st.lists(commands(), min_size=2, max_size=3).map(" ".join))
 @example("go forward turn left")
 @example("pick up the cup go to the kitchen")
+@example("about face your anti clockwise lead me to base station")
 def test_commands_in_one_breath_are_done_only_if_they_can_be_parted_in_one_way(text: str) -> None:
     """A reference that tries every way to cut the words into commands, each understood for itself."""
     found = shipped().parse(text)

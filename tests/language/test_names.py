@@ -324,3 +324,14 @@ def test_names_that_are_all_as_unlike_are_suggested_in_their_own_order():
     expected = _index(spoken).resolve("p").candidates
     assert expected
     assert _index(spoken[::-1]).resolve("p").candidates == expected
+
+
+@given(name_sets, st.data(), st.sampled_from(["in", "at", "huh", "or so", "then", "is"]), st.booleans())
+def test_a_name_that_was_said_as_it_is_takes_no_other_word_in(
+    spoken: list[str], data: st.DataObject, other: str, before: bool
+) -> None:
+    """ "Charging station huh" is no way to say "charging station": the words beside a name say something."""
+    name = data.draw(st.sampled_from(spoken))
+    index = _index(spoken)
+    assume(index.resolve(name).status == "exact")
+    assert index.resolve(f"{other} {name}" if before else f"{name} {other}").name is None

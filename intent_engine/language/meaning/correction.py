@@ -20,6 +20,8 @@ __all__ = ["Corrections"]
 
 _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "ordinal"))
 _FREE = ("text", "object")
+_MAY_FORBID = frozenset(("no", "nope", "nah"))
+"""Words of correction that forbid what follows in one breath: "no turn left", but "no, turn left"."""
 
 
 class Corrections:
@@ -65,6 +67,17 @@ class Corrections:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
 
+    def instead(self, denied: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
+        """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
+        bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
+        words = self._replace(denied, meant, state)
+        if words is None:
+            return None
+        before, after = (self._commands.exact(some, state) for some in (denied, words))
+        if before is None or after is None or after.reading is None or after.reading.free_words:
+            return None
+        return words if before.accepted and after.accepted and before.action != after.action else None
+
     def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
         """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
 
@@ -73,7 +86,7 @@ class Corrections:
         start = 0
         while length := self._correction.at(part.words, start):
             start += length
-        forbids = set(part.words[:start]) == {"no"} and not self._pause_after(part, start)
+        forbids = _MAY_FORBID.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return None
         clause = self._commands.exact(part.words[start:], state)
@@ -88,7 +101,7 @@ class Corrections:
             length = self._correction.at(part.words, position)
             if length:
                 bare = position == 0 and not self._pause_after(part, position + length)
-                if bare and part.words[0] == "no" and length == 1:
+                if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position)

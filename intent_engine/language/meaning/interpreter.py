@@ -11,7 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.command import Clause, Commands, described, slot_values
+from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands, described, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -68,7 +68,7 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._run_ons = made(RunOns(phrases, self._commands))
-        self._negations = made(Negations(phrases, self._commands, self._compounds))
+        self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
 
     def dictated(self, text: str) -> Dictated | None:
@@ -182,8 +182,8 @@ class Interpreter:
         return self._operated(text, said, core, state, clause)
 
     def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
-        """ "right then left": two commands. "right then turn left": two, or one after a word that says nothing. Nobody
-        knows, so nothing is done. None: no command follows, or a stop."""
+        """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
+        says nothing. Nobody knows, so nothing is done. None: no command follows, or a stop."""
         before = self._commands.exact(first, state)
         found, parts = self._meant(text, rest, state, spoken=False)
         if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
@@ -197,7 +197,8 @@ class Interpreter:
         if begins is not None and not self._commands.opens_with_a_verb(begins):
             return self._joined(text, [before, *parts])
         after = ", then ".join(described(part.reading) for part in parts if part.reading is not None)
-        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it with a pause"
+        clearer = "in a whole sentence" if rest.breaks[0] else "with a pause"
+        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it {clearer}"
         either = (f"{described(before.reading)}, then {after}", after)
         return Interpretation(text, Status.AMBIGUOUS, alternatives=either, reason=reason), ()
 
@@ -226,6 +227,8 @@ class Interpreter:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
         if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
+            return self._stopped(text)
+        if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
@@ -258,6 +261,10 @@ class Interpreter:
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
+            fuller = self.phrases.without_idle_fillers(said)  # of "about face" one word is a filler
+            other = self._run_ons.split(fuller, state) if len(fuller) > len(core) else None
+            if other is not None and [one.action for one in other] != [one.action for one in commands]:
+                return self._rejected(text, "it could mean two things")
             return self._joined(text, commands)
         written = self._written_otherwise(text, core, state)
         if written is not None:
@@ -281,11 +288,22 @@ class Interpreter:
         they are a command so."""
         written = self._understood_as(text, core, self.matcher.spacing.otherwise(core), state)
         if written is None:
+            written = self._begun_twice(text, core, state)
+        if written is None:
             written = self._understood_as(text, core, figures_apart(core), state)
             readings = [part.reading for part in written[1] if part.reading is not None] if written is not None else []
             if not are_apart(core, readings, self._language):
                 return None
         return written
+
+    def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "go go to the kitchen": a verb that was said twice, as people do who begin again. "Left left" may be two."""
+        words = core.words
+        if len(words) < LEAST_WORDS + 1 or words[0] != words[1] or words[0] == words[2]:
+            return None  # three times is no beginning, and would be looked at again and again
+        once = self._understood_as(text, core, core.part(1, len(core)), state)
+        first = once[1][0].reading if once is not None and once[1] else None
+        return once if first is not None and self._commands.opens_with_a_verb(first) else None
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]

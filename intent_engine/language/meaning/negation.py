@@ -7,6 +7,7 @@ from collections.abc import Collection
 from intent_engine.actions import Custom, Move, Navigate, Turn
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
@@ -15,16 +16,19 @@ __all__ = ["Negations"]
 
 _BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
 """What may stand before "don't turn left, turn right"."""
+_BEHIND_THE_VERB = frozenset(("de",))
+"""Languages in which "not" stands behind the verb: "dreh dich nicht nach links, dreh dich nach rechts"."""
 
 
 class Negations:
     """What an utterance with a negation leaves to be done."""
 
-    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds) -> None:
+    def __init__(self, phrases: Phrases, commands: Commands, compounds: Compounds, corrections: Corrections) -> None:
         self._phrases = phrases
         self._negation = phrases.negation
         self._commands = commands
         self._compounds = compounds
+        self._corrections = corrections
 
     def stands_in(self, words: list[str]) -> bool:
         return self._negation.may_stand_in(words) and self._first(words) is not None
@@ -66,7 +70,8 @@ class Negations:
         """What is still wanted of an utterance with a negation: only what follows "instead" or "but".
 
         "don't turn left, turn right": the first part must be a whole command and a pause or a contrast must follow,
-        and what follows must be whole commands. Anything else with a negation does nothing.
+        and what follows must be whole commands, or behind a contrast what takes the place of a part of the first:
+        "don't go to the kitchen but to the bedroom". Anything else with a negation does nothing.
         """
         words = core.words
         found = self._first(words)
@@ -74,13 +79,14 @@ class Negations:
             return core, ""
         position, length = found
         refused = f"negated: {' '.join(words[position : position + length])!r}"
-        if words[:position] not in _BEFORE:
-            return None, refused
+        before = [] if words[:position] in _BEFORE else words[:position]
+        pauses = not before or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
         for end in range(position + length + 1, len(words)):
             contrast = self._phrases.contrast.at(words, end)
-            if not contrast and not core.breaks[end]:
+            if not contrast and not (core.breaks[end] and pauses):
                 continue
-            forbidden = self._commands.exact(words[position + length : end], state)
+            denied = [*before, *words[position + length : end]]
+            forbidden = self._commands.exact(denied, state)
             if forbidden is None:
                 continue
             wanted = core.part(end + contrast, len(core))
@@ -90,4 +96,6 @@ class Negations:
                 continue
             if self._compounds.split(wanted, state) or self._commands.accepts(wanted.words, state):
                 return wanted, ""
+            if contrast and (instead := self._corrections.instead(denied, wanted.words, state)) is not None:
+                return Utterance(instead, [False] * len(instead)), ""
         return None, refused

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import Openers, PhraseSet, Utterance
 
 __all__ = ["Phrases"]
+
+_AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
+"""Commands that say nothing where a pause and another command follow: "right, go forward"."""
 
 
 class Phrases:
@@ -53,6 +56,9 @@ class Phrases:
             if command is not None and len(filler) > 1 and filler not in joining:
                 self._hiding[tuple(filler)] = command
         self._hides = PhraseSet(self._hiding)
+        self._agrees = frozenset(
+            word for word in _AGREES.get(grammar.language, ()) if lists is not None and lists([word])
+        )
         around = PhraseSet(grammar.around)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
         self._closed = operators.closed
@@ -78,10 +84,11 @@ class Phrases:
     def as_a_list(self, said: Utterance) -> tuple[list[str], Utterance] | None:
         """The command that may be the first of a list, and what follows, with its joint: "right then turn left".
 
-        None: the utterance does not begin so, or a pause tells what is meant ("right then, turn left").
+        None: the utterance does not begin so, or a pause tells what is meant ("right then, turn left"). Of "right, turn
+        left" it tells nothing.
         """
-        if not self._listing.may_stand_in(said.words):
-            return None
+        if (agreed := self._agreed(said)) is not None or not self._listing.may_stand_in(said.words):
+            return agreed
         start, length = 0, 0
         while start < len(said) and not (length := self._listing.at(said.words, start)):
             skipped = self.fillers.at(said.words, start)
@@ -93,6 +100,18 @@ class Phrases:
             return None
         first = list(self._before_joint(said.words[start:end]))
         return first, said.part(start + len(first), len(said))
+
+    def _agreed(self, said: Utterance) -> tuple[list[str], Utterance] | None:
+        """The command that may be only a word of agreement, before a pause, and what follows that."""
+        start = 0
+        while start < len(said) and said.words[start] not in self._agrees:
+            if not (length := self.fillers.at(said.words, start)):
+                return None
+            start += length
+        after = start + 1
+        if after >= len(said) or not said.breaks[after] or self.sequence.at(said.words, after):
+            return None
+        return said.words[start:after], said.part(after, len(said))
 
     def in_full(self, said: Utterance) -> Utterance | None:
         """An utterance with the word that is a command in the place of each filler that has one in it, where no pause

@@ -89,6 +89,23 @@ class Stops:
         return stops or (MOVING in state and protests > 1)
 
     @step(Kind.STOP)
+    def in_denial(self, core: Utterance) -> bool:
+        """ "Don't!", "no, cut it out": nothing but that something is not to be done, whatever it is. Of a robot that
+        moves that is what it does."""
+        words = core.words
+        kinds = (self._phrases.cancel, self._phrases.correction)
+        reached: dict[int, bool] = {0: False}
+        """Words used up by such phrases -> whether one of them takes back; "no do not do that" is read in two ways."""
+        for position in range(len(words)):
+            if position not in reached:
+                continue
+            for cancels, phrases in zip((True, False), kinds, strict=True):
+                for length in phrases.lengths_at(words, position):
+                    end = position + length
+                    reached[end] = reached.get(end, False) or reached[position] or cancels
+        return reached.get(len(words), False)
+
+    @step(Kind.STOP)
     def between(self, said: Utterance, state: Collection[str]) -> bool:
         """ "stop turn left", "turn left stop turn right": written without their pauses, commands around a stop."""
         words = said.words
