@@ -123,22 +123,25 @@ def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_p
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_ctrl_c_ends_it_with_what_was_measured(root):
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminated")]
+)
+def test_a_signal_ends_it_with_what_was_measured(root, number, code, word):
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "evaluate", str(TEN)]
     command += ["--json", "--second-model", "none"]
     with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stderr is not None
         heard = [process.stdout.readline() for _ in range(2)]
-        process.send_signal(signal.SIGINT)
+        process.send_signal(number)
         rest = process.stdout.read()
         error = process.stderr.read()
-    assert process.returncode == 130, error
+    assert process.returncode == code, error
     *heard, score, interrupted = [json.loads(line) for line in "".join([*heard, rest]).splitlines()]
     assert {one["event"] for one in heard} == {"recording"}
     assert (score["event"], score["recordings"], score["complete"]) == ("score", len(heard), False)
     assert interrupted == {"event": "interrupted", "heard": len(heard), "of": 10}
-    assert error == f"error: interrupted after {len(heard)} of 10 recordings\n"
+    assert error == f"error: {word} after {len(heard)} of 10 recordings\n"
 
 
 @pytest.fixture

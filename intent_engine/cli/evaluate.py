@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, EXIT_TERMINATED, Terminated, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
@@ -37,7 +37,7 @@ DEFAULT_SNRS = "6,12,24"
 
 @dataclass
 class _Run:
-    """What was heard so far: all of it, unless somebody has pressed Ctrl-C."""
+    """What was heard so far: all of it, unless Ctrl-C or SIGTERM has ended it."""
 
     rows: int
     """Recordings of each condition."""
@@ -45,17 +45,28 @@ class _Run:
     """How often each is heard: by every model, with the grammar and without."""
     outcomes: list[Outcome] = field(default_factory=list)
     heard: int = 0
-    interrupted: bool = False
+    ended_by: KeyboardInterrupt | Terminated | None = None
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether it was ended before all was heard."""
+        return self.ended_by is not None
+
+    @property
+    def code(self) -> int:
+        """Of a run that was interrupted."""
+        return EXIT_TERMINATED if isinstance(self.ended_by, Terminated) else EXIT_INTERRUPTED
 
     @property
     def ended(self) -> str:
         """What is said of a run that was interrupted; empty of one that was not."""
         if not self.interrupted:
             return ""
+        how = "terminated" if isinstance(self.ended_by, Terminated) else "interrupted"
         if not self.outcomes:
-            return "interrupted before anything was measured"
+            return f"{how} before anything was measured"
         what = "recordings" if self.passes == 1 else f"hearings ({self.rows} recordings, {self.passes} times each)"
-        return f"interrupted after {self.heard} of {self.rows * self.passes} {what}"
+        return f"{how} after {self.heard} of {self.rows * self.passes} {what}"
 
 
 @verb
@@ -140,8 +151,8 @@ def evaluate(
                         step()
                         if as_json:
                             _tell(found)
-        except KeyboardInterrupt:  # hours of it may be measured already
-            run.interrupted = True
+        except (KeyboardInterrupt, Terminated) as ending:  # hours of it may be measured already
+            run.ended_by = ending
     results = scores(run.outcomes)
     _show(results, run, as_json, all_in=csv)
     if csv is not None and run.outcomes:
@@ -157,7 +168,7 @@ def evaluate(
         note(f"accuracy and latency are drawn in {plot}")
     if run.interrupted:
         error_block(run.ended)
-        return EXIT_INTERRUPTED
+        return run.code
     failed = goal is not None and any(found.accuracy is None or found.accuracy < goal for found in results)
     return EXIT_NOT_ACCEPTED if failed else 0
 

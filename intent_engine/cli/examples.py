@@ -34,13 +34,14 @@ def run_examples(
 
     maps = [find("locations", name) for name in locations or ()]
     loaded = [load_examples(find("grammars", name), maps) for name in [*(files or ()), *(named or ())] or ["en"]]
-    outcomes = [(run_case(examples.engine, case), examples.file) for examples in loaded for case in examples.cases]
+    outcomes = []
+    for case, examples in ((case, examples) for examples in loaded for case in examples.cases):
+        outcomes.append((run_case(examples.engine, case), examples.file))
+        if as_json:
+            json_line(_record(*outcomes[-1]))
     failed = [(outcome, file) for outcome, file in outcomes if outcome.failed]
     missing = sorted({name for outcome, _ in outcomes for name in outcome.missing})
-    if as_json:
-        for outcome, file in outcomes:
-            json_line(_record(outcome, file))
-    else:
+    if not as_json:
         if failed:
             rows = [row for outcome, file in failed for row in _rows(outcome, file)]
             table("", ("where", "sentence", "part", "expected", "found"), rows)

@@ -29,11 +29,13 @@ def sample(
 ) -> int:
     """Show what can be said: random sentences with the meaning that they were made from."""
     from intent_engine.actions import to_json
-    from intent_engine.language.sampler import sample as draw
+    from intent_engine.language.sampler import RandomChoices, Sampler
 
     engine = load_engine(grammar, locations, language)
-    spoken = engine.matcher(language).grammar
-    for drawn in draw(spoken, engine.locations, count, intent=intent, seed=seed, state=state or ()):
+    sampler = Sampler(engine.matcher(language).grammar, engine.locations, state=state or ())
+    choices = RandomChoices(seed)
+    for _ in range(count):
+        drawn = sampler.draw(choices, intent)
         if as_json:
             actions = [to_json(action) for action in drawn.actions]
             json_line({"text": drawn.text, "intent": drawn.intent, "slots": dict(drawn.slots), "actions": actions})
