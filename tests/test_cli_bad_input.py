@@ -188,6 +188,12 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             "--language: there is no grammar for 'fr'\n    there is one for de, en; for another language give your "
             "own, with language: fr in it: --grammar my_grammar.yaml --language fr\n",
         ),
+        (
+            ["parse", "--language", "english", "stop"],
+            "--language: there is no grammar for 'english'\n    there is one for de, en; for another language give your "
+            "own, with language: fr in it",
+        ),
+        (["parse", "--language", "fr-CA", "stop"], "--language: there is no grammar for 'fr'\n"),
         (["parse", "--language", "", "stop"], "--language: there is no grammar for ''\n    there is one for de, en;"),
         (
             ["complete", "--language", "grammars/de.yaml", "stop"],
@@ -196,6 +202,14 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
         (
             ["parse", "--grammar", "en", "--language", "fr", "stop"],
             "no grammar of language 'fr' is loaded; there is en\n    ask for one of these, or load a grammar with",
+        ),
+        (
+            ["parse", "--state", "movng", "stop"],
+            "--state: no intent of the grammar asks for a state 'movng'\n    did you mean 'moving'?\n",
+        ),
+        (
+            ["sample", "--state", "moving", "--state", "docked"],
+            "--state: no intent of the grammar asks for a state 'docked'\n    there is moving\n",
         ),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",

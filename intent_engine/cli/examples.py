@@ -35,10 +35,10 @@ def run_examples(
     maps = [find("locations", name) for name in locations or ()]
     loaded = [load_examples(find("grammars", name), maps) for name in [*(files or ()), *(named or ())] or ["en"]]
     outcomes = []
-    for case, examples in ((case, examples) for examples in loaded for case in examples.cases):
-        outcomes.append((run_case(examples.engine, case), examples.file))
+    for outcome, file in ((run_case(one.engine, case), one.file) for one in loaded for case in one.cases):
+        outcomes.append((outcome, file))
         if as_json:
-            json_line(_record(*outcomes[-1]))
+            json_line(_record(outcome, file))
     failed = [(outcome, file) for outcome, file in outcomes if outcome.failed]
     missing = sorted({name for outcome, _ in outcomes for name in outcome.missing})
     if not as_json:

@@ -11,7 +11,7 @@ import typer
 from intent_engine.cli.describe import interpretation_lines
 from intent_engine.cli.explaining import explanation_lines
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, States, known_states, load_engine
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.cli.watching import Watch, watched
 from intent_engine.errors import ConfigError, Problem, TextTooLongError
@@ -32,16 +32,14 @@ def parse(
     grammar: Grammars = None,
     locations: Locations = None,
     language: Language = None,
-    state: Annotated[
-        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
-    ] = None,
+    state: States = None,
     explain: Annotated[bool, typer.Option("--explain", help="Show every step from the words to the actions.")] = False,
     watch: Watch = False,
     as_json: Json = False,
 ) -> int:
     """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
     engine = load_engine(grammar, locations, language)
-    states = tuple(state or ())
+    states = known_states(engine, state)
     if text == "-":
         with watched(engine, watch):
             return _parse_lines(engine, states, language, explain)

@@ -8,7 +8,7 @@ import typer
 
 from intent_engine.cli.describe import action_text, slots_text
 from intent_engine.cli.guard import verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, States, known_states, load_engine
 from intent_engine.cli.terminal import json_line, say
 
 __all__ = ["sample"]
@@ -22,9 +22,7 @@ def sample(
     count: Annotated[int, typer.Option("--count", "-n", min=1, help="How many sentences.")] = 20,
     intent: Annotated[str | None, typer.Option(help="Only sentences of this intent.")] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same sentences.")] = 0,
-    state: Annotated[
-        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
-    ] = None,
+    state: States = None,
     as_json: Json = False,
 ) -> int:
     """Show what can be said: random sentences with the meaning that they were made from."""
@@ -32,7 +30,7 @@ def sample(
     from intent_engine.language.sampler import RandomChoices, Sampler
 
     engine = load_engine(grammar, locations, language)
-    sampler = Sampler(engine.matcher(language).grammar, engine.locations, state=state or ())
+    sampler = Sampler(engine.matcher(language).grammar, engine.locations, state=known_states(engine, state))
     choices = RandomChoices(seed)
     for _ in range(count):
         drawn = sampler.draw(choices, intent)
