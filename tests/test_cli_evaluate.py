@@ -74,6 +74,7 @@ def test_a_model_alone(intent_engine):
         (["examples"], 2, "examples: the folder has no labels.jsonl\n    give the file itself"),
         (["examples/demo.jsonl"], 2, "examples/demo.jsonl:1: 'audio' is missing"),
         ([TEN, "--snr", "6"], 2, "--snr without --noise"),
+        ([TEN, "--no-clean"], 2, "--no-clean without --noise leaves nothing to hear\n    name a recording"),
         ([TEN, "--noise", "examples/demo.flac", "--snr", "6;12"], 2, "--snr: '6;12' is no signal-to-noise ratio"),
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),
         ([TEN, "--model", "enormous.xy", "--limit", "1"], 5, "enormous.xy"),
@@ -209,6 +210,16 @@ def test_a_run_to_the_end_says_so(heard_until_ctrl_c):
     done = heard_until_ctrl_c(10, "--json")
     assert done.exit_code == 0
     assert json.loads(done.stdout.splitlines()[-1])["complete"] is True
+
+
+@pytest.mark.parametrize(("clean", "conditions"), [([], [None, 12, 6]), (["--no-clean"], [12, 6])])
+def test_as_it_is_beside_the_noise_or_not(heard_until_ctrl_c, clean, conditions):
+    noise = ("--noise", "examples/demo.flac", "--snr", "6,12")
+    done = heard_until_ctrl_c(1000, "--json", "--limit", 1, *noise, *clean)
+    assert done.exit_code == 0
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [one["snr"] for one in lines if one["event"] == "recording"] == conditions
+    assert len([one for one in lines if one["event"] == "score"]) == len(conditions)
 
 
 def test_a_table_of_eighty_columns(heard_until_ctrl_c, monkeypatch):

@@ -95,12 +95,16 @@ def evaluate(
     no_noise_filter: NoNoiseFilter = False,
     wait: Wait = None,
     noise: Annotated[
-        list[Path] | None, typer.Option("--noise", help="Recording of noise to mix in; may be repeated.")
+        list[Path] | None,
+        typer.Option("--noise", help="Recording of noise to hear everything in, besides as it is; may be repeated."),
     ] = None,
     snr: Annotated[
         str | None,
         typer.Option("--snr", help="Signal to noise in dB, several with commas.", show_default=DEFAULT_SNRS),
     ] = None,
+    no_clean: Annotated[
+        bool, typer.Option("--no-clean", help="Hear the recordings in noise alone, not as they are.")
+    ] = False,
     limit: Annotated[
         int | None, typer.Option("--limit", min=1, help="Hear only so many recordings, spread over the labels.")
     ] = None,
@@ -127,6 +131,10 @@ def evaluate(
     settings = waits(wait)
     if snr and not noise:
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
+    if no_clean and not noise:
+        raise ConfigError(
+            Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")
+        )
     if csv is not None:
         check_file(csv, "--csv")
     if plot is not None:
@@ -135,7 +143,7 @@ def evaluate(
     labels = find_labels(folder)
     rows = evenly(read_labels(labels, engine), limit)
     check(rows, labels)
-    trial = Trial(Noise.read(noise) if noise else None, snrs)
+    trial = Trial(Noise.read(noise) if noise else None, snrs, clean=not no_clean)
     models = model or [usual_model(engine.languages, language)]
     run = _Run(len(rows), len(set(models)) * (1 + free))
     with progress("hearing", run.rows * run.passes) as step:
