@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from meanings import ROOT, done
+from meanings import done, german
 
 from intent_engine.engine import IntentEngine
 
@@ -132,7 +132,7 @@ TABLE = {
 
 @pytest.fixture(scope="module")
 def engine() -> IntentEngine:
-    return IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    return german()
 
 
 @pytest.mark.parametrize(("text", "meant"), TABLE.items())
