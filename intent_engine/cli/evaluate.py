@@ -120,7 +120,10 @@ def evaluate(
         Path | None, typer.Option("--plot", help="Draw accuracy and latency into this file (PNG, SVG or PDF).")
     ] = None,
 ) -> int:
-    """Measure on labelled recordings how many commands are understood, how fast, and what is done by mistake."""
+    """Measure on labelled recordings how many commands are understood, how fast, and what is done by mistake.
+
+    Slots that a label does not list are not held against it, as they are by test; list those that must be right.
+    """
     _needs_jiwer()
     from intent_engine.evaluation.labels import evenly, find_labels, read_labels
     from intent_engine.evaluation.sound import Noise, check

@@ -29,7 +29,10 @@ def run_examples(
     locations: Locations = None,
     as_json: Json = False,
 ) -> int:
-    """Run the examples that stand in grammar files, and the sentences of test files."""
+    """Run the examples that stand in grammar files, and the sentences of test files.
+
+    Slots are compared all together: one that comes out and that an example does not name is a failure.
+    """
     from intent_engine.testing.examples import load_examples, run_case
 
     maps = [find("locations", name) for name in locations or ()]
