@@ -273,6 +273,60 @@ def test_standard_error_that_is_closed():
     assert (done.returncode, done.stdout.splitlines()[0]) == (2, "accepted: stop (confidence 1.00)")
 
 
+@FULL
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+@pytest.mark.parametrize(
+    ("command", "code"), [("parse -g nowhere stop", 2), ("run nowhere.wav", 3), ("--bogus", 2), ("test /dev/stdin", 0)]
+)
+def test_what_cannot_be_told_on_standard_error_changes_no_exit_code(command, code, unbuffered):
+    """The last one has a note to tell: there are no examples."""
+    grammar = "language: en\nintents: {a: {action: custom, sentences: [wave]}}\n"
+    for where in ("2>/dev/full", "2</dev/null"):
+        done = subprocess.run(
+            ["sh", "-c", f"{sys.executable} -m intent_engine.cli {command} {where}"],
+            cwd=ROOT,
+            input=grammar,
+            env={**os.environ, "PYTHONUNBUFFERED": unbuffered},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == code, (where, done.stdout)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of Unix")
+@pytest.mark.parametrize("colours", ["", "1"])
+@pytest.mark.parametrize("command", ["sample -n 300", "--help", "check --notes en"])
+def test_a_reader_that_goes_away(command, colours):
+    """Also where Rich writes, and Typer: they would end the program in ways of their own."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "intent_engine.cli", *command.split()],
+        cwd=ROOT,
+        env={**os.environ, "FORCE_COLOR": colours},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        process.stdout.close()
+        assert process.stderr.read() == b""
+    assert process.returncode == 141
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a shell of Unix")
+@pytest.mark.parametrize(
+    ("command", "code", "said"),
+    [
+        ("parse -", 2, "error: standard input is closed\n    give it sentences: "),
+        ("run -", 3, "error: standard input is closed, and no sound comes from it\n"),
+        ("parse stop", 0, ""),
+    ],
+)
+def test_standard_input_that_is_closed(command, code, said):
+    line = f"{sys.executable} -m intent_engine.cli {command} <&-"
+    done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr[: len(said)]) == (code, said)
+    assert bool(done.stderr) == bool(said)
+
+
 @pytest.mark.parametrize(
     ("name", "said"),
     [

@@ -32,6 +32,7 @@ __all__ = [
     "EXIT_BUG",
     "EXIT_INTERRUPTED",
     "EXIT_NOT_ACCEPTED",
+    "EXIT_PIPE_CLOSED",
     "EXIT_TERMINATED",
     "Terminated",
     "output_lost",

@@ -62,6 +62,9 @@ def parse(
 
 
 def _parse_lines(engine: IntentEngine, states: tuple[str, ...], language: str | None, explain: bool) -> int:
+    if sys.stdin is None:
+        hint = "give it sentences: intent-engine parse - < sentences.txt"
+        raise ConfigError(Problem("standard input is closed", hint=hint))
     accepted, too_long = True, 0
     for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
         found, data = _understood(engine, line[:MAX_TEXT], states, language, explain)
