@@ -165,6 +165,14 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             "there is no option --gramar\n    did you mean '--grammar'?\n    intent-engine parse --help tells all",
         ),
         (["--vresion"], "there is no option --vresion\n    did you mean '--version'?\n    intent-engine --help tells"),
+        (
+            ["parse", "-g", "tests", "stop"],
+            "tests: is a folder, not a file\n    there is de, en; or give the path of a file\n",
+        ),
+        (["drill", "-r", ""], "a name of one of the robots is empty\n    there is arm_mobile, simulated, "),
+        (["check", "nowhere.yaml"], "nowhere.yaml: no such file\n"),
+        (["check", "--json", "-l", "nowhere.yaml"], "nowhere.yaml: no such file\n"),
+        (["drill", "-r", os.devnull], f"{os.devnull}: is empty\n    the shortest robot file: {{name: rover}}\n"),
         (["sample", "-q"], "there is no option -q\n    intent-engine sample --help tells all of it\n"),
         (
             ["parse", "--debug", "stop"],

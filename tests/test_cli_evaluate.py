@@ -74,6 +74,7 @@ def test_a_model_alone(intent_engine):
         (["examples"], 2, "examples: the folder has no labels.jsonl\n    give the file itself"),
         (["examples/demo.jsonl"], 2, "examples/demo.jsonl:1: 'audio' is missing"),
         ([TEN, "--snr", "6"], 2, "--snr without --noise"),
+        ([TEN, "--at-least", "nan"], 2, "--at-least: nan is no share\n    give a number from 0 to 100"),
         ([TEN, "--no-clean"], 2, "--no-clean without --noise leaves nothing to hear\n    name a recording"),
         ([TEN, "--noise", "examples/demo.flac", "--snr", "6;12"], 2, "--snr: '6;12' is no signal-to-noise ratio"),
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),

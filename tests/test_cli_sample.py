@@ -80,6 +80,7 @@ def test_a_line_for_each_example(intent_engine, folder):
     ("text", "message"),
     [
         ("tests: [{say: wave, slot: {}}]", "did you mean 'slots'?"),
+        ("", "bad.intents.yaml: is empty\n    the shortest test file: tests: [stop]\n"),
         ("tests:\n  - wave: 3", "is no meaning"),
         ("grammar: nowhere.yaml\ntests: [wave]", "nowhere.yaml"),
         ("tests:\n  - {say: wave, actions: [{type: fly}]}", "unknown action type 'fly'"),

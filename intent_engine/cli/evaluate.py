@@ -134,6 +134,8 @@ def evaluate(
     settings = waits(wait)
     if snr and not noise:
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
+    if at_least is not None and math.isnan(at_least):  # no accuracy is less than that
+        raise ConfigError(Problem("--at-least: nan is no share", hint="give a number from 0 to 100"))
     if no_clean and not noise:
         raise ConfigError(
             Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")

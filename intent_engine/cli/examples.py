@@ -52,7 +52,8 @@ def run_examples(
         passed = sum(outcome.passed for outcome, _ in outcomes)
         left = len(outcomes) - passed - len(failed)
         rest = f", {left} not tried" if left else ""
-        say(f"{len(outcomes)} examples: {passed} passed, {len(failed)} failed{rest}", style)
+        count = f"{len(outcomes)} example{'s' * (len(outcomes) != 1)}"
+        say(f"{count}: {passed} passed, {len(failed)} failed{rest}", style)
     if missing:
         note(f"not tried are examples of places that the map has not: {', '.join(missing)}; --locations names another")
     if not outcomes:

@@ -42,8 +42,8 @@ Language = Annotated[
     str | None,
     typer.Option(
         callback=lambda tag: tag and language_of(tag),
-        help="Language of the speech: en or de, whose grammar is taken, also as en-US; another with a --grammar of "
-        "your own.",
+        help="Language of the speech, also with its region (en-US): en or de, whose grammar is taken; another with a "
+        "--grammar of your own.",
         show_default="en",
     ),
 ]
