@@ -24,6 +24,7 @@ import importlib.util
 import json
 import os
 import platform
+import signal
 import sys
 import time
 import traceback
@@ -230,12 +231,13 @@ def main() -> int:
             parser.error(f"there is no benchmark {name!r}; there are: {', '.join(modules())}")
     results = recorded()
     endings: dict[str, str] = {}
+    before = signal.signal(signal.SIGTERM, terminate)
     try:
         for name in names:
             endings[name] = "stopped"
             endings[name] = ending(name, options.quick, results)
             results = recorded()
-    finally:  # also after Ctrl-C: the page says what was measured
+    finally:  # also after Ctrl-C and SIGTERM: the page says what was measured
         results = recorded()
         for name in names:
             illustrate(results, name)
@@ -243,7 +245,13 @@ def main() -> int:
         PAGE.write_text(page(results), "utf-8")
         for name, end in endings.items():
             print(f"{name}: {end}", file=sys.stderr)
+        signal.signal(signal.SIGTERM, before)
     return 1 if any(end.startswith("failed") for end in endings.values()) else 0
+
+
+def terminate(number: int, frame: object) -> None:
+    """End as Ctrl-C does, with the exit code of shells: what was measured is kept."""
+    sys.exit(128 + number)
 
 
 def recorded() -> dict[str, Any]:

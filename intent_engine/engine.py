@@ -18,9 +18,11 @@ from intent_engine.language.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
+from intent_engine.language.meaning.stops import MOVING
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import resolve
 from intent_engine.language.utterance import Utterance
+from intent_engine.language_tag import language_of
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -171,6 +173,12 @@ class IntentEngine:
         return tuple(self._loaded.interpreters)
 
     @property
+    def states(self) -> frozenset[str]:
+        """States of a robot that change what is understood: those of ``requires`` and ``excludes``, and ``moving``."""
+        named = (intent.requires | intent.excludes for one in self.grammars for intent in one.intents.values())
+        return frozenset({MOVING}).union(*named)
+
+    @property
     def locations(self) -> LocationMap | None:
         return self._loaded.locations
 
@@ -187,7 +195,7 @@ class IntentEngine:
     def _interpreter(self, language: str | None) -> Interpreter:
         if language is None:
             return self._parsers[0]
-        interpreter = self._loaded.interpreters.get(language.split("-")[0])
+        interpreter = self._loaded.interpreters.get(language_of(language))
         if interpreter is None:
             there = ", ".join(self.languages)
             hint = f"ask for one of these, or load a grammar with language: {language or 'fr'}"

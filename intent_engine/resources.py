@@ -39,6 +39,9 @@ def find(kind: str, name: str) -> Path:
         if path.is_file():
             return path
     known = names(kind)
+    if given.is_dir() or not name:
+        what = "is a folder, not a file" if name else f"a name of one of the {kind} is empty"
+        raise ConfigError(Problem(what, name or None, hint=f"there is {', '.join(known)}; or give the path of a file"))
     hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
     raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))
 

@@ -10,11 +10,14 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import IO
+from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 from hypothesis import settings
+
+if TYPE_CHECKING:
+    from intent_engine import IntentEngine
 
 # Before anything loads NumPy: its threads fight the recogniser's for the cores.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -38,6 +41,20 @@ ROOT = Path(__file__).resolve().parent.parent
 def root() -> Path:
     """The repository."""
     return ROOT
+
+
+@pytest.fixture(scope="session")
+def engine_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., IntentEngine]:
+    """The engine of a grammar that a test has written down; options as those of ``from_files``."""
+
+    def made(grammar: str, **options: Any) -> IntentEngine:
+        from intent_engine import IntentEngine
+
+        file = tmp_path_factory.mktemp("grammar") / "own.yaml"
+        file.write_text(grammar, "utf-8")
+        return IntentEngine.from_files(file, **options)
+
+    return made
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -171,6 +172,26 @@ def test_what_was_measured_before_a_fault_is_kept(
         assert collector.main() == 1
     assert measured(results)[:2] == [("first", 7, False), ("second", 0.0123, True)]
     assert len(measured(results)) == (2 if interrupted else 3), "the others are measured all the same"
+    assert "| first | 7 ms |" in collector.PAGE.read_text("utf-8")
+
+
+def test_what_was_measured_before_sigterm_is_kept(results: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def run(quick: bool) -> Iterator[list[dict[str, object]]]:
+        yield [a_row(figure="first", value=7)]
+        signal.raise_signal(signal.SIGTERM)
+        pytest.fail("measured on")
+
+    before = signal.signal(signal.SIGTERM, lambda *_: pytest.fail("nobody expected it"))
+    try:
+        benchmark(monkeypatch, "one", run)
+        benchmark(monkeypatch, "two", lambda quick: [a_row(figure="third")])
+        monkeypatch.setattr(sys, "argv", ["benchmarks"])
+        with pytest.raises(SystemExit) as end:
+            collector.main()
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert end.value.code == 143
+    assert measured(results) == [("first", 7, False), ("second", 0.0123, True)]
     assert "| first | 7 ms |" in collector.PAGE.read_text("utf-8")
 
 

@@ -148,7 +148,7 @@ def test_debug_shows_where():
     assert "Traceback" in result.stderr
 
 
-@pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard._Terminated, 143)])
+@pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard.Terminated, 143)])
 def test_of_a_robot_only_a_verb_that_has_one_speaks(monkeypatch, ending, code):
     def ended(*_: object) -> None:
         raise ending

@@ -165,6 +165,14 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             "there is no option --gramar\n    did you mean '--grammar'?\n    intent-engine parse --help tells all",
         ),
         (["--vresion"], "there is no option --vresion\n    did you mean '--version'?\n    intent-engine --help tells"),
+        (
+            ["parse", "-g", "tests", "stop"],
+            "tests: is a folder, not a file\n    there is de, en; or give the path of a file\n",
+        ),
+        (["drill", "-r", ""], "a name of one of the robots is empty\n    there is arm_mobile, simulated, "),
+        (["check", "nowhere.yaml"], "nowhere.yaml: no such file\n"),
+        (["check", "--json", "-l", "nowhere.yaml"], "nowhere.yaml: no such file\n"),
+        (["drill", "-r", os.devnull], f"{os.devnull}: is empty\n    the shortest robot file: {{name: rover}}\n"),
         (["sample", "-q"], "there is no option -q\n    intent-engine sample --help tells all of it\n"),
         (
             ["parse", "--debug", "stop"],
@@ -188,6 +196,12 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             "--language: there is no grammar for 'fr'\n    there is one for de, en; for another language give your "
             "own, with language: fr in it: --grammar my_grammar.yaml --language fr\n",
         ),
+        (
+            ["parse", "--language", "english", "stop"],
+            "--language: there is no grammar for 'english'\n    there is one for de, en; for another language give "
+            "your own, with language: fr in it",
+        ),
+        (["parse", "--language", "fr-CA", "stop"], "--language: there is no grammar for 'fr'\n"),
         (["parse", "--language", "", "stop"], "--language: there is no grammar for ''\n    there is one for de, en;"),
         (
             ["complete", "--language", "grammars/de.yaml", "stop"],
@@ -196,6 +210,14 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
         (
             ["parse", "--grammar", "en", "--language", "fr", "stop"],
             "no grammar of language 'fr' is loaded; there is en\n    ask for one of these, or load a grammar with",
+        ),
+        (
+            ["parse", "--state", "movng", "stop"],
+            "--state: no intent of the grammar asks for a state 'movng'\n    did you mean 'moving'?\n",
+        ),
+        (
+            ["sample", "--state", "moving", "--state", "docked"],
+            "--state: no intent of the grammar asks for a state 'docked'\n    there is moving\n",
         ),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
@@ -257,6 +279,60 @@ def test_standard_error_that_is_closed():
     line = f"{sys.executable} -m intent_engine.cli parse stop 2>&-; {sys.executable} -m intent_engine.cli parse 2>&-"
     done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout.splitlines()[0]) == (2, "accepted: stop (confidence 1.00)")
+
+
+@FULL
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+@pytest.mark.parametrize(
+    ("command", "code"), [("parse -g nowhere stop", 2), ("run nowhere.wav", 3), ("--bogus", 2), ("test /dev/stdin", 0)]
+)
+def test_what_cannot_be_told_on_standard_error_changes_no_exit_code(command, code, unbuffered):
+    """The last one has a note to tell: there are no examples."""
+    grammar = "language: en\nintents: {a: {action: custom, sentences: [wave]}}\n"
+    for where in ("2>/dev/full", "2</dev/null"):
+        done = subprocess.run(
+            ["sh", "-c", f"{sys.executable} -m intent_engine.cli {command} {where}"],
+            cwd=ROOT,
+            input=grammar,
+            env={**os.environ, "PYTHONUNBUFFERED": unbuffered},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == code, (where, done.stdout)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of Unix")
+@pytest.mark.parametrize("colours", ["", "1"])
+@pytest.mark.parametrize("command", ["sample -n 300", "--help", "check --notes en"])
+def test_a_reader_that_goes_away(command, colours):
+    """Also where Rich writes, and Typer: they would end the program in ways of their own."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "intent_engine.cli", *command.split()],
+        cwd=ROOT,
+        env={**os.environ, "FORCE_COLOR": colours},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        process.stdout.close()
+        assert process.stderr.read() == b""
+    assert process.returncode == 141
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a shell of Unix")
+@pytest.mark.parametrize(
+    ("command", "code", "said"),
+    [
+        ("parse -", 2, "error: standard input is closed\n    give it sentences: "),
+        ("run -", 3, "error: standard input is closed, and no sound comes from it\n"),
+        ("parse stop", 0, ""),
+    ],
+)
+def test_standard_input_that_is_closed(command, code, said):
+    line = f"{sys.executable} -m intent_engine.cli {command} <&-"
+    done = subprocess.run(["sh", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr[: len(said)]) == (code, said)
+    assert bool(done.stderr) == bool(said)
 
 
 @pytest.mark.parametrize(

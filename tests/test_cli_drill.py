@@ -7,9 +7,16 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
+from typer.testing import CliRunner
+
+from intent_engine.cli import app
+from intent_engine.cli.guard import Terminated
+from intent_engine.execution.drill import Trial
 
 
 @pytest.mark.slow
@@ -50,3 +57,23 @@ def test_a_robot_file_that_is_not_there(intent_engine):
     done = intent_engine("drill", "--robot", "marvin")
     assert done.returncode == 2
     assert done.stderr.startswith("error: no file marvin.yaml in robots/\n    there is ")
+
+
+@pytest.mark.parametrize(
+    ("ending", "code", "word"), [(KeyboardInterrupt, 130, "interrupted"), (Terminated, 143, "terminated")]
+)
+@pytest.mark.parametrize("passed", [True, False])
+def test_a_signal_ends_it_with_what_was_tried(monkeypatch, ending, code, word, passed):
+    def ended(file: object, *, quick: bool, on_trial: Callable[[Trial], object]) -> NoReturn:
+        on_trial(Trial("stop", "soon", 0.1, 0.01, 0.01, 5, passed=passed))
+        raise ending
+
+    monkeypatch.setattr("intent_engine.execution.drill.drill", ended)
+    done = CliRunner().invoke(app, ["drill"])
+    assert done.exit_code == code
+    assert done.stdout.startswith("drill of simulated, not all of it ")
+    assert "every promise was kept" not in done.stdout
+    assert ("a promise was broken" in done.stdout) == (not passed)
+    assert done.stderr.endswith(f"error: {word}\n")
+    report = json.loads(CliRunner().invoke(app, ["drill", "--json"]).stdout)
+    assert (report["complete"], report["passed"], len(report["trials"])) == (False, False, 1)

@@ -74,6 +74,8 @@ def test_a_model_alone(intent_engine):
         (["examples"], 2, "examples: the folder has no labels.jsonl\n    give the file itself"),
         (["examples/demo.jsonl"], 2, "examples/demo.jsonl:1: 'audio' is missing"),
         ([TEN, "--snr", "6"], 2, "--snr without --noise"),
+        ([TEN, "--at-least", "nan"], 2, "--at-least: nan is no share\n    give a number from 0 to 100"),
+        ([TEN, "--no-clean"], 2, "--no-clean without --noise leaves nothing to hear\n    name a recording"),
         ([TEN, "--noise", "examples/demo.flac", "--snr", "6;12"], 2, "--snr: '6;12' is no signal-to-noise ratio"),
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),
         ([TEN, "--model", "enormous.xy", "--limit", "1"], 5, "enormous.xy"),
@@ -123,22 +125,25 @@ def test_a_sound_file_that_is_cut_off_is_told_with_its_line(intent_engine, tmp_p
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_ctrl_c_ends_it_with_what_was_measured(root):
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminated")]
+)
+def test_a_signal_ends_it_with_what_was_measured(root, number, code, word):
     command = [sys.executable, "-u", "-m", "intent_engine.cli", "evaluate", str(TEN)]
     command += ["--json", "--second-model", "none"]
     with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stderr is not None
         heard = [process.stdout.readline() for _ in range(2)]
-        process.send_signal(signal.SIGINT)
+        process.send_signal(number)
         rest = process.stdout.read()
         error = process.stderr.read()
-    assert process.returncode == 130, error
+    assert process.returncode == code, error
     *heard, score, interrupted = [json.loads(line) for line in "".join([*heard, rest]).splitlines()]
     assert {one["event"] for one in heard} == {"recording"}
     assert (score["event"], score["recordings"], score["complete"]) == ("score", len(heard), False)
     assert interrupted == {"event": "interrupted", "heard": len(heard), "of": 10}
-    assert error == f"error: interrupted after {len(heard)} of 10 recordings\n"
+    assert error == f"error: {word} after {len(heard)} of 10 recordings\n"
 
 
 @pytest.fixture
@@ -206,6 +211,16 @@ def test_a_run_to_the_end_says_so(heard_until_ctrl_c):
     done = heard_until_ctrl_c(10, "--json")
     assert done.exit_code == 0
     assert json.loads(done.stdout.splitlines()[-1])["complete"] is True
+
+
+@pytest.mark.parametrize(("clean", "conditions"), [([], [None, 12, 6]), (["--no-clean"], [12, 6])])
+def test_as_it_is_beside_the_noise_or_not(heard_until_ctrl_c, clean, conditions):
+    noise = ("--noise", "examples/demo.flac", "--snr", "6,12")
+    done = heard_until_ctrl_c(1000, "--json", "--limit", 1, *noise, *clean)
+    assert done.exit_code == 0
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    assert [one["snr"] for one in lines if one["event"] == "recording"] == conditions
+    assert len([one for one in lines if one["event"] == "score"]) == len(conditions)
 
 
 def test_a_table_of_eighty_columns(heard_until_ctrl_c, monkeypatch):

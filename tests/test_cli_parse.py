@@ -70,8 +70,9 @@ def test_a_megabyte_without_a_line_end(intent_engine):
     assert short["status"] == "accepted", "the lines after it are read as ever"
 
 
-def test_a_long_argument(intent_engine):
-    done = intent_engine("parse", "go forward " * 9_000)
+@pytest.mark.parametrize("verb", ["parse", "complete"])
+def test_a_long_argument(intent_engine, verb):
+    done = intent_engine(verb, "go forward " * 9_000)
     assert done.returncode == 7
     assert done.stdout == ""
     assert done.stderr.startswith("error: the text (99000 characters) is longer than")

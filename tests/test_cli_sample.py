@@ -80,10 +80,16 @@ def test_a_line_for_each_example(intent_engine, folder):
     ("text", "message"),
     [
         ("tests: [{say: wave, slot: {}}]", "did you mean 'slots'?"),
+        ("", "bad.intents.yaml: is empty\n    the shortest test file: tests: [stop]\n"),
         ("tests:\n  - wave: 3", "is no meaning"),
         ("grammar: nowhere.yaml\ntests: [wave]", "nowhere.yaml"),
         ("tests:\n  - {say: wave, actions: [{type: fly}]}", "unknown action type 'fly'"),
         ("tests:\n  wav: [wave]", "there is no intent 'wav'"),
+        ("state: movin\ntests: [stop]", "bad.intents.yaml:1:8: no intent asks for a state 'movin'"),
+        (
+            "tests:\n  - {say: stop, state: [moving, flying]}",
+            "bad.intents.yaml:2:33: no intent asks for a state 'flying'",
+        ),
     ],
 )
 def test_a_wrong_test_file(intent_engine, tmp_path, text, message):

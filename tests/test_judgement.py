@@ -366,10 +366,8 @@ intents:
         ("and lace it", None),  # both do the same
     ],
 )
-def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(tmp_path, text, other):
-    file = tmp_path / "box.yaml"
-    file.write_text(BOX, "utf-8")
-    found = Judge(IntentEngine.from_files(file)).meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
+def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(engine_of, text, other):
+    found = Judge(engine_of(BOX)).meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
     assert bool(found.actions) is (other is None)
     if other is not None:
         assert found.reason == f"{text!r} or {other!r}? say it again"

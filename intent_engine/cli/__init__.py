@@ -9,8 +9,8 @@ from typing import Annotated
 
 import typer
 
-from intent_engine.cli.guard import DEBUG, output_lost
-from intent_engine.cli.streams import OutputError, prepare
+from intent_engine.cli.guard import DEBUG, EXIT_PIPE_CLOSED, output_lost
+from intent_engine.cli.streams import OutputError, prepare, reader_gone
 from intent_engine.cli.terminal import LogNotes
 from intent_engine.cli.verbs import MARKUP, Verbs
 
@@ -59,6 +59,10 @@ def main() -> None:
             app()
         finally:
             sys.stdout.flush()
+    except SystemExit:
+        if reader_gone():  # of the help, which Typer writes and ends in its own way
+            sys.exit(EXIT_PIPE_CLOSED)
+        raise
     except KeyboardInterrupt:
         sys.exit(130)
     except OutputError as error:

@@ -74,6 +74,8 @@ def _checked(paths: Sequence[Path], maps: Sequence[Path]) -> tuple[list[Finding]
         with working("checking"):
             reports = [check_grammar(grammar, engine.locations) for grammar in engine.grammars]
     except ConfigError as error:
+        if not all(path.is_file() for path in (*paths, *maps)):
+            raise  # there is nothing to be checked
         return [Finding("error", "file", problem) for problem in error.problems], []
     found = dict.fromkeys([*_examples(engine), *(finding for report in reports for finding in report.findings)])
     return sorted(found, key=lambda finding: [*_STYLES].index(finding.level)), reports

@@ -9,6 +9,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, note, say
+from intent_engine.cli.typed import check_length
 
 __all__ = ["complete"]
 
@@ -24,6 +25,7 @@ def complete(
     """List the words with which a sentence may go on, one a line."""
     from intent_engine.engine import PrefixStatus
 
+    check_length(text)
     engine = load_engine(grammar, locations, language)
     found = engine.prefix(text, language=language)
     words = found.next_words

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, Terminated, verb
 from intent_engine.cli.options import Json, Robots
 from intent_engine.cli.terminal import json_line, note, say, table
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
-    from intent_engine.execution.drill import Trial
+    from intent_engine.execution.drill import DrillReport, Trial
 
 __all__ = ["drill"]
 
@@ -28,6 +28,7 @@ def drill(
 
     No robot moves: a recorder stands in its place. The processes are real, and are really killed.
     """
+    from intent_engine.execution.drill import DrillReport
     from intent_engine.execution.drill import drill as run
     from intent_engine.execution.robots.robot_file import load_robot
 
@@ -37,19 +38,32 @@ def drill(
     executor_log = logging.getLogger("intent_engine.execution")
     before = executor_log.level
     executor_log.setLevel(logging.CRITICAL)  # what the trials break on purpose is no news
+    tried: list[Trial] = []
     try:
-        report = run(file, quick=quick)
+        report = run(file, quick=quick, on_trial=tried.append)
+    except (KeyboardInterrupt, Terminated):
+        if tried:
+            _show(DrillReport(file.name, tuple(tried), complete=False), as_json)
+        raise
     finally:
         executor_log.setLevel(before)
+    _show(report, as_json)
+    return 0 if report.passed else EXIT_NOT_ACCEPTED
+
+
+def _show(report: DrillReport, as_json: bool) -> None:
     if as_json:
         json_line(report.to_json())
-        return 0 if report.passed else EXIT_NOT_ACCEPTED
+        return
     columns = ("promise", "allowed ms", "median ms", "worst ms", "runs", "verdict", "what")
-    table(f"drill of {file.name}", columns, (_row(trial) for trial in report.trials))
+    left = "" if report.complete else ", not all of it"
+    table(f"drill of {report.robot}{left}", columns, (_row(trial) for trial in report.trials))
     for text in report.notes:
         note(text)
-    say("every promise was kept" if report.passed else "a promise was broken", "green" if report.passed else "bold red")
-    return 0 if report.passed else EXIT_NOT_ACCEPTED
+    if report.passed:
+        say("every promise was kept", "green")
+    elif not all(trial.passed for trial in report.trials):
+        say("a promise was broken", "bold red")
 
 
 def _row(trial: Trial) -> tuple[object, ...]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, verb
+from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, EXIT_TERMINATED, Terminated, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
 from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
@@ -37,7 +37,7 @@ DEFAULT_SNRS = "6,12,24"
 
 @dataclass
 class _Run:
-    """What was heard so far: all of it, unless somebody has pressed Ctrl-C."""
+    """What was heard so far: all of it, unless Ctrl-C or SIGTERM has ended it."""
 
     rows: int
     """Recordings of each condition."""
@@ -45,17 +45,28 @@ class _Run:
     """How often each is heard: by every model, with the grammar and without."""
     outcomes: list[Outcome] = field(default_factory=list)
     heard: int = 0
-    interrupted: bool = False
+    ended_by: KeyboardInterrupt | Terminated | None = None
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether it was ended before all was heard."""
+        return self.ended_by is not None
+
+    @property
+    def code(self) -> int:
+        """Of a run that was interrupted."""
+        return EXIT_TERMINATED if isinstance(self.ended_by, Terminated) else EXIT_INTERRUPTED
 
     @property
     def ended(self) -> str:
         """What is said of a run that was interrupted; empty of one that was not."""
         if not self.interrupted:
             return ""
+        how = "terminated" if isinstance(self.ended_by, Terminated) else "interrupted"
         if not self.outcomes:
-            return "interrupted before anything was measured"
+            return f"{how} before anything was measured"
         what = "recordings" if self.passes == 1 else f"hearings ({self.rows} recordings, {self.passes} times each)"
-        return f"interrupted after {self.heard} of {self.rows * self.passes} {what}"
+        return f"{how} after {self.heard} of {self.rows * self.passes} {what}"
 
 
 @verb
@@ -84,12 +95,16 @@ def evaluate(
     no_noise_filter: NoNoiseFilter = False,
     wait: Wait = None,
     noise: Annotated[
-        list[Path] | None, typer.Option("--noise", help="Recording of noise to mix in; may be repeated.")
+        list[Path] | None,
+        typer.Option("--noise", help="Recording of noise to hear everything in, besides as it is; may be repeated."),
     ] = None,
     snr: Annotated[
         str | None,
         typer.Option("--snr", help="Signal to noise in dB, several with commas.", show_default=DEFAULT_SNRS),
     ] = None,
+    no_clean: Annotated[
+        bool, typer.Option("--no-clean", help="Hear the recordings in noise alone, not as they are.")
+    ] = False,
     limit: Annotated[
         int | None, typer.Option("--limit", min=1, help="Hear only so many recordings, spread over the labels.")
     ] = None,
@@ -105,7 +120,10 @@ def evaluate(
         Path | None, typer.Option("--plot", help="Draw accuracy and latency into this file (PNG, SVG or PDF).")
     ] = None,
 ) -> int:
-    """Measure on labelled recordings how many commands are understood, how fast, and what is done by mistake."""
+    """Measure on labelled recordings how many commands are understood, how fast, and what is done by mistake.
+
+    Slots that a label does not list are not held against it, as they are by test; list those that must be right.
+    """
     _needs_jiwer()
     from intent_engine.evaluation.labels import evenly, find_labels, read_labels
     from intent_engine.evaluation.sound import Noise, check
@@ -116,6 +134,12 @@ def evaluate(
     settings = waits(wait)
     if snr and not noise:
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
+    if at_least is not None and math.isnan(at_least):  # no accuracy is less than that
+        raise ConfigError(Problem("--at-least: nan is no share", hint="give a number from 0 to 100"))
+    if no_clean and not noise:
+        raise ConfigError(
+            Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")
+        )
     if csv is not None:
         check_file(csv, "--csv")
     if plot is not None:
@@ -124,7 +148,7 @@ def evaluate(
     labels = find_labels(folder)
     rows = evenly(read_labels(labels, engine), limit)
     check(rows, labels)
-    trial = Trial(Noise.read(noise) if noise else None, snrs)
+    trial = Trial(Noise.read(noise) if noise else None, snrs, clean=not no_clean)
     models = model or [usual_model(engine.languages, language)]
     run = _Run(len(rows), len(set(models)) * (1 + free))
     with progress("hearing", run.rows * run.passes) as step:
@@ -140,8 +164,8 @@ def evaluate(
                         step()
                         if as_json:
                             _tell(found)
-        except KeyboardInterrupt:  # hours of it may be measured already
-            run.interrupted = True
+        except (KeyboardInterrupt, Terminated) as ending:  # hours of it may be measured already
+            run.ended_by = ending
     results = scores(run.outcomes)
     _show(results, run, as_json, all_in=csv)
     if csv is not None and run.outcomes:
@@ -157,7 +181,7 @@ def evaluate(
         note(f"accuracy and latency are drawn in {plot}")
     if run.interrupted:
         error_block(run.ended)
-        return EXIT_INTERRUPTED
+        return run.code
     failed = goal is not None and any(found.accuracy is None or found.accuracy < goal for found in results)
     return EXIT_NOT_ACCEPTED if failed else 0
 

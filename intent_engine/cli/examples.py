@@ -29,18 +29,22 @@ def run_examples(
     locations: Locations = None,
     as_json: Json = False,
 ) -> int:
-    """Run the examples that stand in grammar files, and the sentences of test files."""
+    """Run the examples that stand in grammar files, and the sentences of test files.
+
+    Slots are compared all together: one that comes out and that an example does not name is a failure.
+    """
     from intent_engine.testing.examples import load_examples, run_case
 
     maps = [find("locations", name) for name in locations or ()]
     loaded = [load_examples(find("grammars", name), maps) for name in [*(files or ()), *(named or ())] or ["en"]]
-    outcomes = [(run_case(examples.engine, case), examples.file) for examples in loaded for case in examples.cases]
+    outcomes = []
+    for outcome, file in ((run_case(one.engine, case), one.file) for one in loaded for case in one.cases):
+        outcomes.append((outcome, file))
+        if as_json:
+            json_line(_record(outcome, file))
     failed = [(outcome, file) for outcome, file in outcomes if outcome.failed]
     missing = sorted({name for outcome, _ in outcomes for name in outcome.missing})
-    if as_json:
-        for outcome, file in outcomes:
-            json_line(_record(outcome, file))
-    else:
+    if not as_json:
         if failed:
             rows = [row for outcome, file in failed for row in _rows(outcome, file)]
             table("", ("where", "sentence", "part", "expected", "found"), rows)
@@ -48,7 +52,8 @@ def run_examples(
         passed = sum(outcome.passed for outcome, _ in outcomes)
         left = len(outcomes) - passed - len(failed)
         rest = f", {left} not tried" if left else ""
-        say(f"{len(outcomes)} examples: {passed} passed, {len(failed)} failed{rest}", style)
+        count = f"{len(outcomes)} example{'s' * (len(outcomes) != 1)}"
+        say(f"{count}: {passed} passed, {len(failed)} failed{rest}", style)
     if missing:
         note(f"not tried are examples of places that the map has not: {', '.join(missing)}; --locations names another")
     if not outcomes:

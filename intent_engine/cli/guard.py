@@ -32,7 +32,9 @@ __all__ = [
     "EXIT_BUG",
     "EXIT_INTERRUPTED",
     "EXIT_NOT_ACCEPTED",
+    "EXIT_PIPE_CLOSED",
     "EXIT_TERMINATED",
+    "Terminated",
     "output_lost",
     "robot_verb",
     "verb",
@@ -57,8 +59,8 @@ DEBUG = "INTENT_ENGINE_DEBUG"
 """Set by ``--debug``: show tracebacks."""
 
 
-class _Terminated(BaseException):
-    """SIGTERM, made an exception so that every ``with`` on the way out stops its robot."""
+class Terminated(BaseException):
+    """SIGTERM, made an exception so that every ``with`` on the way out stops its robot, and what was found is told."""
 
 
 def verb(function: Callable[P, int | None]) -> Callable[P, None]:
@@ -93,7 +95,7 @@ def _run(function: Callable[[], int | None], stopped: str) -> int:
     except KeyboardInterrupt:
         error_block(f"interrupted{stopped}")
         return EXIT_INTERRUPTED
-    except _Terminated:
+    except Terminated:
         error_block(f"terminated{stopped}")
         return EXIT_TERMINATED
     except OutputError as error:
@@ -153,12 +155,12 @@ def _signals_raise() -> Iterator[None]:
         if time.monotonic() - raised_at < PATIENCE:
             return
         raised_at, interrupted = time.monotonic(), True
-        raise KeyboardInterrupt if signum == signal.SIGINT else _Terminated
+        raise KeyboardInterrupt if signum == signal.SIGINT else Terminated
 
     def once_more(lost: UnraisableHookArgs) -> None:
         """Python drops what is raised in a destructor; a robot that was to be stopped would drive on."""
         nonlocal dropping
-        if not issubclass(lost.exc_type, KeyboardInterrupt | _Terminated):
+        if not issubclass(lost.exc_type, KeyboardInterrupt | Terminated):
             told_before(lost)
             return
         number = signal.SIGINT if issubclass(lost.exc_type, KeyboardInterrupt) else signal.SIGTERM

@@ -189,8 +189,9 @@ def _pcm(where: str, form: PcmFormat, *, realtime: bool = False, session: Sessio
     file: BinaryIO
     if where == "-":
         if sys.stdin is None or sys.stdin.isatty():
+            what = "closed" if sys.stdin is None else "a terminal"
             raise AudioError(
-                "standard input is a terminal, and no sound comes from it\n"
+                f"standard input is {what}, and no sound comes from it\n"
                 "    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | intent-engine ..."
             )
         # A reader of its own: Python takes sys.stdin down at its end, and aborts if a thread is still reading it.

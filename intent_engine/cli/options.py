@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
+from intent_engine.language_tag import language_of
 from intent_engine.resources import default_grammar, default_locations, find, names
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["Grammars", "Json", "Language", "Locations", "NamedToo", "Robots", "load_engine"]
+__all__ = ["Grammars", "Json", "Language", "Locations", "NamedToo", "Robots", "States", "known_states", "load_engine"]
 
 Grammars = Annotated[
     list[str] | None,
@@ -39,9 +41,15 @@ Robots = Annotated[
 Language = Annotated[
     str | None,
     typer.Option(
-        help="Language of the speech: en or de, whose grammar is taken; another with a --grammar of your own.",
+        callback=lambda tag: tag and language_of(tag),
+        help="Language of the speech, also with its region (en-US): en or de, whose grammar is taken; another with a "
+        "--grammar of your own.",
         show_default="en",
     ),
+]
+States = Annotated[
+    list[str] | None,
+    typer.Option("--state", help="A state that the robot is in: moving, or one of the grammar; may be repeated."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="JSON lines instead of text.")]
 
@@ -67,12 +75,26 @@ def load_engine(
     return IntentEngine.from_files(grammar_paths, locations=map_paths, wake=wake or ())
 
 
+def known_states(engine: IntentEngine, given: list[str] | None) -> tuple[str, ...]:
+    """The states of the option.
+
+    Raises:
+        ConfigError: one changes nothing: it is misspelled, or of another grammar.
+    """
+    known = sorted(engine.states)
+    for name in given or ():
+        if name not in known:
+            hint = did_you_mean(name, known) or f"there is {', '.join(known)}"
+            raise ConfigError(Problem(f"--state: no intent of the grammar asks for a state {name!r}", hint=hint))
+    return tuple(given or ())
+
+
 def _grammar_of(language: str | None) -> Path:
     if language is None:
         return default_grammar()
     known = names("grammars")
     if language not in known:
-        name = re.sub(r"\W", "", language) or "fr"
+        name = language if re.fullmatch("[a-z]{2,3}", language) else "fr"
         hint = (
             f"there is one for {', '.join(known)}; for another language give your own, with language: {name} in it: "
             f"--grammar my_grammar.yaml --language {name}"

@@ -11,19 +11,17 @@ import typer
 from intent_engine.cli.describe import interpretation_lines
 from intent_engine.cli.explaining import explanation_lines
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, States, known_states, load_engine
 from intent_engine.cli.terminal import json_line, say
+from intent_engine.cli.typed import MAX_TEXT, check_length, too_long
 from intent_engine.cli.watching import Watch, watched
-from intent_engine.errors import ConfigError, Problem, TextTooLongError
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
 __all__ = ["parse"]
-
-MAX_TEXT = 10_000
-"""Characters. No one says a command this long; what is longer is a file given by mistake."""
 
 
 @verb
@@ -32,24 +30,21 @@ def parse(
     grammar: Grammars = None,
     locations: Locations = None,
     language: Language = None,
-    state: Annotated[
-        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
-    ] = None,
+    state: States = None,
     explain: Annotated[bool, typer.Option("--explain", help="Show every step from the words to the actions.")] = False,
     watch: Watch = False,
     as_json: Json = False,
 ) -> int:
     """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
     engine = load_engine(grammar, locations, language)
-    states = tuple(state or ())
+    states = known_states(engine, state)
     if text == "-":
         with watched(engine, watch):
             return _parse_lines(engine, states, language, explain)
     if watch:
         hint = "leave it out, or read from there: intent-engine parse --watch -"
         raise ConfigError(Problem("--watch is for sentences from standard input", hint=hint))
-    if len(text) > MAX_TEXT:
-        raise _too_long(f"the text ({len(text)} characters)")
+    check_length(text)
     if as_json:
         found, data = _understood(engine, text, states, language, explain)
         json_line(data)
@@ -64,14 +59,17 @@ def parse(
 
 
 def _parse_lines(engine: IntentEngine, states: tuple[str, ...], language: str | None, explain: bool) -> int:
-    accepted, too_long = True, 0
+    if sys.stdin is None:
+        hint = "give it sentences: intent-engine parse - < sentences.txt"
+        raise ConfigError(Problem("standard input is closed", hint=hint))
+    accepted, overlong = True, 0
     for number, line in enumerate(_lines(sys.stdin.buffer), start=1):
         found, data = _understood(engine, line[:MAX_TEXT], states, language, explain)
         json_line(data)
         accepted = accepted and found.status is Status.ACCEPTED
-        too_long = too_long or (number if len(line) > MAX_TEXT else 0)
-    if too_long:
-        raise _too_long(f"line {too_long} of standard input")
+        overlong = overlong or (number if len(line) > MAX_TEXT else 0)
+    if overlong:
+        raise too_long(f"line {overlong} of standard input")
     return 0 if accepted else EXIT_NOT_ACCEPTED
 
 
@@ -88,13 +86,6 @@ def _understood(
 def _show(lines: Iterable[tuple[str, str | None]]) -> None:
     for line, style in lines:
         say(line, style)
-
-
-def _too_long(what: str) -> TextTooLongError:
-    return TextTooLongError(
-        f"{what} is longer than {MAX_TEXT} characters, so it is no command, and nothing was done\n"
-        "    give one sentence; to read a file of sentences, one a line: intent-engine parse - < sentences.txt"
-    )
 
 
 def _lines(stream: BinaryIO) -> Iterator[str]:

@@ -8,7 +8,7 @@ import typer
 
 from intent_engine.cli.describe import action_text, meaning_text
 from intent_engine.cli.guard import verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, States, known_states, load_engine
 from intent_engine.cli.terminal import json_line, say
 
 __all__ = ["sample"]
@@ -22,18 +22,18 @@ def sample(
     count: Annotated[int, typer.Option("--count", "-n", min=1, help="How many sentences.")] = 20,
     intent: Annotated[str | None, typer.Option(help="Only sentences of this intent.")] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same sentences.")] = 0,
-    state: Annotated[
-        list[str] | None, typer.Option(help="A state that the robot is in, such as moving; may be repeated.")
-    ] = None,
+    state: States = None,
     as_json: Json = False,
 ) -> int:
     """Show what can be said: random sentences with the meaning that they were made from."""
     from intent_engine.actions import to_json
-    from intent_engine.language.sampler import sample as draw
+    from intent_engine.language.sampler import RandomChoices, Sampler
 
     engine = load_engine(grammar, locations, language)
-    spoken = engine.matcher(language).grammar
-    for drawn in draw(spoken, engine.locations, count, intent=intent, seed=seed, state=state or ()):
+    sampler = Sampler(engine.matcher(language).grammar, engine.locations, state=known_states(engine, state))
+    choices = RandomChoices(seed)
+    for _ in range(count):
+        drawn = sampler.draw(choices, intent)
         if as_json:
             actions = [to_json(action) for action in drawn.actions]
             json_line({"text": drawn.text, "intent": drawn.intent, "slots": dict(drawn.slots), "actions": actions})

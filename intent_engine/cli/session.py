@@ -167,6 +167,7 @@ class Session:
                 reporter.start = self.clock.now()
             try:
                 summary = runtime.run(source)
+                executor.settle()  # a stop that was said is news
             except KeyboardInterrupt:
                 executor.stop()
                 self._draw(simulated)
@@ -176,6 +177,7 @@ class Session:
             if check is not None:
                 check(summary)
             executor.wait()
+            executor.settle()  # the end is told after what was done
             if loss is not None and loss.look():
                 raise RobotError(f"{self.drive}: {loss.reason}\n    start what reads the commands again, and listen")
             reporter.end(summary, self.clock.now())

@@ -7,13 +7,14 @@ import os
 import select
 import stat
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
 
-__all__ = ["OutputError", "drop_output", "prepare"]
+__all__ = ["OutputError", "drop_output", "prepare", "reader_gone"]
 
 LOOK = 0.1
 """s after which it is seen whether a line that nobody reads is still wanted."""
@@ -49,6 +50,8 @@ class _Output(io.RawIOBase):
         self._under = under
         self.dropped = False
         """Whether what is still written is for nobody."""
+        self.gone = False
+        """Whether its reader went away."""
         self._waits = under is not None and _may_stand_still(under)
 
     def writable(self) -> bool:
@@ -70,6 +73,7 @@ class _Output(io.RawIOBase):
         try:
             return self._under.write(data) if not self._waits else self._write_when_read(self._under, data)
         except BrokenPipeError:
+            self.gone = True
             raise
         except OSError as error:
             raise OutputError(error.strerror or str(error)) from None
@@ -87,33 +91,73 @@ class _Output(io.RawIOBase):
         return size
 
 
+class _Errors(io.RawIOBase):
+    """Standard error. What cannot be told there is told nowhere, and changes nothing: least of all the exit code."""
+
+    name = "<stderr>"
+
+    def __init__(self, under: io.RawIOBase) -> None:
+        self._under = under
+
+    def writable(self) -> bool:
+        return True
+
+    def isatty(self) -> bool:
+        return self._under.isatty()
+
+    def fileno(self) -> int:
+        return self._under.fileno()
+
+    def write(self, data: ReadableBuffer, /) -> int | None:
+        size = memoryview(data).nbytes
+        try:
+            return self._under.write(data) or size
+        except OSError:  # a full disk, a reader that went away, a file that was opened to read
+            return size
+
+
 def prepare() -> None:
     """Make the streams of this process such; once, before anything is written."""
     # Of a stream that is closed Python makes None.
     if sys.stderr is None:
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115 - it ends with the process
     elif isinstance(sys.stderr, io.TextIOWrapper):
-        sys.stderr.reconfigure(errors=ODD)
-    before = sys.stdout
-    if before is None:
+        sys.stderr = _rewrapped(sys.stderr, _Errors)
+    if sys.stdout is None:
         sys.stdout = io.TextIOWrapper(io.BufferedWriter(_Output(None)), "utf-8", errors=ODD)
-    elif isinstance(before, io.TextIOWrapper):
-        before.flush()
-        raw = getattr(before.buffer, "raw", None)
-        # Without buffers (python -u) there is nothing between text and file.
-        under = _Output(before.buffer if raw is None else raw)
-        sys.stdout = io.TextIOWrapper(
-            under if raw is None else io.BufferedWriter(under),
-            before.encoding,
-            errors=ODD,
-            line_buffering=before.line_buffering,
-            write_through=before.write_through,
-        )
+    elif isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout = _rewrapped(sys.stdout, _Output)
+
+
+def _rewrapped(before: io.TextIOWrapper, raw: Callable[[Any], io.RawIOBase]) -> io.TextIOWrapper:
+    """The same stream, written through a raw one of ours."""
+    before.flush()
+    under = getattr(before.buffer, "raw", None)
+    # Without buffers (python -u) there is nothing between text and file.
+    ours = raw(before.buffer if under is None else under)
+    return io.TextIOWrapper(
+        ours if under is None else io.BufferedWriter(ours),  # type: ignore[arg-type]
+        before.encoding,
+        errors=ODD,
+        line_buffering=before.line_buffering,
+        write_through=before.write_through,
+    )
 
 
 def drop_output() -> None:
     """Give what is still to be written to nobody: Python writes it once more at exit, and would complain."""
+    out = _output()
+    if out is not None:
+        out.dropped = True
+
+
+def reader_gone() -> bool:
+    """Whether the reader of standard output went away."""
+    out = _output()
+    return out is not None and out.gone
+
+
+def _output() -> _Output | None:
     buffer = getattr(sys.stdout, "buffer", None)
     out = getattr(buffer, "raw", buffer)
-    if isinstance(out, _Output):
-        out.dropped = True
+    return out if isinstance(out, _Output) else None

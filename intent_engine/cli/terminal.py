@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import json
 import logging
 import os
@@ -45,15 +46,24 @@ GAP = 3
 
 def _out() -> Console:
     # Made for each use: rich looks at the stream, NO_COLOR and the width when a console is made, and tests swap both.
-    from rich.console import Console
-
-    return Console(highlight=False, soft_wrap=not sys.stdout.isatty())
+    return _console()(highlight=False, soft_wrap=not sys.stdout.isatty())
 
 
 def _err() -> Console:
+    return _console()(stderr=True, highlight=False, soft_wrap=not sys.stderr.isatty())
+
+
+@functools.cache
+def _console() -> type[Console]:
     from rich.console import Console
 
-    return Console(stderr=True, highlight=False, soft_wrap=not sys.stderr.isatty())
+    class Quiet(Console):
+        """Rich would end the program by itself where the reader of a pipe goes away, with an exit code of its own."""
+
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
+    return Quiet
 
 
 def _plainly(stream: TextIO, text: str) -> bool:
@@ -157,13 +167,11 @@ def paragraph(text: str) -> None:
 
 
 def _table_console() -> Console:
-    from rich.console import Console
-
     console = _out()
     if console.is_terminal:
         return console
     wanted = os.environ.get("COLUMNS", "")
-    return Console(highlight=False, width=int(wanted) if wanted.isdecimal() and int(wanted) else PIPE_WIDTH)
+    return _console()(highlight=False, width=int(wanted) if wanted.isdecimal() and int(wanted) else PIPE_WIDTH)
 
 
 def _width(widths: Sequence[int]) -> int:

@@ -78,10 +78,19 @@ class _Lane:
     def __init__(self, call: Listener, name: str) -> None:
         self.call = call
         # Re-entrant, unlike queue.Queue: a signal handler may stop the executor in the middle of a put.
-        self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
-        self.put = self._events.put
+        self._events: queue.SimpleQueue[Event | threading.Event | None] = queue.SimpleQueue()
+        self.put: Callable[[Event | threading.Event | None], object] = self._events.put
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
         self._thread.start()
+
+    def mark(self) -> threading.Event:
+        """Is set when all that was put until now has been delivered; at once for the listener itself."""
+        mark = threading.Event()
+        if self._thread is threading.current_thread():
+            mark.set()
+        else:
+            self.put(mark)
+        return mark
 
     def end(self, timeout: float) -> None:
         """Deliver what is waiting, for ``timeout`` s at the most."""
@@ -91,6 +100,9 @@ class _Lane:
 
     def _run(self) -> None:
         while (event := self._events.get()) is not None:
+            if isinstance(event, threading.Event):
+                event.set()
+                continue
             try:
                 _deliver(self.call, event)
             except BaseException:  # sys.exit() in a listener, say: it ends neither this thread nor the program
@@ -175,6 +187,13 @@ class Dispatcher:
                     self._do(item)
             finally:
                 self._flushing.release()
+
+    def settle(self, timeout: float) -> bool:
+        """Wait until all that was told has been delivered; False if that takes longer than ``timeout`` s."""
+        self.flush()
+        end = time.monotonic() + timeout
+        marks = [lane.mark() for lane in self._lanes]
+        return all(mark.wait(max(end - time.monotonic(), 0.0)) for mark in marks)
 
     def close(self, timeout: float = 1.0) -> None:
         """Deliver what is waiting, for ``timeout`` s at the most, then end the threads."""

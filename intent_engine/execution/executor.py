@@ -286,6 +286,13 @@ class Executor:
                     return False
         return True
 
+    def settle(self, timeout: float = 1.0) -> bool:
+        """Wait until every listener was called with all that has happened; False if that takes more than ``timeout`` s.
+
+        :meth:`wait` waits for no listener: one that hangs would hold up whoever waits for the robot.
+        """
+        return self._events.settle(timeout)
+
     def run_until_idle(self) -> bool:
         """On a virtual clock: carry everything out, zeros that end a motion included."""
         if self._stepped is None:

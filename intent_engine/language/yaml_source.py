@@ -77,8 +77,13 @@ class YamlSource:
         self.problems.append(Problem(message, self.file, place.line, place.column, place.source, hint))
 
 
-def read_yaml(path: str | Path) -> YamlSource:
-    """Read a file; what is wrong with it as YAML is in ``problems``, and then ``data`` is None."""
+def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the shortest file") -> YamlSource:
+    """Read a file; what is wrong with it as YAML is in ``problems``, and then ``data`` is None.
+
+    Args:
+        path: where it is.
+        shortest: what to do about an empty one.
+    """
     source = YamlSource(str(path))
     file = Path(path)
     try:
@@ -99,7 +104,7 @@ def read_yaml(path: str | Path) -> YamlSource:
     except OSError as error:
         source.problems.append(Problem(f"cannot be read: {error.strerror}", str(path)))
         return source
-    return parse_yaml(text, source)
+    return parse_yaml(text, source, shortest)
 
 
 def _not_utf8(name: str, error: UnicodeDecodeError) -> Problem:
@@ -117,7 +122,7 @@ def _not_utf8(name: str, error: UnicodeDecodeError) -> Problem:
     return Problem(message, name, data.count(b"\n", 0, error.start) + 1, len(before) + 1, line, "save it as UTF-8")
 
 
-def parse_yaml(text: str, source: YamlSource) -> YamlSource:
+def parse_yaml(text: str, source: YamlSource, shortest: str = "") -> YamlSource:
     """Fill ``source`` from text."""
     source.lines = text.splitlines()
     if (deep := _too_deep(text)) is not None:
@@ -127,7 +132,7 @@ def parse_yaml(text: str, source: YamlSource) -> YamlSource:
     try:
         node = yaml.compose(text, Loader=_Loader)
         if node is None:
-            source.problems.append(Problem("is empty", source.file, hint="see docs/grammar.md for the shortest file"))
+            source.problems.append(Problem("is empty", source.file, hint=shortest))
             return source
         source.data = _Reader(source).plain(node, (), frozenset())
     except yaml.MarkedYAMLError as error:

@@ -206,7 +206,7 @@ def _schema() -> dict[str, Any]:
 
 
 def _tests(path: Path, locations: Sequence[Path]) -> Examples:
-    source = read_yaml(path)
+    source = read_yaml(path, shortest="the shortest test file: tests: [stop]")
     if source.data is not None:
         source.problems.extend(schema_problems(source, _schema()))
     if source.problems:
@@ -216,6 +216,7 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     maps = [_named(path, "locations", name) for name in _texts(data.get("locations", ()))] or list(locations)
     engine = IntentEngine.from_files(grammars, locations=maps or default_locations())
     common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
+    _check_states(source, ("state",), data.get("state", ()), engine)
     cases = tuple(_test_cases(source, engine, common))
     if source.problems:
         raise ConfigError(source.problems)
@@ -244,17 +245,26 @@ def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Itera
                 source.problem(path, "the tests of an intent are a list", "- go left: {direction: left}")
             else:
                 for index, entry in enumerate(entries):
-                    yield from _entry(source, (*path, index), entry, replace(common, intent=intent))
+                    yield from _entry(source, (*path, index), entry, replace(common, intent=intent), engine)
         return
     for index, entry in enumerate(tests):
-        yield from _entry(source, ("tests", index), entry, common)
+        yield from _entry(source, ("tests", index), entry, common, engine)
 
 
-def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case) -> Iterator[Case]:
+def _check_states(source: YamlSource, path: YamlPath, states: Any, engine: IntentEngine) -> None:
+    known = sorted(engine.states)
+    for index, name in enumerate(_texts(states)):
+        if name not in known:
+            hint = did_you_mean(name, known) or f"there is {', '.join(known)}"
+            source.problem((*path, index), f"no intent asks for a state {name!r}", hint)
+
+
+def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case, engine: IntentEngine) -> Iterator[Case]:
     common = replace(common, place=source.place(path))
     if isinstance(entry, str):
         yield replace(common, text=entry)
     elif isinstance(entry, dict) and "say" in entry:
+        _check_states(source, (*path, "state"), entry.get("state", ()), engine)
         yield from _long_entry(source, path, entry, common)
     elif isinstance(entry, dict) and len(entry) == 1:
         ((text, expected),) = entry.items()

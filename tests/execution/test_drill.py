@@ -58,6 +58,7 @@ def test_a_report_is_json_and_fails_with_one_of_its_trials():
     assert not report.passed
     assert json.loads(json.dumps(report.to_json()))["trials"][1]["detail"] == "too slow"
     assert DrillReport("r", (good,), real_time=True).passed
+    assert not DrillReport("r", (good,), complete=False).passed, "what was not tried was not kept"
 
 
 def test_a_zero_that_never_came_is_told_and_is_json():

@@ -10,6 +10,7 @@ import time
 import pytest
 
 from intent_engine.actions import Custom, Move, Navigate
+from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import GoalState, Reason
@@ -190,6 +191,7 @@ def test_the_gate_follows_a_write_that_was_on_its_way_with_a_stop(robot):
 PROGRAM = """
 import os, sys, time
 from intent_engine.actions import Move
+from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
 executor = Executor(JsonLinesRobot(1))
@@ -235,3 +237,31 @@ def test_closing_leaves_no_thread(robot):
     while threading.active_count() > before:
         assert time.monotonic() < end
         time.sleep(0.001)
+
+
+def test_who_waits_for_the_robot_waits_for_no_listener_unless_asked(robot):
+    heard, go = [], threading.Event()
+
+    def slow(event: Event) -> None:
+        go.wait(30.0)
+        heard.append(event.state)
+
+    with Executor(robot, on_event=slow, handle_sigterm=False) as executor:
+        executor.submit(Move(0.5, 0.01, 0.02))
+        assert executor.wait(timeout=30.0)
+        assert not executor.settle(0.01)
+        assert not heard
+        threading.Timer(0.01, go.set).start()
+        assert executor.settle(30.0)
+        assert heard[-1] is GoalState.SUCCEEDED
+
+
+def test_a_listener_may_wait_for_the_others(robot):
+    """Not for itself."""
+    settled = []
+
+    with Executor(robot, handle_sigterm=False) as executor:
+        executor.subscribe(lambda event: settled.append(executor.settle(30.0)))
+        executor.stop()
+        assert executor.settle(30.0)
+    assert settled[0]

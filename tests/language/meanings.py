@@ -22,6 +22,12 @@ def shipped() -> IntentEngine:
     return IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
 
 
+@cache
+def german() -> IntentEngine:
+    """The shipped German grammar with the same home."""
+    return IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+
+
 def in_short(action: Action) -> str:
     match action:
         case Stop():

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from intent_engine import IntentEngine
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import (
     MOVE_DURATION,
@@ -199,10 +197,8 @@ intents:
 """
 
 
-def test_a_speed_of_the_usual_one_has_the_limits_of_its_slot(tmp_path: Path) -> None:
-    file = tmp_path / "limit.yaml"
-    file.write_text(LIMIT, "utf-8")
-    engine = IntentEngine.from_files(file)
+def test_a_speed_of_the_usual_one_has_the_limits_of_its_slot(engine_of) -> None:
+    engine = engine_of(LIMIT)
     assert engine.parse("keep to half speed").actions == (Custom("limit", {"pace": 1.0}),)
     assert engine.parse("keep to full speed").reason == "pace of 4 m/s is more than the largest, 3 m/s"
     assert engine.parse("note half speed").reason == (

@@ -30,10 +30,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("numbers") / "g.yaml"
-    path.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(path)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.engine import IntentEngine
 from intent_engine.language.as_written import as_written, texts_in
 
 OFFICE = """
@@ -21,10 +20,8 @@ intents:
 """
 
 
-def test_values_have_them_anywhere_and_sentences_inside(tmp_path):
-    path = tmp_path / "office.yaml"
-    path.write_text(OFFICE, "utf-8")
-    words = IntentEngine.from_files(path).grammar.as_written
+def test_values_have_them_anywhere_and_sentences_inside(engine_of):
+    words = engine_of(OFFICE).grammar.as_written
     large = "Where MRI Doctor Miller Élodie Brown Green Mon Monday McKay chef's"
     assert sorted(words.values()) == sorted(large.split())
     assert (words["mri"], words["mckay"], words["élodie"]) == ("MRI", "McKay", "Élodie")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from meanings import commands, shipped
 
-from intent_engine import IntentEngine, Status
+from intent_engine import Status
 from intent_engine.engine import PrefixStatus
 
 SETTLED = [
@@ -95,10 +93,8 @@ intents:
         ("sleep for an", False),
     ],
 )
-def test_people_rest_after_an_hour_and_go_on_with_a_half(tmp_path: Path, text: str, resting: bool) -> None:
-    file = tmp_path / "timer.yaml"
-    file.write_text(TIMER)
-    assert IntentEngine.from_files(file).prefix(text).resting is resting
+def test_people_rest_after_an_hour_and_go_on_with_a_half(engine_of, text: str, resting: bool) -> None:
+    assert engine_of(TIMER).prefix(text).resting is resting
 
 
 GRAMMAR = """
@@ -114,10 +110,8 @@ intents:
 """
 
 
-def test_words_without_a_slot_may_change_everything(tmp_path: Path) -> None:
-    file = tmp_path / "own.yaml"
-    file.write_text(GRAMMAR)
-    engine = IntentEngine.from_files(file)
+def test_words_without_a_slot_may_change_everything(engine_of) -> None:
+    engine = engine_of(GRAMMAR)
     assert engine.prefix("paint it").status is PrefixStatus.EXTENDABLE
     assert not engine.prefix("paint it").settled
     assert engine.prefix("paint it black").settled

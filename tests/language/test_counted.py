@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-
-from intent_engine import IntentEngine
 
 GRAMMAR = """
 language: en
@@ -28,16 +24,12 @@ intents:
     ("said", "value"),
     [("snap", 1), ("snap twice", 2), ("snap three times", 3), ("snap 2.0 times", 2), ("snap two times, no, five", 5)],
 )
-def test_what_is_counted_is_an_int(tmp_path: Path, said: str, value: int) -> None:
-    file = tmp_path / "snap.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    (action,) = IntentEngine.from_files(file).parse(said).actions
+def test_what_is_counted_is_an_int(engine_of, said: str, value: int) -> None:
+    (action,) = engine_of(GRAMMAR).parse(said).actions
     assert action.slots["times"] == value
     assert type(action.slots["times"]) is int
 
 
-def test_any_other_number_is_a_float(tmp_path: Path) -> None:
-    file = tmp_path / "snap.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    (action,) = IntentEngine.from_files(file).parse("give three").actions
+def test_any_other_number_is_a_float(engine_of) -> None:
+    (action,) = engine_of(GRAMMAR).parse("give three").actions
     assert type(action.slots["share"]) is float

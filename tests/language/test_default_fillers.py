@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from intent_engine import IntentEngine, Status
@@ -23,10 +21,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    file = tmp_path_factory.mktemp("grammar") / "bells.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 @pytest.mark.parametrize(
@@ -69,10 +65,8 @@ def test_what_is_no_command_stays_none(engine: IntentEngine, said: str) -> None:
     assert engine.parse(said).actions == ()
 
 
-def test_a_file_with_fillers_of_its_own_has_only_these(tmp_path: Path) -> None:
-    file = tmp_path / "few.yaml"
-    file.write_text(GRAMMAR + "fillers: [please]\n", "utf-8")
-    engine = IntentEngine.from_files(file)
+def test_a_file_with_fillers_of_its_own_has_only_these(engine_of) -> None:
+    engine = engine_of(GRAMMAR + "fillers: [please]\n")
     assert engine.parse("please ring").status is Status.ACCEPTED
     assert engine.parse("ring for about ten seconds").status is Status.REJECTED
 

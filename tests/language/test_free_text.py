@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import ROOT, does, done
+from meanings import does, done, german
 
 from intent_engine.engine import IntentEngine, PrefixStatus
 
@@ -72,7 +72,7 @@ def test_but_may_be_said_of_one(count, thing):
 
 @pytest.mark.parametrize("text", ["nimm fünf", "nimm zwei Meter", "hol mir drei Fuß", "nimm zwanzig"])
 def test_how_much_is_no_thing_in_german(text):
-    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    engine = german()
     assert done(engine.parse(text)) in ("rejected", "incomplete")
     assert done(engine.parse("nimm die zwei Tassen")) == "pick zwei tassen"
 
@@ -102,7 +102,7 @@ def test_each_language_has_its_own_articles(engines) -> None:
 
 
 def test_a_german_thing() -> None:
-    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    engine = german()
     assert done(engine.parse("nimm den")) == "incomplete"
     assert done(engine.parse("nimm das")) == "pick das"
 

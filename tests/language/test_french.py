@@ -29,10 +29,8 @@ PLACES = {"Entrée": (1.0, 2.0), "salle d'eau": (3.0, 4.0), "Bureau 12": (5.0, 6
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("french") / "fr.yaml"
-    path.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(path, locations=PLACES)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR, locations=PLACES)
 
 
 @pytest.mark.parametrize(

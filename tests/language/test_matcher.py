@@ -239,10 +239,8 @@ def test_nothing_is_near_to_noise(matcher: Matcher) -> None:
 
 
 @pytest.mark.parametrize("number", ["7", "seven", "42", "forty two", "one hundred and one"])
-def test_a_numeral_of_a_template_may_be_said_in_words(tmp_path: Path, number: str) -> None:
-    path = tmp_path / "program.yaml"
-    path.write_text("language: en\nintents:\n  run: {action: custom, sentences: ['run program {#}']}\n")
-    engine = IntentEngine.from_files(path)
+def test_a_numeral_of_a_template_may_be_said_in_words(engine_of, number: str) -> None:
+    engine = engine_of("language: en\nintents:\n  run: {action: custom, sentences: ['run program {#}']}\n")
     assert engine.parse(f"run program {number}").intent == "run"
     assert engine.parse("run program seven seven").intent is None
     assert engine.parse("run program").intent is None

@@ -32,10 +32,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def radio(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("radio") / "radio.yaml"
-    path.write_text(RADIO)
-    return IntentEngine.from_files(path)
+def radio(engine_of) -> IntentEngine:
+    return engine_of(RADIO)
 
 
 @pytest.fixture(scope="module")

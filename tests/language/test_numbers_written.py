@@ -7,7 +7,7 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from meanings import ROOT, done
+from meanings import done, german
 
 from intent_engine.actions import Move
 from intent_engine.engine import IntentEngine
@@ -123,7 +123,7 @@ def test_the_reason_says_what_to_write(engines) -> None:
 
 
 def test_a_stop_is_heard_beside_any_number() -> None:
-    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    engine = german()
     for text in ("stopp 1.500", "1.500, stopp", "fahr 1.500 Meter stopp", "fahr 2.000 mm vorwärts stopp geh weiter"):
         assert done(engine.parse(text, state=("moving",))) == "stop", text
     assert done(engine.parse("fahr nicht 1.500 Meter vorwärts")) == "rejected"

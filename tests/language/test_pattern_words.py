@@ -197,10 +197,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("patterns") / "g.yaml"
-    path.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(path, locations={"kitchen": (1.0, 2.0), "Bay B12": (0.0, 0.0)})
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR, locations={"kitchen": (1.0, 2.0), "Bay B12": (0.0, 0.0)})
 
 
 @pytest.mark.parametrize(

@@ -184,11 +184,10 @@ def test_a_long_utterance_is_not_given_to_an_ambiguous_grammar(
     assert seen == [1, patterns.MAX_LARK_WORDS]
 
 
-def test_a_regular_expression_is_linear(engine: IntentEngine, tmp_path: Path) -> None:
+def test_a_regular_expression_is_linear(engine: IntentEngine, engine_of) -> None:
     """The classic that takes Python's own engine ages: RE2 answers at once."""
-    path = tmp_path / "hard.yaml"
-    path.write_text('language: en\nintents:\n  a: {action: {type: custom, name: a}, regex: "go (?:a+ ?)+b"}\n')
-    assert not IntentEngine.from_files(path).parse("go " + "a" * 1500).actions
+    hard = engine_of('language: en\nintents:\n  a: {action: {type: custom, name: a}, regex: "go (?:a+ ?)+b"}\n')
+    assert not hard.parse("go " + "a" * 1500).actions
 
 
 @pytest.mark.parametrize(

@@ -32,10 +32,8 @@ GRAMMAR += "intents:\n" + "".join(
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    file = tmp_path_factory.mktemp("grammar") / "quantities.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 def words(text: str) -> list[str]:

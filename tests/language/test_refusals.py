@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from meanings import ROOT, shipped
+from meanings import german, shipped
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -16,6 +16,25 @@ def test_a_place_that_is_not_on_the_map_is_told_as_a_place(how, place):
     assert found.status is Status.REJECTED
     assert found.reason == f"no place is called '{place}'"
     assert len(found.alternatives) == 3
+
+
+@pytest.mark.parametrize("place", ["library", "gate b", "pantry", "the moon"])
+@pytest.mark.parametrize("how", ["take me to {}", "bring me to {} please", "uh lead me to {}"])
+def test_who_is_taken_to_a_place_is_told_of_the_place(how, place):
+    """Not that a person is nothing to take, nor that "bring me the cup" goes on otherwise."""
+    found = shipped().parse(how.format(place))
+    assert found.status is Status.REJECTED
+    assert found.reason == f"no place is called '{place.removeprefix('the ')}'"
+
+
+@pytest.mark.parametrize("text", ["bring mich zur Bibliothek", "bring mich bitte zur Bibliothek"])
+def test_so_is_a_german(text):
+    assert german().parse(text).reason == "no place is called 'bibliothek'"
+
+
+@pytest.mark.parametrize("text", ["take me to the", "bring me to", "go to the", "bring me the"])
+def test_an_article_is_no_place(text):
+    assert shipped().parse(text).status is Status.INCOMPLETE
 
 
 @pytest.mark.parametrize(
@@ -68,7 +87,7 @@ def test_but_not_where_no_command_would_come_of_it(text):
 
 
 def test_an_amount_without_a_number_in_german():
-    engine = IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
+    engine = german()
     assert engine.parse("fahr ein paar Meter vor").reason == "'ein paar' may be any number; say how many"
 
 
@@ -93,10 +112,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def farm(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("farm") / "farm.yaml"
-    path.write_text(FARM)
-    return IntentEngine.from_files(path)
+def farm(engine_of) -> IntentEngine:
+    return engine_of(FARM)
 
 
 @pytest.mark.parametrize(

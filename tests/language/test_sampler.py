@@ -46,10 +46,8 @@ PLACES = {
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory):
-    file = tmp_path_factory.mktemp("grammar") / "slide.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file, locations=PLACES)
+def engine(engine_of):
+    return engine_of(GRAMMAR, locations=PLACES)
 
 
 def test_the_same_seed_gives_the_same_sentences(engine):

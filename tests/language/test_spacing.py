@@ -35,10 +35,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def drone(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("drone") / "drone.yaml"
-    path.write_text(DRONE)
-    return IntentEngine.from_files(path)
+def drone(engine_of) -> IntentEngine:
+    return engine_of(DRONE)
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from meanings import ROOT, done, shipped
+from meanings import done, german, shipped
 
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.errors import ConfigError
@@ -98,11 +96,6 @@ GERMAN = {
     "nimm die Tasse und den Teller nicht": "rejected",
     "nimm die Tasse und die Tür ist offen": "rejected",
 }
-
-
-@cache
-def german() -> IntentEngine:
-    return IntentEngine.from_files(ROOT / "grammars" / "de.yaml", locations=ROOT / "locations" / "zuhause.yaml")
 
 
 @pytest.mark.parametrize(("text", "meant"), ENGLISH.items())

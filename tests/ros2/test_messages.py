@@ -90,10 +90,10 @@ def test_two_commands_are_one_text_where_that_means_both(engine, first, then, on
         assert both.actions == (*before.actions, *after.actions)
 
 
-def test_what_lacks_the_wake_word_is_not_said(tmp_path):
-    path = tmp_path / "wake.yaml"
-    path.write_text('language: en\nwake: [robot]\nintents:\n  halt:\n    action: stop\n    sentences: ["freeze now"]\n')
-    engine = IntentEngine.from_files(path)
+def test_what_lacks_the_wake_word_is_not_said(engine_of):
+    engine = engine_of(
+        'language: en\nwake: [robot]\nintents:\n  halt:\n    action: stop\n    sentences: ["freeze now"]\n'
+    )
     heard = engine.parse("freeze now", spoken=True)
     if heard.status is not Status.ACCEPTED:  # a stop may need no wake word
         assert not worth_saying(engine, heard)

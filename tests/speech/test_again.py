@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.engine import IntentEngine
 from intent_engine.speech import second_opinion
 from intent_engine.speech.again import CONFIRMED, HOPELESS, LATER, MAY_BE, SURE_AGAIN, heard_again, later
 from intent_engine.speech.spoken_grammar import SpokenGrammar
@@ -39,11 +38,9 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def forgiving(tmp_path_factory):
+def forgiving(engine_of):
     """A grammar that would rather be wrong than ask."""
-    path = tmp_path_factory.mktemp("lamp") / "lamp.yaml"
-    path.write_text(LAMP)
-    return SpokenGrammar(IntentEngine.from_files(path))
+    return SpokenGrammar(engine_of(LAMP))
 
 
 def twice(grammar, once, again):

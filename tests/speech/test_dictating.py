@@ -27,10 +27,8 @@ MILK, SILK = "Write down buy fifteen bottles of milk.", "write down buy fifteen 
 
 
 @pytest.fixture(scope="module")
-def notes(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("notes") / "notes.yaml"
-    path.write_text(GRAMMAR)
-    return IntentEngine.from_files(path)
+def notes(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 class Writer(Thinks):

@@ -343,10 +343,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def people(tmp_path_factory) -> SpokenGrammar:
-    path = tmp_path_factory.mktemp("people") / "people.yaml"
-    path.write_text(PEOPLE)
-    return SpokenGrammar(IntentEngine.from_files(path))
+def people(engine_of) -> SpokenGrammar:
+    return SpokenGrammar(engine_of(PEOPLE))
 
 
 @pytest.mark.parametrize(
@@ -399,10 +397,8 @@ intents: {bring: {action: custom, sentences: ["bring it to gate {gate}"]}}
 
 
 @pytest.fixture(scope="module")
-def gates(tmp_path_factory) -> SpokenGrammar:
-    path = tmp_path_factory.mktemp("gates") / "gates.yaml"
-    path.write_text(GATES)
-    return SpokenGrammar(IntentEngine.from_files(path))
+def gates(engine_of) -> SpokenGrammar:
+    return SpokenGrammar(engine_of(GATES))
 
 
 @pytest.mark.parametrize("number", ["seventy", "twenty", "two and a half", "minus three"])

@@ -31,10 +31,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def own(tmp_path_factory) -> IntentEngine:
-    path = tmp_path_factory.mktemp("usual") / "own.yaml"
-    path.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(path)
+def own(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 def unusual(engine: IntentEngine, text: str) -> int:

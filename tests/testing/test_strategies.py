@@ -40,10 +40,8 @@ FEW = settings(max_examples=60, deadline=None, derandomize=True)
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory):
-    file = tmp_path_factory.mktemp("grammar") / "paint.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file)
+def engine(engine_of):
+    return engine_of(GRAMMAR)
 
 
 @pytest.fixture(scope="module")

@@ -36,13 +36,16 @@ class DrillReport:
 
     robot: str
     trials: tuple[Trial, ...]
-    real_time: bool
+    real_time: bool = False
     """Whether the system gave the guardian SCHED_FIFO."""
     notes: tuple[str, ...] = ()
+    complete: bool = True
+    """Whether every promise was tried."""
 
     @property
     def passed(self) -> bool:
-        return all(trial.passed for trial in self.trials)
+        """Whether every promise was tried, and kept."""
+        return self.complete and all(trial.passed for trial in self.trials)
 
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary."""

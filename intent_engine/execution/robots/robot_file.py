@@ -113,7 +113,7 @@ def load_robot(path: str | os.PathLike[str]) -> RobotFile:
     from intent_engine.language.schema_problems import schema_problems
     from intent_engine.language.yaml_source import read_yaml
 
-    source = read_yaml(Path(path))
+    source = read_yaml(Path(path), shortest="the shortest robot file: {name: rover}")
     if source.problems:
         raise ConfigError(source.problems)
     problems = schema_problems(source, robot_schema())

@@ -10,17 +10,19 @@ from typing import Any
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.continuation import MANNER
-from intent_engine.language.free_text import ALONE, ARTICLES, FREE_KINDS
+from intent_engine.language.free_text import ALONE, ARTICLES, ARTICLES_IN, FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative
-from intent_engine.language.reading import Reading
+from intent_engine.language.reading import Reading, SlotReading
 
-__all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "slot_values"]
+__all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_telling", "slot_values"]
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
+
+_ANY_ARTICLES = frozenset[str]().union(*ARTICLES_IN.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,14 @@ class Clause:
     @property
     def accepted(self) -> bool:
         return self.action is not None
+
+    @property
+    def unknown_place(self) -> bool:
+        """Whether it would be a command, were its place on the map; an article is none, it begins a name."""
+        slot = _wrong_slot(self.reading)
+        if self.reading is None or slot is None or (slot.slot.type, slot.status) != ("location", "unknown"):
+            return False
+        return not _ANY_ARTICLES.issuperset(self.reading.words[slot.start : slot.end])
 
 
 class Commands:
@@ -252,6 +262,19 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
     rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
     return rank, slot.end - slot.start, -nearest
+
+
+def more_telling(exact: Clause | None, loose: Clause | None) -> Clause | None:
+    """Of two reasons why words are no command the one that tells more: that no place is called "library" says more of
+    "take me to the library" than that "me" is nothing to take."""
+    if exact is None or loose is None:
+        return exact or loose
+    wrong = _wrong_slot(exact.reading)
+    return loose if wrong is not None and wrong.slot.type in FREE_KINDS and loose.unknown_place else exact
+
+
+def _wrong_slot(reading: Reading | None) -> SlotReading | None:
+    return next((slot for slot in reading.slots if slot.problem), None) if reading is not None else None
 
 
 def _tells_what(reading: Reading) -> bool:

@@ -70,7 +70,7 @@ class Corrections:
     def instead(self, denied: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
         """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
-        words = self._replace(denied, meant, state)
+        words = self._replace(denied, meant, state, "")
         if words is None:
             return None
         before, after = (self._commands.exact(some, state) for some in (denied, words))

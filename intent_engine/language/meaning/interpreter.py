@@ -11,7 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands, described, slot_values
+from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands, described, more_telling, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -270,7 +270,7 @@ class Interpreter:
         if written is not None:
             return written
         vague = self._vague(text, core, state)
-        return vague if vague is not None else self._not_understood(text, core, state, clause or single)
+        return vague if vague is not None else self._not_understood(text, core, state, more_telling(clause, single))
 
     def _vague(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "go forward a few feet": it would be a command if it said how many."""
@@ -382,9 +382,12 @@ class Interpreter:
         words = core.words
         if not self.phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
+            automaton = self.matcher.spoken
             _, reached = self.matcher.prefix(words)
-            if reached is not None and not self.matcher.spoken.accepting(reached):
-                following = tuple(sorted(self.matcher.spoken.next_words(reached))[:8])
+            # A place that is not on the map is not the beginning of a thing: "bring me to the library".
+            a_place = clause is not None and clause.unknown_place and reached is not None and automaton.free(reached)
+            if reached is not None and not automaton.accepting(reached) and not a_place:
+                following = tuple(sorted(automaton.next_words(reached))[:8])
                 reason = "the sentence is not finished"
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:

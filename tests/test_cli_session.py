@@ -1,0 +1,67 @@
+"""A session on the real clock, with a recogniser that hears nothing: what is told, and in which order."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import threading
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from intent_engine import IntentEngine
+from intent_engine.actions import Move
+from intent_engine.cli.reporter import Reporter
+from intent_engine.cli.session import Session
+from intent_engine.evaluation.sound import SamplesSource
+from intent_engine.execution.clock import MonotonicClock
+from intent_engine.execution.events import Event
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import GoalState
+from intent_engine.execution.robots.robot_file import load_robot
+from intent_engine.resources import default_grammar, default_robot
+
+
+class Deaf:
+    """A recogniser to which nobody speaks."""
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize("stopped", [False, True])
+def test_the_end_is_told_after_what_was_done(monkeypatch, capsys, stopped):
+    """However late the listener's thread comes to its turn."""
+    waited, tell = threading.Event(), Reporter.executed
+
+    def late(reporter: Reporter, event: Event) -> None:
+        if event.state is GoalState.SUCCEEDED or event.kind == "stop":
+            waited.wait(30.0)
+        tell(reporter, event)
+
+    settle = Executor.settle
+
+    def settled(executor: Executor, timeout: float = 1.0) -> bool:
+        waited.set()
+        return settle(executor, 30.0)
+
+    @contextlib.contextmanager
+    def controls(_: object, executor: Executor) -> Iterator[None]:
+        executor.submit(Move(0.5, 0.01, 0.02))
+        executor.wait()
+        if stopped:
+            executor.stop()
+        yield
+
+    monkeypatch.setattr(Reporter, "executed", late)
+    monkeypatch.setattr(Executor, "settle", settled)
+    monkeypatch.setattr(Session, "_recognizer", lambda self: Deaf())
+    engine = IntentEngine.from_files(default_grammar())
+    robot = load_robot(default_robot())
+    session = Session(engine, robot, MonotonicClock(), reflex=False, as_json=True, controls=controls)
+    session.play(SamplesSource(np.zeros(1_600, np.float32)))
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert told[-1]["event"] == "end"
+    assert "succeeded" in [one.get("state") for one in told]
+    assert [one["event"] for one in told].count("stop") == stopped
