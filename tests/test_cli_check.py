@@ -140,8 +140,9 @@ def test_json(intent_engine, grammar):
 
 def test_a_missing_grammar_is_an_error(intent_engine):
     done = intent_engine("check", "nowhere.yaml")
-    assert done.returncode == 1
-    assert "error: nowhere.yaml: no such file" in done.stdout
+    assert done.returncode == 2, "there is nothing to be checked"
+    assert done.stderr.startswith("error: nowhere.yaml: no such file\n")
+    assert done.stdout == ""
 
 
 def test_an_explanation_in_words(intent_engine):
