@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rapidfuzz.distance import Levenshtein
 
-__all__ = ["fold_loop", "goes_round"]
+__all__ = ["fold_loop", "goes_round", "stutters"]
 
 LONG_SENTENCE = 4
 """Words of a sentence that nobody says twice in one breath."""
@@ -16,6 +16,10 @@ LIKE = 0.7
 """in this share of its letters, and of which so many are begun once more:"""
 HALF_OF_IT = MANY_WORDS // 2
 """or one, if all but the first are the same ("I have a coffee with ... . They have a coffee with ... . They")."""
+STUTTER = 4
+"""Times that nobody says a word in a row, and"""
+STUTTERED = 3
+"""several."""
 
 
 def fold_loop(text: str) -> str:
@@ -44,7 +48,7 @@ def fold_loop(text: str) -> str:
     end = max(range(len(words) + 1), key=lambda place: _loop_after(plain, place))
     if _loop_after(plain, end):
         return " ".join(words[:end])
-    for length in range(len(words) // 2 + 1, len(words) - LONG_SENTENCE):
+    for length in range((len(words) + 1) // 2, len(words) - LONG_SENTENCE):
         if words[length - 1][-1] in ".!?" and _begins(plain[:length], plain[length:]):
             return " ".join(words[:length])
     return text
@@ -67,6 +71,18 @@ def goes_round(text: str) -> bool:
         if len(rest) >= 2 and plain[: times * length] == unit * times and unit[: len(rest)] == rest:
             return True
     return False
+
+
+def stutters(text: str) -> bool:
+    """Whether a model that wrote this came to a place where it could not go on: "a mocha with milk and sugar with milk
+    and sugar with milk and sugar", "a single shot, aint aint aint aint mocha". Words that go round are likely ones,
+    whatever was said, so that they tell nothing of how clearly it was heard."""
+    plain = [word.strip(".,!?;:\u2026").lower() for word in text.split()]
+    return any(
+        _times(plain[start : start + length], plain[start:]) >= (STUTTERED if length > 1 else STUTTER)
+        for length in range(1, len(plain) // STUTTERED + 1)
+        for start in range(len(plain) - STUTTERED * length + 1)
+    )
 
 
 def _loop_after(words: list[str], start: int) -> float:

@@ -26,6 +26,7 @@ from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_
 from intent_engine.speech.guide import Guide
 from intent_engine.speech.guided import DEEP, USUAL, Effort
 from intent_engine.speech.left_out import goes_on
+from intent_engine.speech.loops import stutters
 from intent_engine.speech.narration import NARRATING
 from intent_engine.speech.opinion import Opinion, Reading, as_read
 from intent_engine.speech.pace import too_few, too_many
@@ -122,13 +123,18 @@ class Steering(Clearness):
         """
         self.check()
         sound = in_silence(samples, SHORT_SECONDS, QUIET_SECONDS)
-        encoded = self.encode(sound, self.longer(sound.size / SAMPLE_RATE)) if longer else self.encode(sound)
+        seconds = sound.size / SAMPLE_RATE
+        encoded = self.encode(sound, self.longer(seconds)) if longer else self.encode(sound)
         self.draft = self.drafts.of(samples)
         language = self.language or self._spoken_language(encoded)
         free, mean, _ = self.greedy(encoded, language)
         self.drafts.keep(samples, self.pieces_written(encoded))
         heard = Transcript(free, mean, free, language=language)
         meaning = self.grammar.parse(free, language)
+        if not meaning.stops and stutters(free):
+            if not longer and self.longer(seconds) > seconds:
+                return self.listen(samples, longer=True)
+            heard = replace(heard, score=min(mean, RETRY_SCORE))
         words = self.grammar.words(free, language)
         addressed = self.grammar.wake(language).addressed(words)  # "no, but" may have been a wake word
         refused = addressed and self.refused(encoded, free, meaning, language)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.speech.loops import LONG_SENTENCE, fold_loop, goes_round
+from intent_engine.speech.loops import LONG_SENTENCE, fold_loop, goes_round, stutters
 
 words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"])
 
@@ -47,6 +47,10 @@ words = st.sampled_from(["go", "stop", "left", "two", "meters", "the", "kitchen"
             "I have a coffee with a little bit of soy milk. You have a coffee with a little bit of soy milk.",
         ),
         ("go to the lab and turn left. Turn left. Turn left.", "go to the lab and turn left. Turn left. Turn left."),
+        (
+            "Give me a large mocha with milk. Give me a large mocha with mil",
+            "Give me a large mocha with milk.",
+        ),
         ("Right. Right.", "Right."),
         ("Turn left. Turn left.", "Turn left."),
         ("turn left, turn left", "turn left, turn left"),
@@ -97,3 +101,29 @@ def test_what_goes_round_is_folded_as_the_whole_would_be(said: list[str], times:
     begun = next((count for count in range(len(whole)) if goes_round(" ".join(whole[:count]))), None)
     if begun is not None:
         assert fold_loop(" ".join(whole[:begun])) == fold_loop(" ".join(whole))
+
+
+@pytest.mark.parametrize(
+    ("written", "stuck"),
+    [
+        ("A latte with sugar and cream with sugar and cream with sugar and cream with", True),
+        ("I want a single shot, aint aint aint aint mocha.", True),
+        ("May I have a cappuccino with sweet sweet sweet sweet sweet", True),
+        ("no no no, go left", False),
+        ("turn left and turn left and go back", False),
+        ("go to the kitchen, and go to the dock, and go home", False),
+        ("", False),
+    ],
+)
+def test_a_model_that_could_not_go_on(written: str, stuck: bool) -> None:
+    assert stutters(written) is stuck
+
+
+@given(st.lists(words, max_size=5), st.lists(words, min_size=1, max_size=4), st.lists(words, max_size=5))
+def test_wherever_it_could_not_go_on(before: list[str], unit: list[str], after: list[str]) -> None:
+    assert stutters(" ".join([*before, *unit * 4, *after]))
+
+
+@given(st.lists(words, max_size=12, unique=True))
+def test_words_that_are_all_different_are_no_stutter(said: list[str]) -> None:
+    assert not stutters(" ".join(said))

@@ -11,6 +11,8 @@ from intent_engine.runtime import HeardKind
 from intent_engine.speech import guide
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.steering import CLEAR_TALK
+from intent_engine.speech.whisper import RETRY_SECONDS
 
 NOT = "Do not ", "Don't ", "Never "
 
@@ -104,6 +106,31 @@ def test_a_refusal_or_nothing_at_the_second_try_stands(whisper, spoken, monkeypa
     found = whisper.transcribe(spoken)
     assert (found.text, found.confidence) == (again, None)
     assert whisper.opinion.sentences == ()
+
+
+STUCK = "Go forward two meter meter meter meter meter"
+
+
+def test_where_the_model_could_not_go_on_it_is_given_more_silence(whisper, spoken, monkeypatch):
+    inputs, texts = [], iter([(STUCK, -0.1, False), ("Go forward two meters.", -0.1, False)])
+    encode = whisper.encode
+    monkeypatch.setattr(whisper, "encode", lambda sound, *seconds: inputs.append(seconds) or encode(sound, *seconds))
+    monkeypatch.setattr(whisper, "greedy", lambda *_: next(texts))
+    opinion = whisper.listen(spoken)
+    assert opinion.transcript.text == "Go forward two meters."
+    assert inputs[0] == ()
+    assert inputs[1][0] >= RETRY_SECONDS
+
+
+def test_what_goes_round_is_no_clear_talk_however_likely_it_is(whisper, spoken, monkeypatch):
+    monkeypatch.setattr(whisper, "greedy", lambda *_: (STUCK, -0.1, False))
+    opinion = whisper.listen(spoken)
+    assert not opinion.settled
+    assert opinion.transcript.score < CLEAR_TALK
+
+
+def test_a_stop_is_done_at_once_however_often_it_was_said(hears, spoken):
+    assert hears("Stop stop stop stop!", -0.1).listen(spoken).transcript.score == -0.1
 
 
 @pytest.mark.parametrize("free", ["Go forward", "Go forward two", "Turn left by"])
