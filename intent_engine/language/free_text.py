@@ -285,12 +285,15 @@ class FreeText:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
         A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
-        ends with a time is an amount as well: "the cup at three".
+        ends with a time is an amount as well, "the cup at three", and so is one that goes on after it: "take five to the
+        library".
         """
         if slot.known and len(said) > 2 and said[-2] in TIMED.get(self._language, ()) and self._counts(said[-1]):
             return True
         if not slot.known or not any(map(self._counts, said)):
             return False
+        end = next((place for place, word in enumerate(said) if place and word in self._no_thing), len(said))
+        said = said[:end]
         bare = self._without_articles(said)
         for words in (said, bare) if len(bare) < len(said) else (said,):
             if any(quantities.evaluate(words, kind, self._language) is not None for kind in _AMOUNTS):

@@ -7,6 +7,7 @@ second best; a wrong place costs more than a question.
 
 from __future__ import annotations
 
+import itertools
 import threading
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -310,14 +311,15 @@ class _Group:
 
 
 def _stands_in(words: Words, said: Words) -> bool:
-    """Whether a name was said as it is, and words beside it: these were heard, and say something. "Straight ahead in",
-    before "five minutes", is no way to say "straight ahead"."""
+    """Whether a name was said as it is, together or apart, and words beside it: these were heard, and say something.
+    "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "anti clockwise or"
+    "anticlockwise"."""
     from intent_engine.language.likeness import sound
 
-    if len(words) >= len(said):
-        return False
-    name, heard = [sound(word) for word in words], [sound(word) for word in said]
-    return any(heard[at : at + len(name)] == name for at in range(len(heard) - len(name) + 1))
+    name, letters = [sound(word) for word in words], "".join(words)
+    heard = [sound(word) for word in said]
+    parts = itertools.combinations(range(len(said) + 1), 2)
+    return any(heard[at:end] == name or "".join(said[at:end]) == letters for at, end in parts if end - at < len(said))
 
 
 def _split(words: Words) -> tuple[tuple[str, ...], str]:

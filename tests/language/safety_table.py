@@ -565,6 +565,8 @@ TALK = {
     "take two steps": NOTHING,
     "take a few steps back": NOTHING,
     "take five": NOTHING,
+    "take five to the library": NOTHING,
+    "take ten on the table": NOTHING,
     "pick up speed": NOTHING,
     "pick up the pace": NOTHING,
     "put it in reverse": NOTHING,
