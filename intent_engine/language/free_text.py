@@ -285,8 +285,8 @@ class FreeText:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
         A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
-        ends with a time is an amount as well, "the cup at three", and so is one that goes on after it: "take five to the
-        library".
+        ends with a time is an amount as well, "the cup at three", and so is one that goes on after it: "take five
+        to the library".
         """
         if slot.known and len(said) > 2 and said[-2] in TIMED.get(self._language, ()) and self._counts(said[-1]):
             return True
