@@ -242,7 +242,7 @@ class Interpreter:
         if negated:
             wanted, reason = self._negations.wanted(core, state)
             if wanted is None:
-                ways = (core, self.phrases.without_idle_fillers(said))
+                ways = (core, self.phrases.without_idle_fillers(said), said)  # "oh" may be a zero
                 if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
                     return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
