@@ -302,7 +302,7 @@ def test_what_cannot_be_told_on_standard_error_changes_no_exit_code(command, cod
         assert done.returncode == code, (where, done.stdout)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="pipes of Unix")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such pipes; CI is Linux, and runs it")
 @pytest.mark.parametrize("colours", ["", "1"])
 @pytest.mark.parametrize("command", ["sample -n 300", "--help", "check --notes en"])
 def test_a_reader_that_goes_away(command, colours):
@@ -319,7 +319,7 @@ def test_a_reader_that_goes_away(command, colours):
     assert process.returncode == 141
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="a shell of Unix")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such shell; CI is Linux, and runs it")
 @pytest.mark.parametrize(
     ("command", "code", "said"),
     [
