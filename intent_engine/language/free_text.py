@@ -50,8 +50,7 @@ NO_THING: Mapping[str, frozenset[str]] = {
          "als", "denn", "damit", "sehr", "jede", "jeder", "jedes", "jeden", "sein", "euer", "seine", "seinen", "ihre",
          "ihren", "unser", "unsere", "unseren", "eure", "euren", "mich", "mir", "dich", "dir", "sich", "uns", "euch",
          "ihm", "ihr", "ihnen", "kann", "kannst", "mag", "möchte", "werden", "wahr", "hin", "her", "ab", "los", "weg",
-         "hoch",
-         "runter", "herum", "weiter")
+         "hoch", "runter", "herum", "weiter")
     ),
     "fr": frozenset(
         ("à", "au", "aux", "avec", "pour", "dans", "sur", "sous", "par", "vers", "chez", "entre", "contre", "devant",
@@ -285,8 +284,8 @@ class FreeText:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
         A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
-        ends with a time is an amount as well, "the cup at three", and so is one that goes on after it: "take five
-        to the library".
+        ends with a time is an amount as well, "the cup at three"; so is a count before "to" or the like: "five to the
+        library".
         """
         if slot.known and len(said) > 2 and said[-2] in TIMED.get(self._language, ()) and self._counts(said[-1]):
             return True

@@ -33,10 +33,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    file = tmp_path_factory.mktemp("grammar") / "corrected.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 @pytest.mark.parametrize(

@@ -85,10 +85,8 @@ intents:
 
 
 @pytest.fixture(scope="module")
-def field(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    file = tmp_path_factory.mktemp("grammar") / "field.yaml"
-    file.write_text(FIELD, "utf-8")
-    return IntentEngine.from_files(file)
+def field(engine_of) -> IntentEngine:
+    return engine_of(FIELD)
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -29,14 +28,8 @@ slots:
 
 
 @pytest.fixture(scope="module")
-def kitchen(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
-    return engine_of(KITCHEN, tmp_path_factory.mktemp("kitchen"))
-
-
-def engine_of(text: str, folder: Path) -> IntentEngine:
-    path = folder / "grammar.yaml"
-    path.write_text(text, "utf-8")
-    return IntentEngine.from_files(path)
+def kitchen(engine_of) -> IntentEngine:
+    return engine_of(KITCHEN)
 
 
 @pytest.mark.parametrize(
@@ -67,8 +60,8 @@ def test_what_only_sounds_alike_is_none(kitchen: IntentEngine, heard: str) -> No
     assert kitchen.parse(f"give me the {heard}").status is not Status.ACCEPTED
 
 
-def test_a_misheard_word_is_less_sure(tmp_path: Path) -> None:
-    engine = engine_of(KITCHEN + "sound_alikes: {stick: [steak]}\n", tmp_path)
+def test_a_misheard_word_is_less_sure(engine_of) -> None:
+    engine = engine_of(KITCHEN + "sound_alikes: {stick: [steak]}\n")
     assert engine.parse("give me the stick").confidence == pytest.approx(0.97)
 
 
@@ -78,8 +71,8 @@ def test_only_those_of_the_grammars_own_words_are_kept(kitchen: IntentEngine) ->
     assert "break" not in found
 
 
-def test_another_language_has_none(tmp_path: Path) -> None:
-    engine = engine_of("language: de\n" + KITCHEN, tmp_path)
+def test_another_language_has_none(engine_of) -> None:
+    engine = engine_of("language: de\n" + KITCHEN)
     assert engine.parse("pear the cheese").status is not Status.ACCEPTED
     assert own_homophones(engine.matcher(None).grammar) == {}
 
@@ -115,14 +108,14 @@ def test_but_only_where_nothing_else_was_said(kitchen: IntentEngine, heard: str)
     assert kitchen.parse(heard).actions == ()
 
 
-def test_a_word_that_the_grammar_has_itself_is_no_stop(tmp_path: Path) -> None:
+def test_a_word_that_the_grammar_has_itself_is_no_stop(engine_of) -> None:
     own = """
     intents:
       rest:
         action: {type: custom, name: rest}
         sentences: ["break", "frees the arm"]
     """
-    engine = engine_of(own, tmp_path)
+    engine = engine_of(own)
     assert engine.parse("break").intent == "rest"
     assert engine.parse("frees").actions == ()
     assert engine.parse("brake").actions == (Stop(),)
@@ -180,7 +173,7 @@ intents:
         (LAB, "draw fifty microlitres from C three", {"heat": 50, "row": "C", "column": 3}),
     ],
 )
-def test_a_sign_is_its_word_in_any_language(tmp_path, grammar, said, slots):
+def test_a_sign_is_its_word_in_any_language(engine_of, grammar, said, slots):
     """Recognisers write "90 °C" and "50%", whatever unit the author of a grammar counts with a plain number."""
-    (action,) = engine_of(grammar, tmp_path).parse(said).actions
+    (action,) = engine_of(grammar).parse(said).actions
     assert action.slots == slots
