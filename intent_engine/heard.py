@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Any, Protocol
 
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 
-__all__ = ["Heard", "HeardKind", "Summary"]
+__all__ = ["Heard", "HeardKind", "Summary", "Tell"]
 
 
 class HeardKind(StrEnum):
@@ -57,6 +58,12 @@ class Heard:
     in_turn: bool = False
     """Whether it is done after the command before, and not in its place."""
     detail: str = ""
+
+
+class Tell(Protocol):
+    """Is told of an event: what, when (s since the source began), and the other fields of :class:`Heard`."""
+
+    def __call__(self, kind: HeardKind, time: float, /, **details: Any) -> None: ...
 
 
 @dataclass(slots=True)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from intent_engine.execution.executor import Executor
-from intent_engine.heard import HeardKind
+from intent_engine.heard import HeardKind, Tell
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.reflex import Reflex
 
@@ -21,12 +21,10 @@ class Holding:
     Args:
         reflex: hears them; None: nothing is held.
         executor: is held and released.
-        tell: is told of it: what, when (s since the source began), and why.
+        tell: is told of it.
     """
 
-    def __init__(
-        self, reflex: Reflex | None, executor: Executor, tell: Callable[[HeardKind, float, str], object]
-    ) -> None:
+    def __init__(self, reflex: Reflex | None, executor: Executor, tell: Tell) -> None:
         self._reflex = reflex
         self._executor = executor
         self._tell = tell
@@ -46,14 +44,14 @@ class Holding:
         if self._reflex.heard(samples):
             self.on = True
             self._executor.hold()
-            self._tell(HeardKind.HOLD, time, "")
+            self._tell(HeardKind.HOLD, time)
 
     def release(self, time: float, why: str) -> None:
         """Let a robot that is held go on: no stop was said."""
         if self.on:
             self.on = False
             self._executor.release()
-            self._tell(HeardKind.RELEASE, time, why)
+            self._tell(HeardKind.RELEASE, time, detail=why)
 
     def forget(self) -> None:
         """It was stopped, or nothing is known any more of what it was held for."""

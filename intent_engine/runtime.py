@@ -9,18 +9,16 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Collection, Generator
+from collections.abc import Callable, Generator
 from typing import Any, Literal
 
-from intent_engine.actions import Action
-from intent_engine.continuing import Continuing, Understood
+from intent_engine.acting import Acting
+from intent_engine.continuing import Continuing
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
-from intent_engine.execution.goal import Goal
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.holding import Holding
-from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
 from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
@@ -40,7 +38,6 @@ LAST_DECODE = 2.0
 
 TORN = 0.5
 """s after a gap in the sound, within which begins what may be the rest of a sentence."""
-_TORN = "sound was lost just before it, and perhaps its beginning; say it again"
 
 
 class Runtime:
@@ -96,15 +93,14 @@ class Runtime:
         self._stepped = isinstance(executor.clock, SteppedClock)
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
-        self._holding = Holding(reflex, executor, lambda kind, time, why: self._tell(kind, time, detail=why))
+        self._holding = Holding(reflex, executor, self._tell)
+        self._acting = Acting(executor, self._judgement, self._continuing, self._holding, self._tell)
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
         self._closing = threading.Event()
         self._talk = threading.Event()
         self._push_to_talk = False
-        self._last: tuple[Action, ...] = ()
-        """What was last understood, for words that point back to it."""
         self._deaf = False
         self._torn = -1.0
         """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
@@ -112,7 +108,6 @@ class Runtime:
         self._base = 0.0
         self._recent: deque[Samples] = deque()  # the last sounds, with which an utterance may have begun
         self._waiting: list[SpokenUtterance] = []  # over, and not done yet
-        self._summary = Summary()
 
     # -- controls ----------------------------------------------------------------------------------
 
@@ -151,16 +146,11 @@ class Runtime:
             BaseException: whatever ``on_event`` raised; the robot is stopped.
         """
         self._source = source
-        self._summary = Summary()
         self._base = self.executor.clock.now()
         self._voice.reset()
         self._endpoint.reset()
-        # A run that was ended in the middle may have left anything behind: a robot that still counts as held would not
-        # be held by the next stop word.
-        self._holding.forget()
+        self._acting.begin(self._base)
         self._deaf = False
-        self._last = ()
-        self._continuing.forget()
         self._torn = -1.0
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
@@ -181,13 +171,13 @@ class Runtime:
                     if not frame.deaf:
                         self._deaf = False
                         utterance = self._frame(frame, utterance)
-                    self._summary.seconds = frame.time
+                    self._acting.summary.seconds = frame.time
                 self._collect(frame.time, utterance)
                 if utterance is not None and self._over(self._endpoint.due(), frame.time, utterance):
                     utterance = None
             if not self._closing.is_set():
                 if utterance is not None:
-                    self._end(utterance, self._summary.seconds)
+                    self._end(utterance, self._acting.summary.seconds)
                 self._drain()
             finished = True
         finally:
@@ -198,10 +188,10 @@ class Runtime:
                 if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
                     frames.close()
             else:
-                self._holding.release(self._summary.seconds, "the sound ended")
+                self._holding.release(self._acting.summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
             self._decoding.settle(LAST_DECODE)
-        return self._summary
+        return self._acting.summary
 
     def _move_clock(self, time: float) -> None:
         if self._stepped:
@@ -274,9 +264,9 @@ class Runtime:
             if not self._deaf:
                 self._deaf = True
                 self._waiting.clear()
-                self._failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
+                self._acting.failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
         elif utterance is not None and self._holding.on:
-            self._failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
+            self._acting.failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
         elif utterance is not None:
             why = f"{frame.lost:.2f} s of sound were lost, so what was being said is not acted on"
             self._tell(HeardKind.LOST, frame.time, detail=why)
@@ -323,12 +313,12 @@ class Runtime:
                 continue
             self._waiting.pop(0)
             if first.result is not None:
-                self._finish(first, time)
+                self._acting.carry_out(first, time)
 
     def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
         over, failure = self._decoding.outcome(utterance)
         if failure:
-            self._failed(time, failure)
+            self._acting.failed(time, failure)
         return over
 
     def _drain(self) -> None:
@@ -342,14 +332,14 @@ class Runtime:
                 self._decoding.wait(first.job)
                 if not first.job.done():
                     self._decoding.give_up()
-                    self._failed(self._summary.seconds, "the recogniser did not answer")
+                    self._acting.failed(self._acting.summary.seconds, "the recogniser did not answer")
                     self._waiting.pop(0)
                     continue
-            self._collect(self._summary.seconds, None)
+            self._collect(self._acting.summary.seconds, None)
 
     def _goes_on(self, utterance: SpokenUtterance) -> bool:
         """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""
-        before = self._continuing.heard_with(utterance, self._state(), self._last, held=self._holding.on)
+        before = self._continuing.heard_with(utterance, self._acting.state(), self._acting.last, held=self._holding.on)
         if before is not None:
             utterance.together_with(before)
         return before is not None
@@ -360,7 +350,7 @@ class Runtime:
         assert utterance.result is not None
         meaning, outlook = None, Outlook.UNKNOWN
         if not (utterance.glance and utterance.result.draft):
-            meaning, outlook = self._judgement.outlook(utterance.result, self._state(), self._last)
+            meaning, outlook = self._judgement.outlook(utterance.result, self._acting.state(), self._acting.last)
         taken = not utterance.glance or outlook is Outlook.COMPLETE
         if taken:
             self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
@@ -371,68 +361,7 @@ class Runtime:
             if self._endpoint.silence:
                 self._decoding.decode(utterance, final=False)
 
-    # -- acting ------------------------------------------------------------------------------------
-
-    def _state(self) -> Collection[str]:
-        linear, angular = self.executor.snapshot().velocity
-        return ("moving",) if linear or angular or not self.executor.idle or self._holding.on else ()
-
-    def _finish(self, utterance: SpokenUtterance, time: float) -> None:
-        understood = self._continuing.understood(utterance, self._state(), self._last)
-        transcript, meaning = understood.transcript, understood.meaning
-        if not transcript.text.strip():
-            self._holding.release(time, "nothing was said")
-            return
-        if self._holding.on:
-            meaning = self._judgement.held(transcript, meaning)
-        if utterance.torn and meaning.status is Status.ACCEPTED and not meaning.stops:
-            meaning = Interpretation(transcript.text, Status.REJECTED, reason=_TORN)
-        if utterance.short and not meaning.stops:
-            self._holding.release(time, "too short to be another word than a stop")
-            return
-        self._summary.utterances += 1
-        if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
-            transcript = transcript.as_heard()  # what was said, not what was looked for
-        told: dict[str, Any] = {
-            "speech_ended": utterance.last_voice,
-            "goes_on": understood.step.goes_on,
-            "in_turn": understood.step.in_turn,
-        }
-        if meaning.stops:
-            self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
-        if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
-            self._holding.forget()
-            self._last = ()
-            self.executor.stop()
-        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
-        self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
-        if meaning.stops:
-            self._summary.accepted += 1
-            self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
-            return
-        self._holding.release(time, "no stop was said")
-        if meaning.status is not Status.ACCEPTED or not meaning.actions:
-            return
-        self._last = meaning.actions
-        goals = self._submit(understood, utterance)
-        self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
-
-    def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...]:
-        step, spoken = understood.step, self._base + utterance.last_voice
-        goals = self.executor.submit(step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends)
-        self._summary.accepted += not step.goes_on
-        self._continuing.carried_out(utterance, understood, goals)
-        return tuple(goals)
-
-    def _failed(self, time: float, why: str) -> None:
-        self._holding.forget()
-        self._last = ()
-        self._continuing.forget()
-        self._summary.errors += 1
-        self.executor.stop()
-        self._tell(HeardKind.ERROR, time, detail=why)
-
-    def _tell(self, kind: HeardKind, time: float, **details: Any) -> None:
+    def _tell(self, kind: HeardKind, time: float, /, **details: Any) -> None:
         if self._on_event is None:
             return
         try:

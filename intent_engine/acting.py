@@ -1,0 +1,126 @@
+"""What is done about an utterance that is over: the robot stops, or is given goals, and whoever listens is told.
+
+A stop is done before anybody is told of it, since who is told may take its time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Any
+
+from intent_engine.actions import Action
+from intent_engine.continuing import Continuing, Understood
+from intent_engine.execution.executor import Executor
+from intent_engine.execution.goal import Goal
+from intent_engine.heard import HeardKind, Summary, Tell
+from intent_engine.holding import Holding
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge
+from intent_engine.speech.spoken_utterance import SpokenUtterance
+
+__all__ = ["Acting"]
+
+_TORN = "sound was lost just before it, and perhaps its beginning; say it again"
+
+
+class Acting:
+    """Carries out what was understood. For one thread.
+
+    Args:
+        executor: acts.
+        judgement: what a transcript means.
+        continuing: what goes on from the command before.
+        holding: whether a stop word was heard while it was said.
+        tell: is told of it.
+    """
+
+    def __init__(
+        self, executor: Executor, judgement: Judge, continuing: Continuing, holding: Holding, tell: Tell
+    ) -> None:
+        self._executor = executor
+        self._judgement = judgement
+        self._continuing = continuing
+        self._holding = holding
+        self._tell = tell
+        self._base = 0.0
+        self.summary = Summary()
+        """What it came to since :meth:`begin`."""
+        self.last: tuple[Action, ...] = ()
+        """What was last understood, for words that point back to it."""
+
+    def begin(self, base: float) -> None:
+        """A source begins. What an earlier run left behind, which may have ended in the middle of anything, is
+        forgotten: a robot that still counted as held would not be held by the next stop word.
+
+        Args:
+            base: s on the executor's clock at which the source begins.
+        """
+        self._base = base
+        self.summary = Summary()
+        self._forget()
+
+    def state(self) -> Collection[str]:
+        """Of the robot, as grammars ask for it: "moving" while it moves, is about to, or is held."""
+        linear, angular = self._executor.snapshot().velocity
+        moves = linear or angular or not self._executor.idle or self._holding.on
+        return ("moving",) if moves else ()
+
+    def carry_out(self, utterance: SpokenUtterance, time: float) -> None:
+        """Do what an utterance means, if anything; it was decoded, and its result is there."""
+        understood = self._continuing.understood(utterance, self.state(), self.last)
+        transcript, meaning = understood.transcript, understood.meaning
+        if not transcript.text.strip():
+            self._holding.release(time, "nothing was said")
+            return
+        if self._holding.on:
+            meaning = self._judgement.held(transcript, meaning)
+        if utterance.torn and meaning.status is Status.ACCEPTED and not meaning.stops:
+            meaning = Interpretation(transcript.text, Status.REJECTED, reason=_TORN)
+        if utterance.short and not meaning.stops:
+            self._holding.release(time, "too short to be another word than a stop")
+            return
+        self.summary.utterances += 1
+        if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
+            transcript = transcript.as_heard()  # what was said, not what was looked for
+        told: dict[str, Any] = {
+            "speech_ended": utterance.last_voice,
+            "goes_on": understood.step.goes_on,
+            "in_turn": understood.step.in_turn,
+        }
+        if meaning.stops:
+            self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
+        if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
+            self._holding.forget()
+            self.last = ()
+            self._executor.stop()
+        self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
+        self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
+        if meaning.stops:
+            self.summary.accepted += 1
+            self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
+            return
+        self._holding.release(time, "no stop was said")
+        if meaning.status is not Status.ACCEPTED or not meaning.actions:
+            return
+        self.last = meaning.actions
+        goals = self._submit(understood, utterance)
+        self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
+
+    def failed(self, time: float, why: str) -> None:
+        """Something failed: the robot is stopped, nothing goes on from what was said, and listening goes on."""
+        self._forget()
+        self.summary.errors += 1
+        self._executor.stop()
+        self._tell(HeardKind.ERROR, time, detail=why)
+
+    def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...]:
+        step, spoken = understood.step, self._base + utterance.last_voice
+        goals = self._executor.submit(step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends)
+        self.summary.accepted += not step.goes_on
+        self._continuing.carried_out(utterance, understood, goals)
+        return tuple(goals)
+
+    def _forget(self) -> None:
+        self._holding.forget()
+        self._continuing.forget()
+        self.last = ()
