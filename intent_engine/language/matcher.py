@@ -10,7 +10,7 @@ from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart
 from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.free_text import ARTICLES_IN, FREE_KINDS, FreeText
+from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
@@ -23,6 +23,7 @@ from intent_engine.language.spoken_patterns import SpokenPatterns
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
 from intent_engine.language.template_tree import Sequence as TemplateSequence
+from intent_engine.language.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -271,7 +272,7 @@ class Matcher:
                     slot.allow,
                     free.unfinished_in(slot),
                     free.alone,
-                    slot.known | ARTICLES_IN.get(grammar.language, frozenset()) if slot.known else slot.known,
+                    slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
                     slot.without,
                 )
         for slot in grammar.slots.values():

@@ -29,6 +29,7 @@ from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template_tree import Sequence as Parts
+from intent_engine.language.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -38,17 +39,6 @@ __all__ = ["Choices", "Piece", "RandomChoices", "Sample", "Sampler", "sample"]
 
 MAX_TRIES = 200
 """Sentences tried for one that makes an action (a speed so low that nothing moves makes none)."""
-THINGS: Mapping[str, tuple[str, ...]] = {
-    "en": (
-        "cup", "box", "ball", "bottle", "book", "red cup", "blue box", "hammer", "green bottle", "small parcel",
-        "yellow tool box", "teapot", "umbrella", "screwdriver", "water bottle", "big red apple",
-    ),
-    "de": ("tasse", "kiste", "ball", "flasche", "buch", "rote tasse", "blaue kiste", "kleines paket", "schirm"),
-    "fr": ("tasse", "boîte", "balle", "bouteille", "livre", "marteau", "tasse rouge", "boîte bleue", "petit colis"),
-    "es": ("taza", "caja", "pelota", "botella", "libro", "martillo", "taza roja", "caja azul", "paquete", "paraguas"),
-    "it": ("tazza", "scatola", "palla", "bottiglia", "libro", "martello", "tazza rossa", "scatola blu", "ombrello"),
-}  # fmt: skip
-"""What is said in a text slot, by language, as far as the grammar does not use the words itself."""
 ONCE_IN = 4
 """Of so many sentences from which something may go on, one does."""
 USUAL_JOINTS = 3
@@ -339,7 +329,7 @@ class Sampler:
             yield from (Spoken(text, text) for text in given)
             return
         taken = self._words | slot.without
-        known = [text for text in THINGS.get(self.grammar.language, ()) if taken.isdisjoint(text.split())]
+        known = [text for text in thing_words(self.grammar.language).examples if taken.isdisjoint(text.split())]
         for text in known or STAND_INS:
             if _words(text) <= slot.max_words:
                 yield Spoken(text, text)

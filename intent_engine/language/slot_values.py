@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.interpretation import UNKNOWN_PLACE
 from intent_engine.language import quantities
-from intent_engine.language.free_text import ARTICLES_IN, FREE_KINDS, FreeText
+from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
@@ -17,6 +17,7 @@ from intent_engine.language.numbers import foreign
 from intent_engine.language.own_units import OwnUnits
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
+from intent_engine.language.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -115,7 +116,7 @@ class SlotValues:
     def _as_named(self, said: Sequence[str]) -> tuple[str, ...]:
         """A name as maps have it: numbers in digits, no article before it."""
         language = self._grammar.language
-        articles = ARTICLES_IN.get(language, frozenset[str]())
+        articles = thing_words(language).articles
         first = next((place for place, word in enumerate(said[:-1]) if word not in articles), len(said) - 1)
         return foreign.in_digits(said[first:], language)
 
@@ -168,7 +169,7 @@ class NamesOf(Sequence[tuple[tuple[str, ...], str]]):
     """Of the grammar: of its articles a name needs none ("Die Halle")."""
 
     def __iter__(self) -> Iterator[tuple[tuple[str, ...], str]]:
-        articles = ARTICLES_IN.get(self.language, frozenset()) if self.language != "en" else frozenset[str]()
+        articles = thing_words(self.language).articles if self.language != "en" else frozenset[str]()
         led: list[tuple[tuple[str, ...], str]] = []
         for words, name in self._names():
             yield words, name

@@ -12,7 +12,7 @@ from itertools import islice
 from typing import Any
 
 from intent_engine.language.approximate import UtteranceSearch
-from intent_engine.language.free_text import ARTICLES
+from intent_engine.language.thing_words import ARTICLES
 
 __all__ = ["Detours", "leads"]
 

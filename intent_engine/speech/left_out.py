@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.language.free_text import ARTICLES
+from intent_engine.language.thing_words import ARTICLES
 from intent_engine.speech.evidence import letters_apart
 
 __all__ = ["begin_left_out", "begins_like", "end_left_out", "ends_unheard", "goes_on"]

@@ -15,8 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.language.approximate import UtteranceSearch
-from intent_engine.language.free_text import ARTICLES
 from intent_engine.language.numbers.spelled import in_digits, number_words
+from intent_engine.language.thing_words import ARTICLES
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.detours import Detours, leads
 from intent_engine.speech.guided import MANY_WORDS

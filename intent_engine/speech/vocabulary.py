@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.as_written import as_written
-from intent_engine.language.free_text import ARTICLES_IN
 from intent_engine.language.matcher import Matcher, spoken_trees
 from intent_engine.language.numbers.spelled import number_words
 from intent_engine.language.numbers.units import SIGNS, units
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary, words_in
 
@@ -19,7 +19,7 @@ __all__ = ["known_in_slots", "known_words", "said_in_slots", "said_of_signs", "w
 def known_words(matcher: Matcher) -> frozenset[str]:
     """Every word that a list of the grammar has: those of sentences, values, quantities, places and free slots."""
     grammar = matcher.grammar
-    found = {*number_words(grammar.language), *vocabulary(grammar), *ARTICLES_IN.get(grammar.language, ())}
+    found = {*number_words(grammar.language), *vocabulary(grammar), *thing_words(grammar.language).articles}
     for node in spoken_trees(grammar.language).values():
         found.update(words_in(node))
     for slot in grammar.slots.values():
@@ -35,7 +35,7 @@ def known_words(matcher: Matcher) -> frozenset[str]:
 def known_in_slots(matcher: Matcher) -> frozenset[str]:
     """Words that the value of a slot may have, where they are what a list says: "meter" is a word, but no thing."""
     grammar = matcher.grammar
-    found = set(ARTICLES_IN.get(grammar.language, ())) | matcher.patterns.values
+    found = set(thing_words(grammar.language).articles) | matcher.patterns.values
     for slot in grammar.slots.values():
         found |= slot.known
         found.update(word for value, _ in slot.values for word in str(value).split())

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from itertools import islice, permutations, product
 from typing import Any
 
-from intent_engine.language.free_text import ALONE, ARTICLES, UNFINISHED
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.thing_words import ARTICLES, thing_words
 
 MOST = 3_000
 """Ways to say one sentence that are still looked through."""
@@ -178,7 +178,7 @@ class ReferenceMatcher:
         if slot.type == "text":
             for length in range(1, slot.max_words + 1):
                 piece = Piece(free=True, allowed=slot.allow)
-                never = UNFINISHED["en"] | (ALONE["en"] if length == 1 else set())
+                never = thing_words("en").unfinished | (thing_words("en").alone if length == 1 else set())
                 last = Piece(free=True, allowed=slot.allow, never=frozenset(never))
                 yield Way((*((piece,) * (length - 1)), last), (Hole(label, 0, length, None),))
         for value, node in slot.values:

@@ -10,19 +10,18 @@ from typing import Any
 from intent_engine.actions import Action
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.continuation import MANNER
-from intent_engine.language.free_text import ALONE, ARTICLES, ARTICLES_IN, FREE_KINDS
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.patterns import Patterns
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words
 
 __all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_telling", "slot_values"]
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
-
-_ANY_ARTICLES = frozenset[str]().union(*ARTICLES_IN.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +45,7 @@ class Clause:
         slot = _wrong_slot(self.reading)
         if self.reading is None or slot is None or (slot.slot.type, slot.status) != ("location", "unknown"):
             return False
-        return not _ANY_ARTICLES.issuperset(self.reading.words[slot.start : slot.end])
+        return not any_articles().issuperset(self.reading.words[slot.start : slot.end])
 
 
 class Commands:
@@ -55,7 +54,7 @@ class Commands:
     def __init__(self, matcher: Matcher) -> None:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
-        self._not_verbs = ARTICLES | ALONE.get(matcher.grammar.language, frozenset())
+        self._not_verbs = ARTICLES | thing_words(matcher.grammar.language).alone
 
     @step(Kind.SENTENCE)
     def exact(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:

@@ -11,13 +11,14 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from intent_engine.actions import Custom, Stop
-from intent_engine.language.free_text import ARTICLES, FREE_KINDS
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands
 from intent_engine.language.meaning.compound import MAX_PARTS
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.references import AGAIN
+from intent_engine.language.thing_words import any_articles
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["RunOns"]
@@ -91,7 +92,7 @@ class RunOns:
 
     def _is_thing(self, slot: SlotReading, reading: Reading) -> bool:
         """Whether free words are plainly a name: few, and none of them could begin a command."""
-        said = [word for word in reading.words[slot.start : slot.end] if word not in ARTICLES]
+        said = [word for word in reading.words[slot.start : slot.end] if word not in any_articles()]
         return 0 < len(said) <= NAME_WORDS and self._commands.first_words.isdisjoint(said)
 
     def _said_twice(self, parts: list[Clause]) -> bool:

@@ -1,0 +1,82 @@
+"""The words around and in the names of things, by language: ``things/<language>.yaml``, where each list says why."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+__all__ = ["ARTICLES", "ThingWords", "any_articles", "thing_words"]
+
+_FOLDER = Path(__file__).parent / "things"
+
+
+@dataclass(frozen=True)
+class ThingWords:
+    """Those of one language; empty for a language that has no file."""
+
+    articles: frozenset[str] = frozenset()
+    """Before the name of a thing or a place, and no part of it."""
+    unfinished: frozenset[str] = frozenset()
+    """No thing ends so."""
+    alone: frozenset[str] = frozenset()
+    """By itself no thing."""
+    joining: frozenset[str] = frozenset()
+    """No thing of a slot that lists things begins or ends so,"""
+    may_begin: frozenset[str] = frozenset()
+    """but may begin so."""
+    never: frozenset[str] = frozenset()
+    """In no name of a thing."""
+    not_bare: frozenset[str] = frozenset()
+    """No name begins so without an article."""
+    not_held: frozenset[str] = frozenset()
+    """Not to be held, where no other word of the name follows."""
+    pronouns: frozenset[str] = frozenset()
+    """A whole name."""
+    next_begins: frozenset[str] = frozenset()
+    """Articles before which another thing begins,"""
+    binding: frozenset[str] = frozenset()
+    """unless one of these is before them."""
+    telling: frozenset[str] = frozenset()
+    """They say something of a thing."""
+    timed: frozenset[str] = frozenset()
+    """Between a thing and the time when it is wanted."""
+    manner: frozenset[str] = frozenset()
+    """Endings of words that say how something is done."""
+    examples: tuple[str, ...] = ()
+    """Things, for sampled sentences."""
+
+    def is_manner(self, word: str) -> bool:
+        """Whether a word says how something is done: it ends so, and has two letters before."""
+        return len(word) > 2 and self._manner.search(word, 2) is not None
+
+    @cached_property
+    def _manner(self) -> re.Pattern[str]:
+        endings = "|".join(sorted(self.manner))
+        return re.compile(f"(?:{endings})$" if endings else "(?!)")
+
+
+@cache
+def thing_words(language: str) -> ThingWords:
+    """Those of a language ("en")."""
+    file = _FOLDER / f"{language}.yaml"
+    if not file.is_file():
+        return ThingWords()
+    data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    examples = tuple(data.pop("examples", ()))
+    words = {key: frozenset(text.split()) for key, text in data.items()}
+    return ThingWords(**words, examples=examples)
+
+
+@cache
+def any_articles() -> frozenset[str]:
+    """The articles of all languages."""
+    return frozenset[str]().union(*(thing_words(file.stem).articles for file in _FOLDER.glob("*.yaml")))
+
+
+ARTICLES = thing_words("en").articles
+"""The English ones."""
