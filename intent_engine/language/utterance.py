@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
 from intent_engine.language.numbers import foreign
-from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
+from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, TENS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
@@ -172,6 +172,15 @@ class Utterance:
         if len(around) < 3 or around[1] not in ZERO:
             return False
         return all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2])
+
+    def paused_in_number(self) -> bool:
+        """Whether a pause stands where a number would go on: "turn twenty, five degrees", "five, ten degrees". Larger
+        numbers have such pauses: "two thousand, five hundred"."""
+        return any(
+            (before in TENS and word in DIGITS) or (before in DIGITS and (word in TENS or word in TEENS))
+            for before, word, pause in zip(self.words, self.words[1:], self.breaks[1:], strict=False)
+            if pause
+        )
 
     def paused_beside(self, position: int) -> bool:
         """Whether there is a pause before a word or after it."""

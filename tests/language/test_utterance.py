@@ -100,3 +100,15 @@ def test_where_a_word_was_taken_out_is_remembered() -> None:
     fillers = PhraseSet([("uh",), ("you", "know")])
     assert Utterance.of("nine uh forty you know degrees").without(fillers).joined == {1, 2}
     assert Utterance.of("uh go forward uh").without(fillers).joined == frozenset()
+
+
+@pytest.mark.parametrize("text", ["turn twenty, five degrees", "five. ten degrees", "one, eighty"])
+def test_a_pause_in_a_number(text):
+    assert Utterance.of(text).paused_in_number()
+
+
+@pytest.mark.parametrize(
+    "text", ["two thousand, five hundred", "turn, twenty five degrees", "twenty five", "bay two, three"]
+)
+def test_no_pause_in_a_number(text):
+    assert not Utterance.of(text).paused_in_number()

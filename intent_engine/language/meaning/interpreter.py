@@ -154,7 +154,7 @@ class Interpreter:
                     return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        clause = self._commands.exact(said.words, state) if not self._sighed_in_number(said) else None
+        clause = self._commands.exact(said.words, state) if not self._number_in_pieces(said) else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
@@ -342,11 +342,15 @@ class Interpreter:
     def _number_restarted(self, core: Utterance) -> bool:
         """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
         is_number = self.matcher.is_number
-        return any(is_number(core.words[place - 1]) and is_number(core.words[place]) for place in core.joined)
+        return core.paused_in_number() or any(
+            is_number(core.words[place - 1]) and is_number(core.words[place]) for place in core.joined
+        )
 
-    def _sighed_in_number(self, said: Utterance) -> bool:
+    def _number_in_pieces(self, said: Utterance) -> bool:
         """ "Two, oh, four meters": not 204."""
         fillers = self.phrases.fillers
+        if said.paused_in_number():
+            return True
         return not ZERO.isdisjoint(said.words) and any(
             said.zero_between(place) and said.paused_beside(place) and fillers.at(said.words, place) == 1
             for place in range(1, len(said))
