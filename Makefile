@@ -22,11 +22,14 @@ setup: $(STAMP) ## make .venv and install everything into it
 demo: $(STAMP) ## play a spoken session on the simulated robot and draw its way to out/demo.png
 	$(BIN)/intent-engine run examples/demo.flac --map --plot out/demo.png
 
-test: $(STAMP) ## run the test suite
-	$(BIN)/python -m pytest
+# A file of tests stays in one process, so that a model is loaded once for all of them.
+TOGETHER := -n auto --dist loadfile
+
+test: $(STAMP) ## run the test suite, a process on each core
+	$(BIN)/python -m pytest $(TOGETHER)
 
 test-slow: $(STAMP) ## run the tests that take minutes: hours of sound, the drill, long random runs
-	$(BIN)/python -m pytest -m "slow and not ros2"
+	$(BIN)/python -m pytest $(TOGETHER) -m "slow and not ros2"
 
 test-ros2: ## the tests that need ROS 2, in an environment of their own; skipped with the reason where there is none
 	@PYTHON=$(PYTHON) scripts/test_ros2.sh

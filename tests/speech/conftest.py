@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -13,8 +14,17 @@ from speech_stage import ROOT, Frames, Listened, framed
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import Heard
+from intent_engine.speech import second_opinion
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.steered import SteeredWhisper
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _patient_search():
+    """What is heard does not depend on how busy the machine is: a search is deepened however long it took."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(second_opinion, "SOON", math.inf)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ from speech_stage import Voiced, framed
 from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock
 from intent_engine.runtime import HeardKind
-from intent_engine.speech import leaving, second_opinion
+from intent_engine.speech import leaving
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.leaving import Leavable, LeftError
@@ -55,7 +55,6 @@ def noisy(spoken) -> np.ndarray:
 def test_it_is_left_wherever_it_is_and_harms_nothing(recognizer, noisy, monkeypatch):
     """At the first question to a model, the third, the ninth, ... ; the answer after it is the one before it."""
     assert isinstance(recognizer, Leavable)
-    monkeypatch.setattr(second_opinion, "SOON", math.inf)  # else a machine that is busy meanwhile hears it otherwise
     whole = recognizer.transcribe(noisy)
     left = 0
     for looks in (0, 2, 8, 14, 30, 60):
