@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.grammar_file import load_grammars
-from intent_engine.language.grammar_parts import plain_phrase
+from intent_engine.language.loading.grammar_file import load_grammars
+from intent_engine.language.loading.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated

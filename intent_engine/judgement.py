@@ -18,8 +18,8 @@ from intent_engine.language.grammar import Grammar, Intent
 from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.utterance import PhraseSet, plain
-from intent_engine.speech.corrections import as_meant
 from intent_engine.speech.endpoint import Outlook
+from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.recognizer import Transcript
 
 __all__ = ["WORTH_ASKING", "Judge", "enough_to_stop"]

@@ -1,4 +1,4 @@
-"""Fit the confidence of speech (``intent_engine/speech/evidence.py``) to recordings, and say what it is worth.
+"""Fit the confidence of speech (``speech/hypotheses/evidence.py``) to recordings, and say what it is worth.
 
 A case is a grammar and a folder of recordings with labels; ``--other`` is one whose recordings are no commands of the
 grammar, whatever their labels say. Every recording that is not an exact sentence gives one example: what speaks for the
@@ -27,7 +27,7 @@ from intent_engine.evaluation.sound import Noise, load, mix
 from intent_engine.interpretation import Status
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Samples
 from intent_engine.speech.endpoint import Endpointer, Settings, Signal
-from intent_engine.speech.evidence import WEIGHTS
+from intent_engine.speech.hypotheses.evidence import WEIGHTS
 from intent_engine.speech.rnnoise import installed_filter
 from intent_engine.speech.steered import SteeredWhisper
 from intent_engine.speech.voice import SileroVoice

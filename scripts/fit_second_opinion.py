@@ -1,4 +1,4 @@
-"""Fit the confidence of what two models think in the mean (``intent_engine/speech/evidence.py``), and say what it is
+"""Fit the confidence of what two models think in the mean (``speech/hypotheses/evidence.py``), and say what it is
 worth.
 
 Recordings are heard as a runtime hears them. Every utterance for which the second model was asked gives one example:
@@ -29,8 +29,8 @@ from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import Samples
-from intent_engine.speech.evidence import WEIGHTS_OF_SEVERAL
-from intent_engine.speech.opinion import Opinion, Reading
+from intent_engine.speech.hypotheses.evidence import WEIGHTS_OF_SEVERAL
+from intent_engine.speech.hypotheses.opinion import Opinion, Reading
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import SecondOpinion, Steered
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.grammar import ACTION_PARAMETERS, Condition, Intent, Slot
-from intent_engine.language.grammar_intents import slot_of_parameter
+from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.quantities import Relative
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.nearest import Nearest
-from intent_engine.language.pattern_checks import pattern_findings
+from intent_engine.language.pattern.pattern_checks import pattern_findings
 from intent_engine.language.reading import Reading
 from intent_engine.language.spellings import spellings
 

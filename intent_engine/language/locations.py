@@ -16,13 +16,13 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.language.map_draft import DEFAULT_FRAME, FIELDS, Draft, Location, Row, Teller, checked
-from intent_engine.language.map_rows import read_map
+from intent_engine.language.loading.schema_problems import schema_problems
+from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
+from intent_engine.language.maps.map_draft import DEFAULT_FRAME, FIELDS, Draft, Location, Row, Teller, checked
+from intent_engine.language.maps.map_rows import read_map
+from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
-from intent_engine.language.places import Places
-from intent_engine.language.schema_problems import schema_problems
-from intent_engine.language.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
 
 __all__ = ["Location", "LocationMap", "from_text", "load"]
 
@@ -158,7 +158,7 @@ def _said_differently(places: Places) -> bool:
 def _carefully(path: Path) -> Draft:
     if path.suffix.lower() != ".csv":
         return _draft(read_yaml(path))
-    from intent_engine.language.map_table import read_table
+    from intent_engine.language.maps.map_table import read_table
 
     try:
         text = path.read_text("utf-8-sig")
@@ -169,7 +169,7 @@ def _carefully(path: Path) -> Draft:
 
 def _draft(source: YamlSource) -> Draft:
     if isinstance(source.data, dict) and "waypoints" in source.data and "locations" not in source.data:
-        from intent_engine.language.waypoints import read_waypoints
+        from intent_engine.language.maps.waypoints import read_waypoints
 
         return read_waypoints(source)
     if source.data is None:
@@ -245,7 +245,7 @@ def _schema() -> dict[str, Any]:
 
 def _doubts(places: LocationMap) -> Iterator[Problem]:
     """Names that will hardly ever be understood as a place, and angles that look like degrees."""
-    from intent_engine.language.grammar_file import default_operators, phrase
+    from intent_engine.language.loading.grammar_file import default_operators, phrase
 
     operators = default_operators("en")
     kinds = {

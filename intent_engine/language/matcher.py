@@ -16,10 +16,10 @@ from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
+from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slot_values import NamesOf, SlotValues
 from intent_engine.language.spacing import Spacing
-from intent_engine.language.spoken_patterns import SpokenPatterns
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
 from intent_engine.language.template_tree import Sequence as TemplateSequence

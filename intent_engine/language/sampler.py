@@ -23,7 +23,7 @@ from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, p
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.own_units import units_called
-from intent_engine.language.pattern_sampler import PatternSampler
+from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spellings import own_words
 from intent_engine.language.spoken_quantities import Spoken, spoken_forms

@@ -12,8 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.spoken_grammar import SpokenGrammar
 
 __all__ = ["heard_again", "later"]
 

@@ -232,7 +232,7 @@ def _noise_filter() -> Check:
 
 
 def _weights(model: str) -> Check:
-    from intent_engine.speech.moonshine_weights import find_moonshine_files, is_moonshine
+    from intent_engine.speech.acoustic.moonshine_weights import find_moonshine_files, is_moonshine
     from intent_engine.speech.weights import MODELS, find_weights, sha256
 
     if is_moonshine(model):
@@ -256,8 +256,8 @@ def _weights(model: str) -> Check:
 
 
 def _second_model(model: str) -> Check:
+    from intent_engine.speech.acoustic.moonshine_weights import INSTALL, MOONSHINE
     from intent_engine.speech.models import FIRST, installed_second
-    from intent_engine.speech.moonshine_weights import INSTALL, MOONSHINE
 
     if model not in FIRST:
         return Check("second model", Verdict.OK, f"none beside {model}")

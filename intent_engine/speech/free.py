@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from intent_engine.speech.acoustic.moonshine import MoonshineRecognizer
+from intent_engine.speech.acoustic.moonshine_weights import is_moonshine
+from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.models import usual_model
-from intent_engine.speech.moonshine import MoonshineRecognizer
-from intent_engine.speech.moonshine_weights import is_moonshine
-from intent_engine.speech.whisper import WhisperRecognizer
 
 __all__ = ["free_recognizer"]
 
@@ -19,7 +19,8 @@ def free_recognizer(
 
     Args:
         model: a name, or a folder; None: :func:`~intent_engine.speech.models.usual_model` of the language.
-        language: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`; Moonshine knows English only.
+        language: as for :class:`~intent_engine.speech.acoustic.whisper.WhisperRecognizer`; Moonshine knows English
+            only.
         tell: is told what takes long: weights that are made ready, once on a machine.
 
     Raises:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from intent_engine.errors import WeightsError
-from intent_engine.speech.moonshine_weights import (
+from intent_engine.speech.acoustic.moonshine_weights import (
     MOONSHINE,
     find_moonshine,
     find_moonshine_files,

@@ -20,15 +20,15 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from intent_engine.speech.acoustic.whisper import WhisperRecognizer, logits_row, max_length
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import start_beside
 from intent_engine.speech.stop_phrases import MoonshineStops, StopPhrases
 from intent_engine.speech.weights import on_this_machine
-from intent_engine.speech.whisper import WhisperRecognizer, logits_row, max_length
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
-    from intent_engine.speech.moonshine import MoonshineModel
+    from intent_engine.speech.acoustic.moonshine import MoonshineModel
     from intent_engine.speech.recognizer import Recognizer
 
 __all__ = ["Reflex", "WhisperReflex", "reflex_for"]
@@ -90,7 +90,7 @@ class WhisperReflex:
         stop_phrases: what stops the robot.
         leads: what may stand before a stop of one word ("please", "robot").
         model: a name or a path; the smallest is the quickest, and good enough.
-        device: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`.
+        device: as for :class:`~intent_engine.speech.acoustic.whisper.WhisperRecognizer`.
         language: of the phrases.
         background: look in a thread beside, so that listening never waits; False on a virtual clock, where the same
             sound must always give the same.

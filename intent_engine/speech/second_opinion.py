@@ -25,25 +25,25 @@ import numpy as np
 from intent_engine.interpretation import Interpretation
 from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
+from intent_engine.speech.acoustic.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.again import heard_again
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside, cores
-from intent_engine.speech.clearness import RIVAL_MARGIN
-from intent_engine.speech.dictating import (
+from intent_engine.speech.hypotheses.clearness import RIVAL_MARGIN
+from intent_engine.speech.hypotheses.dictating import (
     DICTATED,
     as_heard,
     dictated_to_both,
     hardly_begun,
 )
-from intent_engine.speech.evidence import letters_apart
+from intent_engine.speech.hypotheses.evidence import letters_apart
+from intent_engine.speech.hypotheses.opinion import Opinion, Reading, Steered, as_read
+from intent_engine.speech.hypotheses.pace import too_few
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+from intent_engine.speech.hypotheses.weighing import begun_otherwise, crossed, doubted
 from intent_engine.speech.leaving import LeftError
-from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
-from intent_engine.speech.opinion import Opinion, Reading, Steered, as_read
-from intent_engine.speech.pace import too_few
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.weighing import begun_otherwise, crossed, doubted
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -335,7 +335,7 @@ class SecondOpinion:
 
     def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
         """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both
-        think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.weighing.doubted`."""
+        think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.hypotheses.weighing.doubted`."""
         opinions = (first, second)
         readings = doubted(self._grammar, opinions, self._each, far=far)
         if not far:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from intent_engine.speech.moonshine import ScoringMoonshine
-from intent_engine.speech.scoring import ScoringWhisper
+from intent_engine.speech.acoustic.moonshine import ScoringMoonshine
+from intent_engine.speech.acoustic.scoring import ScoringWhisper
 from intent_engine.speech.steering import Steering
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ class SteeredWhisper(Steering, ScoringWhisper):
 
     Args:
         engine: whose grammar steers; it may be reloaded at any time.
-        model, device, compute_type, threads: as for :class:`~intent_engine.speech.whisper.WhisperRecognizer`.
+        model, device, compute_type, threads: as for :class:`~intent_engine.speech.acoustic.whisper.WhisperRecognizer`.
         language: None: the language of the engine's only grammar, or detected where it has several.
     """
 
@@ -45,7 +45,7 @@ class SteeredMoonshine(Steering, ScoringMoonshine):
 
     Args:
         engine: whose grammar steers; it may be reloaded at any time.
-        model, threads, tell: as for :class:`~intent_engine.speech.moonshine.MoonshineRecognizer`.
+        model, threads, tell: as for :class:`~intent_engine.speech.acoustic.moonshine.MoonshineRecognizer`.
     """
 
     def __init__(

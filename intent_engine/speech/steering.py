@@ -3,8 +3,8 @@
 A free decode gives words, nearly right. If they are a sentence of the grammar nothing more is asked. Else sentences of
 the grammar are found in two ways: those that sound most like the words heard are looked up in the automaton and scored
 against the sound, in one pass each; and where none of them is sure, the model is led along the automaton
-(:mod:`~intent_engine.speech.guided`). What speaks for and against the best is weighed in
-:mod:`~intent_engine.speech.evidence`.
+(:mod:`~intent_engine.speech.hypotheses.guided`). What speaks for and against the best is weighed in
+:mod:`~intent_engine.speech.hypotheses.evidence`.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.speech.acoustic.loops import stutters
+from intent_engine.speech.acoustic.rows import Rows
+from intent_engine.speech.acoustic.writing import written
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
-from intent_engine.speech.clearness import CLEAR, Clearness
-from intent_engine.speech.dictating import DICTATED, as_heard, begin_of, hardly_begun
-from intent_engine.speech.guide import Guide
-from intent_engine.speech.guided import DEEP, USUAL, Effort
-from intent_engine.speech.left_out import goes_on
-from intent_engine.speech.loops import stutters
-from intent_engine.speech.narration import NARRATING
-from intent_engine.speech.opinion import Opinion, Reading, as_read
-from intent_engine.speech.pace import too_few, too_many
+from intent_engine.speech.hypotheses.clearness import CLEAR, Clearness
+from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, begin_of, hardly_begun
+from intent_engine.speech.hypotheses.guide import Guide
+from intent_engine.speech.hypotheses.guided import DEEP, USUAL, Effort
+from intent_engine.speech.hypotheses.left_out import goes_on
+from intent_engine.speech.hypotheses.narration import NARRATING
+from intent_engine.speech.hypotheses.opinion import Opinion, Reading, as_read
+from intent_engine.speech.hypotheses.pace import too_few, too_many
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+from intent_engine.speech.hypotheses.weighing import doubted
 from intent_engine.speech.recognizer import Encoded, Transcript
-from intent_engine.speech.rows import Rows
-from intent_engine.speech.spoken_grammar import SpokenGrammar
-from intent_engine.speech.weighing import doubted
-from intent_engine.speech.writing import written
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -369,7 +369,7 @@ class Steering(Clearness):
             language: of the speech.
             near: nats by which the first piece of another word may be less likely.
             possible: whether a sentence may have been said.
-            widely, far: as for :meth:`~intent_engine.speech.rivals.Rivals.beside`.
+            widely, far: as for :meth:`~intent_engine.speech.hypotheses.rivals.Rivals.beside`.
         """
         meaning = self.grammar.parse(" ".join(words), language)
         if len(words) == 1 or meaning.stops:

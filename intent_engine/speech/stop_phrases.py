@@ -9,9 +9,9 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from intent_engine.speech.acoustic.moonshine import MoonshineModel, MoonshineRecognizer
+from intent_engine.speech.acoustic.prefix_tree import Beginning
 from intent_engine.speech.audio import Samples
-from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
-from intent_engine.speech.prefix_tree import Beginning
 
 __all__ = ["MoonshineStops", "StopPhrases"]
 

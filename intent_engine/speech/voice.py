@@ -9,8 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from intent_engine.errors import WeightsError
+from intent_engine.speech.acoustic.onnx_sessions import onnx_runtime
 from intent_engine.speech.audio import FRAME_SAMPLES, Samples
-from intent_engine.speech.onnx_sessions import onnx_runtime
 
 __all__ = ["SileroVoice", "VoiceDetector"]
 

@@ -60,7 +60,7 @@ HUB = {name: f"Systran/faster-whisper-{name}" for name in (
     "large-v3",
 )}  # fmt: skip
 MOONSHINE = "moonshine-base"
-"""The model that is no Whisper (:mod:`~intent_engine.speech.moonshine_weights`)."""
+"""The model that is no Whisper (:mod:`~intent_engine.speech.acoustic.moonshine_weights`)."""
 NEEDED = ("model.bin", "config.json", "tokenizer.json")
 
 

@@ -21,10 +21,10 @@ from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
+from intent_engine.language.loading.schema_problems import schema_problems
+from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.schema_problems import schema_problems
 from intent_engine.language.template_tree import references
-from intent_engine.language.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, differences
 

@@ -14,9 +14,9 @@ from speech_stage import DATA, ROOT, Jumpy, framed
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import WeightsError
 from intent_engine.runtime import HeardKind
+from intent_engine.speech.acoustic.moonshine import MoonshineModel
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.models import recognizer_for
-from intent_engine.speech.moonshine import MoonshineModel
 from intent_engine.speech.reflex import (
     AGREED,
     EARLY_FRAMES,

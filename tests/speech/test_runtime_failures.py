@@ -14,9 +14,9 @@ from speech_stage import Frames, Jumpy, Says, Voiced, framed
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.runtime import HeardKind
+from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.whisper import WhisperRecognizer
 
 
 def twice(sound: np.ndarray) -> tuple[list[Frame], int]:

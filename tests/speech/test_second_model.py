@@ -9,8 +9,8 @@ import pytest
 
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import WeightsError
+from intent_engine.speech.acoustic.moonshine_weights import MOONSHINE
 from intent_engine.speech.models import NONE, recognizer_for, second_model, usual_model
-from intent_engine.speech.moonshine_weights import MOONSHINE
 from intent_engine.speech.steered import SteeredWhisper
 
 MOONSHINE_CAN_BE_HAD = (sys.platform, platform.machine()) == ("linux", "x86_64")

@@ -8,11 +8,11 @@ from speech_stage import framed
 
 from intent_engine.interpretation import Status
 from intent_engine.runtime import HeardKind
-from intent_engine.speech import guide
+from intent_engine.speech.acoustic.whisper import RETRY_SECONDS
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.hypotheses import guide
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.whisper import RETRY_SECONDS
 
 NOT = "Do not ", "Don't ", "Never "
 

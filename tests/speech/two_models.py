@@ -9,8 +9,8 @@ import numpy as np
 
 from intent_engine.speech.again import LATER
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.dictating import as_heard, as_written
-from intent_engine.speech.evidence import View, letters_apart
+from intent_engine.speech.hypotheses.dictating import as_heard, as_written
+from intent_engine.speech.hypotheses.evidence import View, letters_apart
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import SecondOpinion
 

@@ -110,8 +110,8 @@ def load_robot(path: str | os.PathLike[str]) -> RobotFile:
         ConfigError: with every problem in it, each with file, line and column.
     """
     # Reading YAML with the place of each value is the language room's; a program that drives without files needs none.
-    from intent_engine.language.schema_problems import schema_problems
-    from intent_engine.language.yaml_source import read_yaml
+    from intent_engine.language.loading.schema_problems import schema_problems
+    from intent_engine.language.loading.yaml_source import read_yaml
 
     source = read_yaml(Path(path), shortest="the shortest robot file: {name: rover}")
     if source.problems:

@@ -13,7 +13,7 @@ from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.patterns import Patterns
+from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words

@@ -1,0 +1,1 @@
+"""Grammar files: YAML to a checked grammar, with the place of every mistake."""

@@ -1,0 +1,315 @@
+"""Grammar files: YAML to a checked :class:`Grammar`. Everything wrong is found at load, and all of it at once."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
+from intent_engine.language.as_written import as_written, texts_in
+from intent_engine.language.grammar import Grammar, Intent, Operators, Slot
+from intent_engine.language.loading.grammar_checks import check_meaning
+from intent_engine.language.loading.grammar_intents import merged, read_intent
+from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
+from intent_engine.language.loading.schema_problems import schema_problems
+from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
+from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
+from intent_engine.language.template_tree import Node
+
+__all__ = ["default_operators", "load_grammars", "phrase", "schema"]
+
+phrase = plain_phrase
+
+_ROOM = Path(__file__).parent.parent
+"""Where the files of languages lie."""
+
+DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    "en": {
+        "two": ("to",), "too": ("to", "two"), "to": ("two",),
+        "for": ("four",), "four": ("for",), "fore": ("for", "four"),
+        "writes": ("right",), "bae": ("bay",), "forwards": ("forward",), "forword": ("forward",),
+        "meeters": ("meters",), "meeter": ("meter",), "ford": ("forward",),
+        "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
+        "moved": ("move",), "stopped": ("stop",), "goto": ("go",), "b": ("bay",), "lift": ("left",),
+        "know": ("no",), "feed": ("feet",), "fee": ("feet",),
+    },
+}  # fmt: skip
+"""Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those that
+sound the same are ``homophones``. Names have their own index; these are for the rest."""
+NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
+"""Those of them that may be a number, which no grammar tells from the other."""
+
+
+FILLER, AROUND = "filler", "around"
+"""Keys of the words that are no operators, in the files of operators."""
+
+
+@cache
+def schema() -> dict[str, Any]:
+    """The JSON Schema of a grammar file."""
+    text = (_ROOM / "grammar.schema.json").read_text("utf-8")
+    loaded: dict[str, Any] = json.loads(text)
+    return loaded
+
+
+def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
+    """The operators that every grammar of a language has; empty for a language that we do not know."""
+    return {key: words for key, words in _language_words(language).items() if key not in (FILLER, AROUND)}
+
+
+@cache
+def _language_words(language: str) -> Mapping[str, tuple[str, ...]]:
+    """``operators/<language>.yaml``; empty if there is none."""
+    file = _ROOM / "operators" / f"{language}.yaml"
+    if not file.is_file():
+        return {}
+    source = read_yaml(str(file))
+    return {key: tuple(str(item) for item in items) for key, items in source.data.items()}
+
+
+def default_fillers(language: str) -> tuple[str, ...]:
+    """What people put around any sentence of a language ("please"), for grammars that say nothing of fillers."""
+    return _language_words(language).get(FILLER, ())
+
+
+def default_around(language: str) -> tuple[str, ...]:
+    """What people put before a number ("about"), for the same grammars."""
+    return _language_words(language).get(AROUND, ())
+
+
+def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
+    """Read grammar files and what they include; files of one language make one grammar.
+
+    Returns:
+        One grammar for each language, in the order in which the languages are first met.
+
+    Raises:
+        ConfigError: with every problem of every file.
+    """
+    names = [paths] if isinstance(paths, (str, Path)) else list(paths)
+    if not names:
+        raise ConfigError("no grammar file was given")
+    sources, blind = _gather([Path(name) for name in names])
+    builders: dict[str, _Builder] = {}
+    for source in sources:
+        if isinstance(source.data, dict):
+            language = _language(source)
+            builders.setdefault(language, _Builder(language, blind)).add(source)
+    for builder in builders.values():
+        builder.add_intents()
+    finished = [builder.finish() for builder in builders.values()]
+    order = {source.file: place for place, source in enumerate(sources)}
+    problems = [problem for source in sources for problem in source.problems]
+    problems.extend(problem for _, found in finished for problem in found)
+    if problems:
+        problems.sort(key=lambda problem: (order.get(problem.file or "", -1), problem.line or 0, problem.column or 0))
+        raise ConfigError(problems)
+    return tuple(grammar for grammar, _ in finished)
+
+
+# -- files ----------------------------------------------------------------------------------------------------
+
+
+def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
+    """The files and those that they include, each once; an included file comes before the one that includes it.
+
+    Returns:
+        The files, and whether names may be defined where nobody could read them.
+    """
+    done: dict[Path, YamlSource] = {}
+    blind = False
+
+    def visit(path: Path, above: tuple[Path, ...]) -> None:
+        nonlocal blind
+        try:
+            resolved = path.resolve()
+        except (OSError, RuntimeError, ValueError):  # links that lead to themselves, bytes that no name can have
+            resolved = path.absolute()
+        if resolved in done:
+            return
+        source = read_yaml(path)
+        if source.data is not None:
+            source.problems.extend(schema_problems(source, schema()))
+        if isinstance(source.data, dict):
+            for at, _, name in source.entries(("include",), source.data.get("include")):
+                if ("include",) in source.broken:
+                    break
+                onward = _included(source, at, name)
+                if onward is None:
+                    blind = True
+                    continue
+                chain = (*above, resolved)
+                if onward.resolve() in chain:
+                    names = " -> ".join(one.name for one in (*chain[chain.index(onward.resolve()) :], onward))
+                    source.problem(at, f"files include each other in a circle: {names}", "remove one of the includes")
+                else:
+                    visit(onward, chain)
+        hidden = any(path[:1] == ("include",) or path in (("slots",), ("phrases",)) for path in source.broken)
+        blind = blind or hidden or not isinstance(source.data, dict)
+        done[resolved] = source
+
+    for path in paths:
+        visit(path, ())
+    return list(done.values()), blind
+
+
+def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
+    """The file that an ``include`` names: beside the file that names it, or a shipped grammar by its bare name."""
+    path = Path(source.file).parent / name
+    if path.is_file():
+        return path
+    if Path(name).suffix == "" and "/" not in name:
+        from intent_engine.resources import find
+
+        try:
+            return find("grammars", name)
+        except ConfigError as error:
+            source.problem(at, f"there is no grammar {name!r} to include", error.problems[0].hint)
+            return None
+    near = (
+        did_you_mean(path.name, [other.name for other in path.parent.glob("*.y*ml")]) if path.parent.is_dir() else None
+    )
+    source.problem(at, f"there is no file {path} to include", near or "the path is taken from this file's folder")
+    return None
+
+
+def _language(source: YamlSource) -> str:
+    language = source.data.get("language", "en")
+    return language.split("-")[0] if isinstance(language, str) and ("language",) not in source.broken else "en"
+
+
+class _Builder:
+    """Gathers the files of one language."""
+
+    def __init__(self, language: str, blind: bool) -> None:
+        self.language = language
+        self.draft = Draft(blind=blind)
+        self.fillers: list[str] | None = None
+        """None: no file says anything of them."""
+        self.wake: list[str] = []
+        self.phrases: dict[str, Node] = {}
+        self.slots: dict[str, Slot] = {}
+        self.intents: dict[str, Intent] = {}
+        self.operators: dict[str, list[str]] = {key: list(items) for key, items in default_operators(language).items()}
+        self.alikes: dict[str, tuple[str, ...]] = {}
+        self.parts: list[PartReader] = []
+
+    def add(self, source: YamlSource) -> None:
+        """Read all of a file but its intents."""
+        parts = PartReader(source, self.draft)
+        self.parts.append(parts)
+        for at, name, templates in _section(source, "phrases"):
+            if self._once(source, at, name):
+                node = parts.alternatives(at, templates, "phrase", name)
+                if node is not None:
+                    self.phrases[name] = node
+                else:
+                    self.draft.broken.add(name)
+        for at, name, spec in _section(source, "slots"):
+            if self._once(source, at, name):
+                slot = parts.slot(at, name, spec)
+                if slot is not None:
+                    self.slots[name] = slot
+                else:
+                    self.draft.broken.add(name)
+        for section in ("phrases", "slots"):
+            self.draft.broken.update(str(path[1]) for path in source.broken if path[:1] == (section,) and len(path) > 1)
+        if "fillers" in source.data:
+            self.fillers = [*(self.fillers or ()), *(text for _, _, text in _section(source, "fillers"))]
+        self.wake.extend(text for _, _, text in _section(source, "wake"))
+        for at, key, items in _section(source, "operators"):
+            self.operators.setdefault(key, []).extend(text for _, _, text in source.entries(at, items))
+        for at, heard, meant in _section(source, "sound_alikes"):
+            words = [heard, *(text for _, _, text in source.entries(at, meant))]
+            if any(len(plain_phrase(word)) != 1 for word in words):
+                source.problem(at, "sound-alikes are single words", "heard: [meant, meant]", key=True)
+            else:
+                self.alikes[plain_phrase(heard)[0]] = tuple(plain_phrase(word)[0] for word in words[1:])
+        lost = (path for path in source.broken if len(path) == 1 or (path[:1] == ("intents",) and len(path) == 2))
+        self.draft.mute = self.draft.mute or any(lost)
+
+    def add_intents(self) -> None:
+        """Read the intents of all files, once the slots of all files are known."""
+        known = Grammar(self.language, (), self.phrases, self.slots, self.intents, Operators())
+        for parts in self.parts:
+            for at, name, spec in _section(parts.source, "intents"):
+                intent = read_intent(parts, at, name, spec, known)
+                old = self.intents.get(name)
+                if old is None:
+                    self.intents[name] = intent
+                    continue
+                if old.action != intent.action and name not in self.draft.partial:
+                    message = f"intent {name!r} already exists with another action"
+                    parts.source.problem(at, message, "give this one another name", key=True)
+                if old.lark and intent.lark:
+                    message = f"intent {name!r} has a lark grammar already"
+                    parts.source.problem((*at, "lark"), message, "one intent has one; add rules to that", key=True)
+                self.intents[name] = merged(old, intent)
+
+    def _once(self, source: YamlSource, path: YamlPath, name: str) -> bool:
+        kind = "slot" if name in self.slots else "phrase" if name in self.phrases else None
+        if kind is not None:
+            source.problem(path, f"{name!r} is already the name of a {kind}", "give it another name", key=True)
+        return kind is None
+
+    def _alikes_of(self, grammar: Grammar) -> dict[str, tuple[str, ...]]:
+        """Words that recognisers write for others, but for those of every grammar of the language that this one has a
+        use for: where something can be lifted, "lift" is no "left"."""
+        own = own_words(grammar) - NUMERIC
+        usual = DEFAULT_SOUND_ALIKES.get(self.language, {})
+        return {**{heard: meant for heard, meant in usual.items() if heard not in own}, **self.alikes}
+
+    def finish(self) -> tuple[Grammar, list[Problem]]:
+        """The grammar, and what is wrong with its meaning."""
+        operators = {key: tuple(plain_phrase(text) for text in texts) for key, texts in self.operators.items()}
+        closed = {
+            words[0]
+            for key in ("negation", "closed", "sequence", "contrast", "stop", "correction")
+            for words in operators.get(key, ())
+            if len(words) == 1
+        }
+        grammar = Grammar(
+            language=self.language,
+            fillers=tuple(map(plain_phrase, default_fillers(self.language) if self.fillers is None else self.fillers)),
+            around=tuple(map(plain_phrase, default_around(self.language))) if self.fillers is None else (),
+            phrases=self.phrases,
+            slots=self.slots,
+            intents=self.intents,
+            operators=Operators(
+                **{key: tuple(words for words in rows if words) for key, rows in operators.items() if key != "closed"},
+                closed=frozenset(closed),
+            ),
+            sound_alikes=self.alikes,
+            wake=tuple(plain_phrase(text) for text in self.wake),
+            as_written=self._as_written(),
+            files=tuple(parts.source.file for parts in self.parts),
+        )
+        problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
+        return replace(
+            grammar,
+            operators=replace(grammar.operators, stop_by_sound=stops_by_sound(grammar)),
+            sound_alikes=self._alikes_of(grammar),
+            homophones=own_homophones(grammar),
+            warnings=tuple(warnings),
+        ), problems
+
+    def _as_written(self) -> dict[str, str]:
+        """Words that are written with a capital or an apostrophe in values, sentences and examples."""
+        found: dict[str, str] = {}
+        for parts in self.parts:
+            sections = [parts.source.data.get(name) for name in ("slots", "phrases", "intents")]
+            slots, phrases, intents = ([*one.values()] if isinstance(one, dict) else [] for one in sections)
+            specs = [spec for spec in intents if isinstance(spec, dict)]
+            said = [*phrases, *(spec.get(key) for spec in specs for key in ("sentences", "then", "examples"))]
+            found |= as_written(texts_in(slots)) | as_written(texts_in(said), sentences=True)
+        return found
+
+
+def _section(source: YamlSource, name: str) -> list[tuple[YamlPath, Any, Any]]:
+    """The sound entries of a section of a file."""
+    return [] if (name,) in source.broken else list(source.entries((name,), source.data.get(name)))

@@ -1,0 +1,229 @@
+"""Values in a grammar, checked against the slots and actions that take them: defaults, conditions, examples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
+from intent_engine.language.grammar import (
+    ACTION_PARAMETERS,
+    QUANTITY_KINDS,
+    ActionSpec,
+    Grammar,
+    Intent,
+    Sentence,
+    Slot,
+    problem_at,
+)
+from intent_engine.language.loading.grammar_intents import slot_of_parameter, slots_by_label
+from intent_engine.language.loading.grammar_parts import Places
+from intent_engine.language.loading.yaml_source import YamlPath
+
+__all__ = ["action_problems", "example_problems", "value_problems"]
+
+REQUIRED: Mapping[str, tuple[str, ...]] = {
+    "navigate": ("location",),
+    "pick": ("object",),
+    "turn": ("direction",),
+    "move": ("direction",),
+}
+"""Parameters without which an action cannot be made. A move's or turn's direction may come from the sentence's own
+slots, a default or the sign of its distance or angle."""
+
+DIRECTIONS: Mapping[str, frozenset[str]] = {
+    "move": frozenset(("forward", "forwards", "backward", "backwards", "back")),
+    "turn": frozenset(("left", "right", "clockwise", "counterclockwise", "anticlockwise")),
+}
+"""What the directions of an action are called in every language; the words that are said stand in the slot's lists."""
+
+
+def value_problems(grammar: Grammar, intent: Intent, labels: set[str], places: Places) -> Iterator[Problem]:
+    """Defaults, conditions and fixed slots: names that something takes, values that the slot can have."""
+    base: YamlPath = ("intents", intent.name)
+    slots = _slots_of(grammar, intent)
+    yield from _defaults(intent, intent.defaults, labels, slots, (*base, "defaults"), places)
+    for index, condition in enumerate(intent.when):
+        at = (*base, "when", index)
+        for label, value in condition.slots.items():
+            if label not in labels and not _patterns(intent):
+                message = f"'when' asks for slot {label!r}, which no sentence has"
+                yield places.problem((*at, "slots", label), message, _near(label, labels), key=True)
+            else:
+                yield from _value(slots.get(label), value, (*at, "slots", label), places)
+        yield from _defaults(intent, condition.defaults, labels, slots, (*at, "defaults"), places)
+    for sentence in intent.all_sentences:
+        yield from _fixed(intent, sentence, labels, slots, grammar)
+
+
+def _defaults(
+    intent: Intent,
+    defaults: Mapping[str, Any],
+    labels: set[str],
+    slots: Mapping[str, Slot],
+    at: YamlPath,
+    places: Places,
+) -> Iterator[Problem]:
+    known = {*labels, *ACTION_PARAMETERS[intent.action.type]}
+    for key, value in defaults.items():
+        if key not in known and not _patterns(intent) and intent.action.type != "custom":
+            yield places.problem((*at, key), f"a default for {key!r}, which nothing takes", _near(key, known), key=True)
+            continue
+        yield from _value(slots.get(slot_of_parameter(intent.action, key)), value, (*at, key), places)
+        if key == "direction" and key not in slots:
+            yield from _direction(intent.action.type, value, (*at, key), places)
+
+
+def _near(word: str, known: Iterable[str]) -> str:
+    return did_you_mean(word, known) or f"known: {', '.join(sorted(known)) or 'none'}"
+
+
+def _value(slot: Slot | None, value: Any, at: YamlPath, places: Places) -> Iterator[Problem]:
+    """A value that a slot could not have been given by words."""
+    wrong = _why_not(slot, value)
+    if wrong is not None:
+        yield places.problem(at, *wrong)
+
+
+def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
+    if slot is None:
+        return None
+    if slot.type in ("choice", "boolean"):
+        known = [one for one, _ in slot.values]
+        if not any(one == value or str(one) == str(value) for one in known):
+            names = [str(one) for one in known]
+            hint = did_you_mean(str(value), names) or f"one of: {', '.join(names)}"
+            return f"{value!r} is no value of slot {slot.name!r}", hint
+    elif slot.type in QUANTITY_KINDS and isinstance(value, (int, float)) and (beyond := slot.beyond(value)) is not None:
+        return f"{slot.written(value)} is {beyond[1]} (slot {slot.name!r})", f"change it or {beyond[0]}:"
+    return None
+
+
+def _fixed(
+    intent: Intent, sentence: Sentence, labels: set[str], slots: Mapping[str, Slot], grammar: Grammar
+) -> Iterator[Problem]:
+    """Slots that a sentence has without saying them; their place is the sentence's."""
+    spoken = {label for label in labels if any(label not in other.fixed for other in intent.all_sentences)}
+    taken = {slot_of_parameter(intent.action, name) for name in ACTION_PARAMETERS[intent.action.type]}
+    for label, value in sentence.fixed.items():
+        wrong = _why_not(slots.get(label) or grammar.slots.get(label), value)
+        known = {*taken, *slots}
+        if intent.action.type != "custom" and label not in known:
+            wrong = (f"slot {label!r} is taken by nothing", _near(label, known | (spoken & known)))
+        if wrong is not None and sentence.place is not None:
+            place = sentence.place
+            yield problem_at(place, wrong[0], wrong[1])
+
+
+def _slots_of(grammar: Grammar, intent: Intent) -> dict[str, Slot]:
+    return slots_by_label((sentence.template for sentence in intent.all_sentences), grammar)
+
+
+def _patterns(intent: Intent) -> bool:
+    """Whether slots may come from patterns, so that no list of them is complete."""
+    return bool(intent.regex or intent.lark)
+
+
+# -- actions --------------------------------------------------------------------------------------------------
+
+
+def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]], places: Places) -> Iterator[Problem]:
+    """An action takes slots that there are, of kinds that it can use, and gets what it cannot do without.
+
+    Args:
+        given: for each sentence, the labels of the slots that it can give.
+    """
+    action = intent.action
+    labels = set[str]().union(*given)
+    base: YamlPath = ("intents", intent.name, "action")
+    slots = _slots_of(grammar, intent)
+    missing: set[str] = set()
+    for parameter, taken in action.parameters.items():
+        if isinstance(taken, str) and taken.startswith("{"):
+            label = taken.strip("{}")
+            if label not in labels and label not in intent.defaults and not _patterns(intent):
+                missing.add(parameter)
+                message = f"the action takes {taken}, which no sentence of {intent.name!r} has"
+                yield places.problem((*base, parameter), message, _near(label, labels) if labels else None)
+        elif parameter == "direction":
+            yield from _direction(action.type, taken, (*base, parameter), places)
+    for parameter, kind in ACTION_PARAMETERS[action.type].items():
+        label = slot_of_parameter(action, parameter)
+        slot = slots.get(label) or (grammar.slots.get(label) if _patterns(intent) else None)
+        if slot is None:
+            continue
+        if kind in QUANTITY_KINDS and slot.type not in (kind, "number"):
+            message = f"the {parameter} of {action.type} is {_a(kind)}, and slot {slot.name!r} is {_a(slot.type)}"
+            at = (*base, parameter) if parameter in action.parameters else ("slots", slot.name)
+            yield places.problem(at, message, f"give it a slot of type {kind}")
+        elif kind == "location" and slot.type not in ("location", "choice"):
+            message = f"the {parameter} of {action.type} is a place on the map, and slot {slot.name!r} is {slot.type}"
+            yield places.problem(("slots", slot.name), message, f"{slot.name}: {{type: location}}")
+        elif parameter == "direction" and slot.type == "choice":
+            for value, _ in slot.values:
+                at = ("slots", slot.name, "values", value)
+                yield from _direction(action.type, value, at, places, f" (slot {slot.name!r})")
+    for sentence, own in zip(intent.all_sentences, given, strict=True):
+        yield from _complete(intent, sentence, own, missing)
+
+
+def _a(kind: str) -> str:
+    return ("an " if kind[0] in "aeiou" else "a ") + kind.replace("_", " ")
+
+
+def _direction(action: str, value: Any, at: YamlPath, places: Places, where: str = "") -> Iterator[Problem]:
+    known = DIRECTIONS.get(action)
+    if known is not None and value not in known:
+        first, second = ("forward", "backward") if action == "move" else ("left", "right")
+        message = f"{action} knows the directions {first} and {second}, not {value!r}{where}"
+        yield places.problem(
+            at, message, f"name the values so, and list the words that are said: {first}: [...]", key=True
+        )
+
+
+def _complete(intent: Intent, sentence: Sentence, given: set[str], missing: set[str]) -> Iterator[Problem]:
+    """Every sentence must be able to give what its action cannot do without."""
+    given = {*given, *intent.defaults}
+    for condition in intent.when:
+        given.update(condition.defaults)
+    action = intent.action
+    for parameter in REQUIRED.get(action.type, ()):
+        taken = action.parameters.get(parameter, "{" + parameter + "}")
+        if (
+            parameter in missing
+            or _fixed_amiss(action, sentence)
+            or not (isinstance(taken, str) and taken.startswith("{"))
+        ):
+            continue
+        label = taken.strip("{}")
+        if label in given or parameter in given or (parameter == "direction" and given & {"angle", "distance"}):
+            continue
+        message = f"{action.type} needs {parameter!r}, and this sentence cannot give it"
+        hint = f"add {{{label}}} to the sentence, slots: {{{label}: ...}} beside it, or a default"
+        place = sentence.place
+        if place is not None:
+            yield problem_at(place, message, hint)
+
+
+def _fixed_amiss(action: ActionSpec, sentence: Sentence) -> bool:
+    """Whether a fixed slot may be the missing one misspelt; it has been told of already."""
+    taken = {slot_of_parameter(action, name) for name in ACTION_PARAMETERS[action.type]}
+    return any(did_you_mean(label, taken) for label in sentence.fixed if label not in taken)
+
+
+# -- examples -------------------------------------------------------------------------------------------------
+
+
+def example_problems(intent: Intent, labels: set[str], places: Places) -> Iterator[Problem]:
+    """Examples whose slots no sentence has. Whether they are understood so is a question for ``check`` and ``test``."""
+    if _patterns(intent):
+        return
+    for example in intent.examples:
+        if isinstance(example.expected, Mapping) and example.place is not None:
+            for label in example.expected:
+                if label not in labels and label != "steps":
+                    place = example.place
+                    message = f"the example has slot {label!r}, which no sentence of {intent.name!r} has"
+                    hint = _near(str(label), labels) if labels else "{} stands for no slots"
+                    yield problem_at(place, message, hint)

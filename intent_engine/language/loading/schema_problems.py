@@ -1,0 +1,179 @@
+"""What JSON Schema finds wrong in a file, in words for the person who wrote it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.schema_check import surely_valid
+from intent_engine.language.loading.yaml_source import YamlSource
+
+if TYPE_CHECKING:
+    from jsonschema import ValidationError
+    from jsonschema.protocols import Validator
+
+__all__ = ["schema_problems"]
+
+_WORDS = {
+    "string": "text",
+    "object": "a mapping (key: value)",
+    "array": "a list",
+    "integer": "a whole number",
+    "number": "a number",
+    "boolean": "true or false",
+}
+_SLIP = 70
+"""Percent of the letters that a misspelt key has of the one that was meant; "small" has as many as 60 of "allow"."""
+_YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
+
+
+@lru_cache(maxsize=8)
+def _validator(identity: str, text: str) -> Validator:
+    import json
+
+    from jsonschema import Draft202012Validator
+
+    return Draft202012Validator(json.loads(text))
+
+
+def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]:
+    """Check ``source.data`` against a schema.
+
+    Returns:
+        The problems, with file, line and column, in the order of the file. What they are about is noted in
+        ``source.broken``, so that the rest of the file can still be read.
+    """
+    if surely_valid(source.data, schema):
+        return []
+    import json
+
+    found: list[Problem] = []
+    for error in _validator(str(schema.get("$id")), json.dumps(schema, sort_keys=True)).iter_errors(source.data):
+        found.extend(_problems(source, error))
+    return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0))
+
+
+def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
+    path = tuple(error.absolute_path)
+    name = _name(path)
+    wanted: Any = error.validator_value
+    schema: Any = error.schema
+    instance: Any = error.instance
+    broken = path
+    if error.validator == "additionalProperties" and isinstance(instance, dict):
+        if _bare_values(path, instance, schema):
+            source.broken |= {(*path, "type"), *((*path, key) for key in instance)}
+            first = next(iter(instance))
+            hint = f"put them under 'values': {{values: {{{first}: ...}}}}"
+            yield _at(source, path, f"{name} has values, and no keys of a slot", hint, key=True)
+            return
+        for key in [key for key in instance if key not in schema.get("properties", ())]:
+            source.broken.add((*path, key))
+            yield _unknown_key(source, (*path, key), instance, schema)
+        return
+    if error.validator == "type":
+        yield _wrong_type(source, path, name, wanted if isinstance(wanted, list) else [wanted], instance)
+    elif error.validator == "enum":
+        values = [str(value) for value in wanted]
+        hint = did_you_mean(str(instance), values) or f"one of: {', '.join(values)}"
+        yield _at(source, path, f"{instance!r} is not known here", hint)
+    elif error.validator == "required":
+        known = list(schema.get("properties", ()))
+        strange = [key for key in instance if key not in known]
+        for key in wanted:
+            if key not in instance and not any(_misspelt(other, key, known) for other in strange):
+                yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key), key=True)
+        if path[:1] == ("intents",) and len(path) == 2:
+            broken = (*path, "action")  # the rest of it can be read
+    elif error.validator == "pattern":
+        if "propertyNames" in error.schema_path:
+            broken = (*path, str(instance))
+        if path and path[-1] == "language":
+            yield _at(source, path, f"{instance!r} is no language code", _language_hint(str(instance)))
+        else:
+            hint = "letters, digits and '_', not beginning with a digit" + _as_name(str(instance))
+            yield _at(source, broken, f"{instance!r} is not a name that can be used here", hint, key=True)
+    elif error.validator in ("minLength", "minItems", "minProperties"):
+        yield _at(source, path, f"{name} is empty", "write something, or remove it")
+    elif error.validator in ("minimum", "maximum"):
+        most = "at least" if error.validator == "minimum" else "at most"
+        yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}")
+    elif error.validator == "exclusiveMinimum":
+        yield _at(source, path, f"{name} must be more than {wanted}, not {instance}")
+    else:
+        yield _at(source, path, error.message)
+    source.broken.add(broken)
+
+
+def _name(path: tuple[Any, ...]) -> str:
+    """What a person would call the value at a path."""
+    if not path:
+        return "the file"
+    if isinstance(path[-1], int):
+        owner = next((part for part in reversed(path) if isinstance(part, str)), "the file")
+        return f"entry {path[-1] + 1} of {owner!r}"
+    return repr(path[-1])
+
+
+def _bare_values(path: tuple[Any, ...], instance: dict[Any, Any], schema: Any) -> bool:
+    """Whether a slot is a mapping from values to what is said, as only its ``values`` may be: ``{small: [tiny]}``."""
+    if path[:1] != ("slots",) or len(path) != 2 or not all(isinstance(said, str | list) for said in instance.values()):
+        return False
+    known = list(schema.get("properties", ()))
+    return not any(did_you_mean(str(key), known, _SLIP) for key in instance)
+
+
+def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schema: Any) -> Problem:
+    key, known = str(path[-1]), list(schema.get("properties", ()))
+    near = did_you_mean(key, known)
+    if near is None and len(instance) == 1 and known[:1] == ["say"]:
+        value = source.raw.get(path, instance[key])
+        return _at(source, path, "YAML reads this sentence as a key and its value", f'quote it: "{key}: {value}"', True)
+    return _at(source, path, f"unknown key {key!r}", near or f"known here: {', '.join(known)}", key=True)
+
+
+def _misspelt(strange: Any, key: str, known: list[str]) -> bool:
+    """Whether an unknown key is probably the missing one; it has been told of already."""
+    return did_you_mean(str(strange), known) == did_you_mean(key, [key]) or known[:1] == ["say"]
+
+
+def _missing_hint(key: str) -> str | None:
+    if key == "action":
+        return "one of: move, turn, stop, navigate, pick, place; or for your own: action: {type: custom, name: ...}"
+    return None
+
+
+def _language_hint(given: str) -> str:
+    names = {"english": "en", "german": "de", "deutsch": "de", "spanish": "es", "french": "fr", "italian": "it"}
+    near = names.get(given.lower()) or (given.lower() if len(given) == 2 else None)
+    return f"write {near}" if near else "two letters, as en or de"
+
+
+def _as_name(given: str) -> str:
+    name = re.sub(r"\W+", "_", given.strip()).strip("_")
+    return f": {name}" if name and not name[0].isdigit() and name.isascii() else ""
+
+
+def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: list[str], instance: Any) -> Problem:
+    raw = source.raw.get(path)
+    message = f"{name} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
+    if raw is not None and "string" in wanted:
+        if raw.lower() in _YAML_BOOLEANS:
+            message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"
+        sign = "-" if path and isinstance(path[-1], int) else ":"
+        return _at(source, path, message, f'quote it: "{raw}"' if raw else f"something is missing after the {sign!r}")
+    hint = "write lines of the form  key: value" if not path else None
+    if raw == "":
+        hint = "something is missing after the ':'"
+    elif "array" in wanted and isinstance(instance, str):
+        hint = f"write it as a list: [{instance}]" if len(instance) < 30 else "write each on a line that begins with -"
+    return _at(source, path, message, hint)
+
+
+def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:
+    place = source.place(path, key=key)
+    return Problem(message, source.file, place.line, place.column, place.source, hint)

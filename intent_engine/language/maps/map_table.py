@@ -1,0 +1,93 @@
+"""Maps as CSV: ``name,x,y,yaw,frame,aliases,tags``, lists separated by ``;``."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from intent_engine.errors import Problem
+from intent_engine.hints import did_you_mean
+from intent_engine.language.maps.map_draft import FIELDS, Draft, Row
+
+__all__ = ["read_table"]
+
+COLUMNS = ("name", *FIELDS)
+_HINT = "the first line must be: name,x,y,yaw,frame,aliases,tags (yaw and what follows may be left out)"
+
+
+def read_table(path: Path, text: str) -> Draft:
+    """The places of a CSV file."""
+    lines = text.splitlines()
+    draft = Draft()
+
+    def problem(message: str, line: int, column: int = 1, hint: str | None = None) -> Problem:
+        shown = lines[line - 1] if 0 < line <= len(lines) else None
+        return Problem(message, str(path), line, column if shown else None, shown, hint)
+
+    reader = csv.reader(io.StringIO(text), strict=True)
+    try:
+        rows = list(_numbered(reader))
+    except csv.Error as error:
+        draft.problems.append(problem(f"is not valid CSV: {error}", reader.line_num, 1, "is every quote closed?"))
+        return draft
+    if not rows:
+        draft.problems.append(Problem("is empty", str(path), hint=_HINT))
+        return draft
+    top, header = rows[0]
+    columns = [cell.strip().lower() for cell in header]
+    missing = [column for column in ("name", "x", "y") if column not in columns]
+    if missing:
+        draft.problems.append(problem(f"has no column {' or '.join(missing)}", top, 1, _HINT))
+        return draft
+    for column in columns:
+        if column not in COLUMNS or columns.count(column) > 1:
+            what = "stands twice" if column in COLUMNS else "is not known"
+            draft.problems.append(problem(f"column {column!r} {what}", top, 1, did_you_mean(column, COLUMNS) or _HINT))
+            return draft
+    found: list[Row] = []
+    for line, cells in rows[1:]:
+        if len(cells) > len(columns):
+            hint = "put quotes around a name that holds a comma; separate aliases by ';'"
+            draft.problems.append(
+                problem(f"has {len(cells)} fields, but there are {len(columns)} columns", line, 1, hint)
+            )
+            continue
+        given = {column: cell.strip() for column, cell in zip(columns, cells, strict=False)}
+        found.append(_row(given, line, problem, lines))
+    draft.rows = found
+    return draft
+
+
+def _numbered(reader: Any) -> Any:
+    """(line, cells) of every row that is not empty."""
+    last = 0
+    for cells in reader:
+        if any(cell.strip() for cell in cells) and not cells[0].lstrip().startswith("#"):
+            yield last + 1, cells
+        last = reader.line_num
+
+
+def _row(given: dict[str, str], line: int, problem: Callable[..., Problem], lines: list[str]) -> Row:
+    values: dict[str, Any] = {}
+    for key in ("x", "y", "yaw"):
+        if given.get(key):
+            try:
+                values[key] = float(given[key])
+            except ValueError:
+                values[key] = given[key]
+    if given.get("frame"):
+        values["frame"] = given["frame"]
+    for key in ("aliases", "tags"):
+        items = [item.strip() for item in given.get(key, "").split(";")]
+        if any(items):
+            values[key] = [item for item in items if item]
+
+    def tell(key: str, message: str, hint: str | None) -> Problem:
+        shown = lines[line - 1] if line <= len(lines) else ""
+        cell = given.get(key, "").split(";")[0]
+        return problem(message, line, max(shown.find(cell), 0) + 1 if cell else 1, hint)
+
+    return Row(given.get("name", ""), values, tell)

@@ -1,0 +1,1 @@
+"""``regex:`` and ``lark:``: the two other ways to write a sentence."""

@@ -1,0 +1,84 @@
+"""What is doubtful about ``regex:`` and ``lark:``: sentences of a pattern that mean something else, or nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from intent_engine.errors import Problem
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.drawing import RandomChoices
+from intent_engine.language.grammar import Grammar, Intent, Sentence, problem_at
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning import Interpreter
+from intent_engine.language.nearest import Nearest
+from intent_engine.language.pattern.pattern_sampler import PatternSampler
+from intent_engine.language.sampler import Sampler
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["pattern_findings"]
+
+DRAWN = 60
+"""Sentences of a pattern that are looked at, at most."""
+
+
+def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterator[tuple[str, str, Problem]]:
+    """What a look at random sentences of each pattern finds: level, topic and problem, as of a ``Finding``."""
+    patterned = [intent for intent in grammar.intents.values() if intent.regex or intent.lark is not None]
+    if not patterned:
+        return
+    sampler = PatternSampler(grammar, locations, Sampler(grammar, locations).spoken)
+    matcher = Matcher(grammar, locations)
+    interpreter = Interpreter(matcher, Nearest(matcher))
+    for intent in patterned:
+        read = []
+        for sentence in sampler.sentences(intent.name):
+            texts = _texts(sampler, sentence)
+            read.append({text: interpreter.interpret(text, intent.requires) for text in texts})
+        found = [found for found in read if found]
+        if len(found) < len(intent.regex) + (intent.lark is not None):
+            message = f"how a pattern of {intent.name!r} is said cannot be told"
+            hint = "it is understood as it is; speech is not helped by it, and no sentences are sampled"
+            yield "note", "pattern", problem_at(intent.place, message, hint)
+        for meanings in found:
+            yield from _findings(intent, meanings, grammar.operators.closed)
+
+
+def _texts(sampler: PatternSampler, sentence: Sentence) -> list[str]:
+    """Different sentences of one pattern."""
+    drawn = (sampler.fitting(sentence, RandomChoices(seed)) for seed in range(DRAWN))
+    return list(dict.fromkeys(" ".join(piece.text for piece in pieces) for pieces in drawn if pieces))
+
+
+def _findings(
+    intent: Intent, meanings: Mapping[str, Interpretation], closed: frozenset[str]
+) -> Iterator[tuple[str, str, Problem]]:
+    others = {
+        text: meaning
+        for text, meaning in meanings.items()
+        if meaning.intent != intent.name or meaning.status is not Status.ACCEPTED
+    }
+    first: dict[Status, str] = {}
+    for text, meaning in others.items():
+        first.setdefault(meaning.status, text)
+    if Status.AMBIGUOUS in first:
+        text = first[Status.AMBIGUOUS]
+        message = f"{text!r} could be a pattern of {intent.name!r} or another sentence: the robot would ask"
+        hint = "let one of them need another word, or give one intent a priority"
+        yield "warning", "ambiguous", problem_at(intent.place, message, hint)
+    if Status.REJECTED in first:
+        text = first[Status.REJECTED]
+        message = f"{text!r} fits a pattern of {intent.name!r} and is refused: {others[text].reason}"
+        changing = sorted(closed.intersection(text.split()))
+        allowed = f"if that is meant, give its slot allow: [{', '.join(changing)}]" if changing else None
+        yield "warning", "pattern", problem_at(intent.place, message, allowed)
+    if Status.ACCEPTED in first:
+        text = first[Status.ACCEPTED]
+        message = f"{text!r} fits a pattern of {intent.name!r}, and is understood as {others[text].intent!r}"
+        if len(others) == len(meanings):
+            message = f"a pattern of {intent.name!r} is never understood: {message}"
+            yield "warning", "shadowed", problem_at(intent.place, message, "reword one, or give a priority")
+        else:
+            yield "note", "overlap", problem_at(intent.place, message)

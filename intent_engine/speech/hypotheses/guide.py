@@ -1,0 +1,37 @@
+"""What leads one model along the grammar of one language, kept until that is reloaded."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.speech.acoustic.scoring import Scoring
+from intent_engine.speech.acoustic.writing import written
+from intent_engine.speech.hypotheses.guided import GuidedSearch
+from intent_engine.speech.hypotheses.rivals import Rivals
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+
+__all__ = ["Guide"]
+
+
+@dataclass(frozen=True, slots=True)
+class Guide:
+    """A grammar in a model's pieces."""
+
+    near: UtteranceSearch
+    """The grammar's own search, another one after it was reloaded."""
+    guided: GuidedSearch
+    rivals: Rivals
+    singles: dict[str, int]
+    """Words that are whole sentences, each with its first piece."""
+
+    @classmethod
+    def of(cls, model: Scoring, grammar: SpokenGrammar, language: str | None) -> Guide:
+        """Of the grammar of a language, for a model."""
+        near, tokenizer, names = grammar.search(language), model.tokenizer(language), model.names(language)
+        return cls(
+            near,
+            GuidedSearch(near, tokenizer, language, model.end_piece(language), names),
+            Rivals(near, tokenizer, language, grammar.corrections(language), names),
+            {word: int(tokenizer.encode(" " + written([word], language))[0]) for word in near.single_words()},
+        )

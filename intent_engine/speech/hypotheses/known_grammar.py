@@ -1,0 +1,72 @@
+"""What speech is compared with, of one language's grammar, until it is reloaded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from intent_engine.judgement import SURE_ENOUGH
+from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.utterance import PhraseSet
+from intent_engine.speech.hypotheses.narration import narrating
+from intent_engine.speech.hypotheses.usual import UsualNumbers
+from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written
+from intent_engine.speech.hypotheses.wake_words import WakeWords
+
+if TYPE_CHECKING:
+    from intent_engine.language.matcher import Matcher
+
+__all__ = ["KnownGrammar"]
+
+
+@dataclass(slots=True)
+class KnownGrammar:
+    """The words and phrases of a grammar, by what they do in a sentence."""
+
+    matcher: Matcher
+    words: frozenset[str]
+    corrections: PhraseSet
+    """"I mean", "no", "make that","""
+    correcting: frozenset[str]
+    """and their words, which a sentence that is corrected has besides."""
+    negations: PhraseSet
+    """"Not", "never","""
+    narrating: frozenset[str]
+    """and all words with which a sentence is no command."""
+    wake: WakeWords
+    empty: PhraseSet
+    """What says nothing: "please","""
+    leading: PhraseSet
+    """also at the beginning: "and then"."""
+    in_slots: frozenset[str]
+    as_written: Mapping[str, str]
+    search: UtteranceSearch
+    usual: UsualNumbers
+    least: float
+    """Confidence from which anything is acted on."""
+    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
+    """Of some words the sentences that are like them."""
+
+    @classmethod
+    def of(cls, matcher: Matcher) -> KnownGrammar:
+        """What the grammar and the map of a matcher have."""
+        grammar, words = matcher.grammar, known_words(matcher)
+        operators = grammar.operators
+        asked = [intent.min_confidence for intent in grammar.intents.values()]
+        return cls(
+            matcher=matcher,
+            words=words,
+            corrections=PhraseSet(operators.correction),
+            correcting=frozenset(word for words in operators.correction for word in words),
+            negations=PhraseSet(operators.negation),
+            narrating=narrating(grammar),
+            wake=WakeWords(grammar),
+            empty=PhraseSet((*grammar.fillers, *grammar.around)),
+            leading=PhraseSet((*grammar.fillers, *operators.opening)),
+            in_slots=known_in_slots(matcher),
+            as_written=words_as_written(matcher),
+            search=UtteranceSearch(matcher.likely, words),
+            usual=UsualNumbers(grammar),
+            least=min([SURE_ENOUGH, *(one for one in asked if one is not None)]),
+        )

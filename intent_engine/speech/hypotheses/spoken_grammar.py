@@ -1,0 +1,436 @@
+"""What a grammar says of words that may have been spoken, before any sound is asked: which sentences are like them,
+which may be meant at all, and which of several is the likeliest, by what models think of each.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from intent_engine.actions import Turn
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import SURE_ENOUGH
+from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
+from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.matcher import NOT_AFTER_THE_VERB
+from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.reading import SlotReading
+from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
+from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
+from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
+from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
+from intent_engine.speech.hypotheses.guided import WORD, word_count
+from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
+from intent_engine.speech.hypotheses.left_out import begin_left_out, end_left_out
+from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out, told
+from intent_engine.speech.hypotheses.opinion import Reading
+from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
+from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
+
+if TYPE_CHECKING:
+    from intent_engine.engine import IntentEngine
+
+__all__ = ["FORBIDDING", "SpokenGrammar"]
+
+CANDIDATES = 8
+"""Utterances of the grammar, like the words heard, that are looked up."""
+SEARCHES = 64
+"""Searches whose results are kept."""
+OPENINGS = 4
+"""Beginnings of commands in which something is dictated, that are looked up,"""
+LONGEST_OPENING = 5
+"""in so many of the first words heard."""
+FAR = 0.5
+"""Share of the letters heard that may differ in an utterance that is looked up."""
+FAR_LETTERS = 1.7
+"""Letters that may differ in any case: a short word is soon all wrong."""
+FULL_CIRCLE = 2 * math.pi + 0.01
+"""rad of a turn that people ask for, and a little."""
+UNKNOWN_WORD = 8.0
+"""nats by which a word that no list has is less likely than those that are."""
+UNUSUAL = 2.0
+"""nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
+``usual_max``, and a turn of more than a circle. Of 447 angles that people told a robot one was no multiple
+(docs/decisions/speech-numbers.md)."""
+BEYOND_LIMITS = 5.0
+"""The same of a number that its slot does not take, where no model heard it word by word. Where one did, it is only
+unusual."""
+FORBIDDING = ("don't",), ("do", "not"), ("never",)
+"""How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
+
+NOT_WITHIN = 3
+"""First words of a command, behind any of which a "nicht" may stand: "fahr nicht ...", "dreh dich nicht ..."."""
+OTHERWISE = 2
+"""Other ways to say a command, of which a "don't" is looked for too."""
+
+
+class SpokenGrammar:
+    """The grammars of one engine, which may be reloaded at any time. For one thread at a time.
+
+    Args:
+        engine: whose grammars. Languages that it has no grammar for are taken for its first.
+    """
+
+    def __init__(self, engine: IntentEngine) -> None:
+        self._engine = engine
+        self._kept: dict[str | None, KnownGrammar] = {}
+
+    @property
+    def languages(self) -> tuple[str, ...]:
+        """Of the grammars."""
+        return self._engine.languages
+
+    def parse(self, text: str, language: str | None = None) -> Interpretation:
+        """What a text means."""
+        return self._engine.parse(text, language=self._own(language))
+
+    def fits_pattern(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are, as they are, a command of an intent that has patterns: of some it cannot be told what else
+        they have."""
+        meaning = self.parse(" ".join(words), language)
+        intent = self._known(language).matcher.grammar.intents.get(meaning.intent or "")
+        exact = meaning.status is Status.ACCEPTED and meaning.confidence == 1.0
+        return exact and intent is not None and bool(intent.regex or intent.lark)
+
+    def dictated(self, text: str, language: str | None = None) -> tuple[str, ...]:
+        """The words before a dictated text; none where nothing is dictated."""
+        found = self._engine.dictated(text, language=self._own(language))
+        return found.begin if found is not None else ()
+
+    def openings(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Commands in which the text that follows is dictated, like the first words heard, the likest first."""
+        if not self._known(language).matcher.grammar.dictates:
+            return []
+        found: dict[tuple[str, ...], float] = {}
+        for count in range(1, min(LONGEST_OPENING, len(heard) - 1) + 1):
+            most = max(FAR_LETTERS, FAR * sum(map(len, heard[:count])))
+            for words, apart in self._nearest((*heard[:count], DICTATED), language):
+                apart -= FREE
+                begin = begin_of(words)
+                if begin and apart <= most and self.dictated(" ".join(words), language) == begin:
+                    found[words] = min(apart, found.get(words, apart))
+        return sorted(found, key=lambda words: found[words])[:OPENINGS]
+
+    def words(self, text: str, language: str | None = None) -> list[str]:
+        """The words of a text that was heard, together or apart as the grammar writes them, numbers as words."""
+        said = Utterance.of(without_enumeration(text), language or "en")
+        words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
+        return in_words(said_of_signs(words, language), language)
+
+    def as_written(self, language: str | None = None) -> Mapping[str, str]:
+        """Words that the grammar or the map writes with a capital or an apostrophe, by the same small and plain."""
+        return self._known(language).as_written
+
+    def search(self, language: str | None = None) -> UtteranceSearch:
+        """The search for sentences that are like some words; another one when the grammar was reloaded."""
+        return self._known(language).search
+
+    def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """Sentences like the words heard, the likest first; then those that take something back, and those that would
+        be one if their first words were a wake word."""
+        return [*self._like(tuple(heard), language), *self._corrected(heard, language), *self.woken(heard, language)]
+
+    def _like(self, heard: tuple[str, ...], language: str | None) -> list[tuple[str, ...]]:
+        most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
+        return [words for words, apart in self._nearest(heard, language) if apart <= most]
+
+    def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
+        corrections = self.corrections(language)
+        meant = as_meant(heard, corrections, self._known(language).matcher.grammar.sound_alikes)
+        if corrections.find(meant, 1) is None:
+            meant = no_between(meant, corrections, language)
+        like = corrected_like(meant, corrections, lambda words: self._like(words, language))
+        return [words for words in like if self.parse(" ".join(words), language).corrected]
+
+    def possible(
+        self,
+        words: Sequence[str],
+        story: Iterable[str] = (),
+        language: str | None = None,
+        *,
+        heard: Collection[str] = (),
+    ) -> bool:
+        """Whether a sentence may be meant: what would not be accepted was not said, except that something shall not be
+        done, and numbers beyond their limits ("gate seventy" is not to be "gate seven"); nobody says hardly anything
+        but "oh", "now" and "so", except to stop ("halt" is such a word in German); and who tells a story gives no
+        command.
+
+        Args:
+            words: of the sentence.
+            story, heard: as for :func:`~intent_engine.speech.hypotheses.narration.leaves_out`.
+            language: of the speech.
+        """
+        if leaves_out(words, story, heard):
+            return False
+        meaning = self.parse(" ".join(words), language)
+        # Whether "duck" could be the dock is for the sound to say; which of two rooms is meant, for the person.
+        asks = meaning.status is Status.AMBIGUOUS and len(meaning.alternatives) > 1
+        known = meaning.status is Status.ACCEPTED or asks or meaning.refuses or meaning.beyond_limits
+        return known and (meaning.stops or not self._mostly_noise(words, language))
+
+    def corrections(self, language: str | None = None) -> PhraseSet:
+        """Phrases that take back what was said before them."""
+        return self._known(language).corrections
+
+    def narrating(self, language: str | None = None) -> frozenset[str]:
+        """Words with which a sentence is no command, wherever they stand: "when", "not"."""
+        return self._known(language).narrating
+
+    def negated(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether any of some words make a sentence that is not done, or no command: "never"."""
+        if language in (None, "en") and not NARRATING.isdisjoint(words):
+            return True
+        return any(self._known(language).negations.at(words, place) for place in range(len(words)))
+
+    def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether a sentence asks for something else."""
+        return self.parse(" ".join(words), language).actions != meaning.actions
+
+    def wake(self, language: str | None = None) -> WakeWords:
+        """Its wake words."""
+        return self._known(language).wake
+
+    def woken(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """A command without a wake word as it would be with one: see :meth:`WakeWords.before`."""
+        return list(self.wake(language).before(words, lambda rest: self.parse(" ".join(rest), language).actions))
+
+    def acted_on(self, confidence: float, language: str | None = None) -> bool:
+        """Whether a sentence that is so sure may be acted on. (A stop is, from less, and however unclear.)"""
+        return confidence >= self._known(language).least
+
+    def forgiving(self, language: str | None = None) -> bool:
+        """Whether something of it is acted on from less than is usual: to be wrong costs less than to be asked."""
+        return self._known(language).least < SURE_ENOUGH
+
+    def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
+        """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
+        don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow; or, in
+        German, with a "nicht" behind its first words. None of what is no command, of a stop, and of languages of which
+        that is not known."""
+        meaning = self.parse(" ".join(words), language)
+        if not meaning.actions or meaning.stops:
+            return []
+        called = self.wake(language).after(words)
+        lead = called + self.lead(words[called:], language)
+        if language not in (None, "en"):
+            behind = NOT_AFTER_THE_VERB.get(language, ())
+            places = range(lead + 1, min(lead + 1 + NOT_WITHIN, len(words)))
+            return [(*words[:at], *no, *words[at:]) for no in behind for at in places]
+        begin, rest = tuple(words[:lead]), tuple(words[lead:])
+        begins = {begin} if called else {(): None, begin: None}
+        return [(*kept, *no, *rest) for kept in begins for no in FORBIDDING]
+
+    def said_otherwise(
+        self, sentences: Sequence[tuple[str, ...]], language: str | None = None
+    ) -> list[tuple[str, ...]]:
+        """The next sentences that mean what the first means, of which a "don't" may have been said as well: those that
+        begin with a verb, since nobody says "don't a mocha"."""
+        best, *others = sentences
+        meaning, addressed = self.parse(" ".join(best), language), self.wake(language).addressed
+        same = (
+            one
+            for one in others
+            if not (begin_of(one) or self.means_else(one, meaning, language)) and addressed(one) == addressed(best)
+        )
+        in_slots = self._known(language).in_slots
+        return [one for one in itertools.islice(same, OTHERWISE) if one[self.lead(one, language)] not in in_slots]
+
+    def lead(self, words: Sequence[str], language: str | None = None) -> int:
+        """How many words at the beginning of a sentence say nothing: "and then please"."""
+        leading = self._known(language).leading
+        count = 0
+        while count < len(words) - 1:
+            length = leading.at(words, count)
+            if not length:
+                break
+            count += length
+        return count if count < len(words) else 0
+
+    def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words change nothing, wherever they stand: "please"."""
+        return self._known(language).leading.cover(words)
+
+    def left_out(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> tuple[str, ...]:
+        """The first and the last words that were heard, where a sentence begins or ends otherwise, with such as say
+        something. A stop leaves out nothing: it waits for nothing.
+
+        Args:
+            words: of the sentence.
+            heard: the words that each model heard.
+            language: of the speech.
+        """
+        if begin_of(words) or self.parse(" ".join(words), language).stops:
+            return ()
+        begin = self.begin_left_out(words, heard, language)
+        if not begin and not self.wake(language).after(words) and language in (None, "en"):
+            begin = told(words, heard, min((self.lead(one, language) for one in heard), default=0))
+        end = end_left_out(words, heard)
+        return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
+
+    def settled(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether no more of a sentence may follow than the manner of it."""
+        return self._known(language).matcher.settled(words)
+
+    def begin_left_out(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> Sequence[str]:
+        """As :func:`~intent_engine.speech.hypotheses.left_out.begin_left_out`."""
+        led = [(one, self.lead(one, language)) for one in heard]
+        return begin_left_out(words, self.lead(words, language), led)
+
+    def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether an exact sentence is what people say: without words in free slots that no list has, and without a
+        turn of more than a circle ("five fourteen degrees" was "by fourteen"). Else it may be another that was heard a
+        little wrong; so it may with words that are :meth:`empty_inside`."""
+        return not (_circles(meaning) or self.unknown(words, meaning, language))
+
+    def empty_inside(self, words: Sequence[str], language: str | None = None) -> list[str]:
+        """The words that say nothing and stand between others of a sentence: "turn like by sixteen degrees"."""
+        nothing = self._known(language).empty
+        inside = range(self.lead(words, language) + 1, len(words))
+        phrases = [(at, nothing.at(words, at)) for at in inside]
+        return [
+            word
+            for at, length in phrases
+            if length and not self.says_nothing(words[at:], language)
+            for word in words[at : at + length]
+        ]
+
+    def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
+        """Whether an exact sentence has words in free slots that no list has."""
+        there = self._known(language).words
+        if meaning.corrected:
+            there = there | self._known(language).correcting
+        is_number = self._known(language).matcher.is_number
+        known = there.issuperset(word for word in words if not is_number(word))
+        if known and not self.unlisted(meaning, language):
+            return False
+        heard = tuple(words)
+        as_heard = next((said for said, _ in self._nearest(heard, language) if said == heard), ())
+        return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
+
+    def takes_as_heard(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence with a slot that has no list, which holds all words that the grammar does not
+        have: whoever may be called can be called anything."""
+        matcher, known = self._known(language).matcher, self._known(language).words
+        said = list(words[self.lead(words, language) :])
+        free = [slot for slot in self._free_slots(words, language) or () if not slot.slot.known]
+        taken = {place for slot in free for place in range(slot.start, slot.end)}
+        strange = {place for place, word in enumerate(said) if word not in known and not matcher.is_number(word)}
+        return bool(taken) and strange <= taken
+
+    def holds_any_words(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether words are a sentence with a slot that could hold any others as well, with a list or without; or are
+        none that is known."""
+        return self._free_slots(words, language) != []
+
+    def _free_slots(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
+        """The slots of a sentence that take any words; None: it is no sentence."""
+        readings = self._known(language).matcher.read(list(words[self.lead(words, language) :]))
+        if not readings or readings[0].problem:
+            return None
+        return [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS]
+
+    def share_known(self, words: Sequence[str], language: str | None = None) -> float:
+        """Share of some words that the grammar has, anywhere; 1 of none."""
+        known = self._known(language).words
+        return _mean([float(word in known or is_numeral(word)) for word in words] or [1.0])
+
+    def unlisted(self, meaning: Interpretation, language: str | None = None) -> list[str]:
+        """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
+        if self.dictated(meaning.text, language):
+            return []
+        known = self._known(language).in_slots
+        unlisted = (word for word in said_in_slots(meaning.slots) if word not in known)
+        return [word for one in unlisted for word in self.words(one, language) if word not in known]
+
+    def unusual(self, meaning: Interpretation, language: str | None = None, *, heard: bool = True) -> float:
+        """nats by which a sentence is less likely for its numbers, before it was heard.
+
+        Args:
+            meaning: of the sentence.
+            language: of the speech.
+            heard: whether any model heard it word by word.
+        """
+        unusual = self._known(language).usual.unusual(meaning) + _circles(meaning)
+        return UNUSUAL * unusual + (UNUSUAL if heard else BEYOND_LIMITS) * meaning.beyond_limits
+
+    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
+        """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
+
+        Several models are taken together as one that thinks what they do in the mean.
+        """
+        rows = []
+        for words, seen in views.items():
+            unknown = sum(isinstance(word, FreeWord) for word in words)
+            if unknown and self.takes_as_heard(words, language):
+                unknown = 0
+            meaning = self.parse(" ".join(words), language)
+            count = max(view.words for view in seen) or word_count(words)
+            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
+            addressed = meaning.stops or self.wake(language).addressed(words)  # a stop needs no wake word
+            heard = any(view.apart == 0 for view in seen)
+            rank -= self.unusual(meaning, language, heard=heard) + UNADDRESSED * (not addressed)
+            rows.append((rank, words, seen, unknown, meaning.actions if addressed else ()))
+        rows.sort(key=lambda row: (-row[0], row[1]))
+        readings = []
+        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
+            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
+            telling = 1 + self._telling(words, language)
+            gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
+            evidence = Evidence(
+                # As the gap is weighed.
+                gap=math.expm1(_mean([math.log1p(gap) for gap in gaps])),
+                margin=min(FAR_AHEAD, rank - other),
+                cost=-_mean([view.score / (1 + (view.words or len(words))) for view in seen]),
+                apart=_mean([view.apart for view in seen]) / telling,
+                unknown=unknown,
+                models=len(seen),
+                alone=len(words) == 1,
+            )
+            readings.append(Reading(words, evidence, actions, rows[0][0] - rank))
+        return readings
+
+    def _own(self, language: str | None) -> str | None:
+        return language if language in self._engine.languages else None
+
+    def _known(self, language: str | None) -> KnownGrammar:
+        matcher = self._engine.matcher(self._own(language))
+        known = self._kept.get(language)
+        if known is None or known.matcher is not matcher:
+            known = self._kept[language] = KnownGrammar.of(matcher)
+        return known
+
+    def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
+        """The sentences like some words; those of one utterance are asked for again and again."""
+        known = self._known(language)
+        if len(known.found) > SEARCHES:
+            known.found.clear()
+        found = known.found.get(heard)
+        if found is None:
+            found = known.found[heard] = known.search.nearest(heard, CANDIDATES, known.narrating)
+        return found
+
+    def _telling(self, words: Sequence[str], language: str | None) -> int:
+        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
+        fillers = self._known(language).matcher.grammar.fillers
+        return sum(not isinstance(word, FreeWord) and (word,) not in fillers for word in words)
+
+    def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
+        """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
+        heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
+        return 2 * self._telling(words, language) < heard_anywhere
+
+
+def _circles(meaning: Interpretation) -> int:
+    """Turns of more than a circle in a sentence."""
+    return sum(isinstance(action, Turn) and abs(action.angle) > FULL_CIRCLE for action in meaning.actions)
+
+
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)

@@ -1,0 +1,153 @@
+"""What the checks let pass: no grammar that works is called wrong. What they refuse is in ``grammar_mistakes.py``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from templates import trees
+
+from intent_engine.errors import ConfigError
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.loading.grammar_file import load_grammars
+from intent_engine.language.template_tree import template_text
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def load(text: str) -> Grammar:
+    Path("grammar.yaml").write_text(text)
+    (grammar,) = load_grammars("grammar.yaml")
+    return grammar
+
+
+def warnings(text: str) -> list[tuple[int | None, str]]:
+    return [(problem.line, problem.message) for problem in load(text).warnings]
+
+
+FINE = {
+    "the same slot in two alternatives": (
+        "slots: {place: text}\nintents:\n  x: {action: custom, sentences: ['go (to {place}|into {place})']}\n"
+    ),
+    "the same slot under two names": (
+        "slots: {place: text}\nintents:\n  x: {action: custom, sentences: ['from {place:start} to {place:end}']}\n"
+    ),
+    "a slot inside a phrase": (
+        "slots: {place: text}\nphrases: {there: 'to {place}'}\n"
+        "intents:\n  x: {action: custom, sentences: ['go {there}']}\n"
+    ),
+    "an optional phrase that may be empty": (
+        "phrases: {politely: '[very] [kindly]'}\nintents:\n  x: {action: custom, sentences: ['{politely} go']}\n"
+    ),
+    "a phrase inside a value": (
+        "phrases: {very: '(very|really)'}\nslots: {size: {values: {big: '[{very}] big', small: small}}}\n"
+        "intents:\n  x: {action: custom, sentences: ['a {size} one']}\n"
+    ),
+    "a constant for a custom action": (
+        "intents:\n  x: {action: {type: custom, name: wave, times: 3}, defaults: {who: all}, sentences: [wave]}\n"
+    ),
+    "a direction from the sign of a distance": (
+        "slots: {distance: distance}\nintents:\n  x: {action: move, sentences: ['by {distance}']}\n"
+    ),
+    "a direction from a default": "intents:\n  x: {action: move, defaults: {direction: forward}, sentences: [go]}\n",
+    "a direction from a fixed slot": (
+        "intents:\n  x: {action: turn, sentences: [{say: left turn, slots: {direction: left}}]}\n"
+    ),
+    "a number for a distance": (
+        "slots: {steps: {type: number, max: 10}}\nintents:\n  x: {action: {type: move, distance: '{steps}'},\n"
+        "    defaults: {direction: forward}, sentences: ['go {steps}']}\n"
+    ),
+    "a choice of places": (
+        "slots: {where: [kitchen, hall]}\nintents:\n"
+        "  x: {action: {type: navigate, location: '{where}'}, sentences: ['to {where}']}\n"
+    ),
+    "the same sentence for two states of the robot": (
+        "intents:\n  x: {action: custom, sentences: [go], requires: [docked]}\n"
+        "  y: {action: stop, sentences: [go], excludes: [docked]}\n"
+    ),
+    "slots from a regex": (
+        "slots: {who: text}\nintents:\n"
+        "  x: {action: custom, regex: 'wave (at|to) (?P<who>[a-z ]+)', defaults: {who: me}}\n"
+    ),
+    "a regex that could run for hours elsewhere": "intents:\n  x: {action: custom, regex: 'wave (a+)+b'}\n",
+    "a regex that looks at capitals": "intents:\n  x: {action: custom, regex: '(?i)WAVE'}\n",
+    "several regexes": "intents:\n  x: {action: custom, regex: ['wave \\S+ bow', 'bow']}\n",
+    "a lark grammar": (
+        'slots: {who: text}\nintents:\n  x:\n    action: custom\n    lark: |\n      start: "wave" " " who\n'
+        "      who: /[a-z]+/\n"
+    ),
+    "stop in one's own words": "intents:\n  x: {action: stop, sentences: ['do not move']}\n",
+}
+
+
+@pytest.mark.parametrize("name", FINE)
+def test_what_works_is_not_refused(name):
+    assert warnings(FINE[name]) == []
+
+
+DOUBTFUL = {
+    "slots: {a: text}\nintents:\n  x: {action: custom, sentences: [go]}\n": (1, "slot 'a' is used by no sentence"),
+    "intents:\n  x: {action: custom, sentences: [go]}\nphrases:\n  p: a\n": (4, "phrase 'p' is used by no sentence"),
+    "intents:\n  x: {action: custom, sentences: [go,\n    go]}\n": (3, "the same sentence stands already at line 2"),
+    "intents:\n  x: {action: custom, sentences: ['never go']}\n": (
+        2, "this sentence says 'never', and yet the robot will act on it",
+    ),
+    "slots: {a: text, b: text}\nintents:\n  x: {action: custom, sentences: ['mix {a} [{b}]', 'mix {a} and {b}']}\n": (
+        3, "nobody can tell where 'a' ends and 'b' begins: both are free text",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", DOUBTFUL)
+def test_what_is_doubtful_is_told_and_loads(text):
+    assert warnings(text) == [DOUBTFUL[text]]
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.lists(trees(("a", "b", "c"), names=("s", "p")), min_size=1, max_size=4))
+def test_any_sentences_load_or_are_told_what_is_wrong(templates):
+    rows = "".join(f'      - "{template_text(tree)}"\n' for tree in templates)
+    head = "slots: {s: text}\nphrases: {p: '(x|y [z])'}\nintents:\n  i:\n    action: custom\n    sentences:\n"
+    try:
+        found: Grammar | ConfigError = load(head + rows)
+    except ConfigError as error:
+        found = error
+    if isinstance(found, ConfigError):
+        assert all(6 < (problem.line or 0) <= 6 + len(templates) for problem in found.problems)
+    else:
+        assert len(found.intents["i"].sentences) == len(templates)
+
+
+LINES = [
+    "language: en", "intents:", "  wave:", "    action: custom", "    action: {type: move}", "    sentences:",
+    "      - wave", "      - 'go {it}'", "slots:", "  it: text", "  it: {values: [a, b]}", "phrases:", "  p: '{p}'",
+    "    defaults: {it: 3 m}", "    regex: '('", "    examples:", "include: [grammar.yaml]", "fillers: [not]", "  - x",
+    "    when: [{slots: {it: a}, defaults: {speed: 1}}]", "    requires: [x]", "\t", "  : {", "  'a': &a [*a]", "---",
+]  # fmt: skip
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.sampled_from(LINES), max_size=12) | st.permutations(LINES[:12]))
+def test_lines_of_files_in_any_order_load_or_are_told_what_is_wrong(lines):
+    try:
+        load("\n".join(lines))
+    except ConfigError as error:
+        problems = error.problems
+    else:
+        problems = ()
+    assert all(problem.file == "grammar.yaml" and problem.message for problem in problems)
+
+
+def test_a_regex_is_linear_whatever_its_form():
+    """Backtracking engines take 2 to the power of the text for this one; a test that ends is the proof."""
+    from intent_engine.engine import IntentEngine
+
+    load("intents:\n  x: {action: custom, regex: 'wave (a+)+b'}\n")
+    engine = IntentEngine.from_files("grammar.yaml")
+    assert engine.parse("wave " + "a" * 1900).actions == ()
+    assert engine.parse("wave aaab").actions

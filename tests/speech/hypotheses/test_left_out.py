@@ -1,0 +1,132 @@
+"""Words that were heard and that a sentence leaves out, and words of a sentence that nobody heard."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.speech.hypotheses.left_out import begin_left_out, end_left_out, ends_unheard, goes_on
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+
+WORDS = st.lists(st.sampled_from("abc"), max_size=4)
+
+
+@given(WORDS, st.lists(WORDS, max_size=3))
+def test_what_somebody_heard_whole_goes_on_from_nothing(words, heard):
+    assert not goes_on(words, [*heard, words])
+
+
+@given(WORDS, st.lists(st.sampled_from("abc"), min_size=1, max_size=3), st.lists(WORDS, max_size=3))
+def test_what_goes_on_from_all_that_one_heard_was_not_said(begun, more, others):
+    said = begun + more
+    assert goes_on(said, [begun, *others]) is (said not in others)
+
+
+TWICE = ["go", "forward", "four", "meters", "next", "half", "a", "meter", "per", "second", "go", "forward"]
+
+
+@pytest.mark.parametrize(
+    ("heard", "unheard"),
+    [
+        (["go forward four meter next half a meter per second", "no forward four meters next half a meter"], True),
+        (
+            ["go forward four meter next half a meter per second", "no forward four meters go for what"],
+            False,
+        ),
+        (["go forward four meters next half a meter per second to forward"], False),
+        (["what a lovely day it is to be in the garden with all of you and nothing to do"], False),
+        ([], False),
+    ],
+    ids=["by nobody", "by one", "nearly", "other words", "nobody asked"],
+)
+def test_last_words_that_are_like_nothing_that_was_heard(heard, unheard):
+    assert ends_unheard(TWICE, [one.split() for one in heard]) is unheard
+
+
+@pytest.mark.parametrize(
+    ("heard", "left_out"),
+    [
+        (["go back three feet at six miles", "go black three feet and happens"], "miles"),
+        (["go back three feet", "go black three feet at six"], ""),
+        (["go back tree feet", "no back three feets"], ""),
+        ([], ""),
+    ],
+    ids=["by both", "by one", "by none", "nobody asked"],
+)
+def test_last_words_that_were_heard_and_left_out(heard, left_out):
+    """Half of what was said is not what was said."""
+    found = end_left_out(["go", "back", "three", "feet"], [one.split() for one in heard])
+    assert left_out in " ".join(found)
+    assert bool(found) is bool(left_out)
+
+
+@given(st.lists(st.sampled_from(["go", "left", "to", "the", "kitchen", "slowly"]), min_size=1, max_size=6), st.data())
+def test_of_words_that_were_heard_none_is_unheard(words, data):
+    """However many others were heard, too."""
+    more = data.draw(st.lists(st.sampled_from(["robot", "please", "now"]), max_size=3))
+    assert not ends_unheard(words, [more + words])
+    assert not end_left_out(more + words, [words])
+
+
+@pytest.fixture(scope="module")
+def begins(engine):
+    """The first words that were heard and that a sentence leaves out."""
+    grammar = SpokenGrammar(engine)
+
+    def found(sentence: str, *heard: str) -> str:
+        words, said = sentence.split(), [one.split() for one in heard]
+        left_out = begin_left_out(words, grammar.lead(words), [(one, grammar.lead(one)) for one in said])
+        return " ".join(left_out)
+
+    return found
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("go to the kitchen", ["do you go to the kitchen"] * 2, "do you"),
+        ("i want you to go to the kitchen", ["i want to go to the kitchen"] * 2, "i want to"),
+        ("lets put the cup on the table", ["let me put the cup on the table"] * 2, "let me"),
+        ("can you pick up the cup", ["you pick up the cup"] * 2, "you"),
+        ("put the box on the table", ["who put the box on the table", "who put the backs on the table"], "who"),
+        ("put the box on the table", ["who put the box on the table", "peter put the backs on the table"], ""),
+        ("a single shot latte", ["for a single shot lattice", "bruce single shot latte"], ""),
+        ("put the box on the table", ["who put the box on the table", "put the backs on the table"], ""),
+        ("put the box on the table", ["but the box on the table", "but the backs on the table"], ""),
+        ("put the box on the table", ["please put the box on the table", "so put the box on the table"], ""),
+        ("could you go back", ["would you go back"] * 2, ""),
+        ("please go back", ["pleas go back"] * 2, ""),
+        ("quarter turn left", ["the quarter turn left"] * 2, ""),
+        ("pick up the cup", ["mary picks up the cup"] * 2, "mary"),
+        ("pick up the cup", ["picks up the cup"] * 2, ""),
+        ("would you follow me", ["who says follow me", "would he follows me"], "who says"),
+        ("go back one meter", ["she goes back on meter"] * 2, "she"),
+        ("go back", [], ""),
+    ],
+)
+def test_first_words_that_were_heard_and_left_out(begins, sentence, heard, left_out):
+    """What is told or asked is no command, though all words of one are in it."""
+    assert begins(sentence, *heard) == left_out
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("lets turn around", ["it turns around"] * 2, ("it",)),
+        ("oh let us go to the lounge", ["all of us went to the lounge"] * 2, ("all of us went",)),
+        ("lets turn around", ["it turns around", "lets turn around"], ()),
+        ("lets turn around", [], ()),
+    ],
+)
+def test_what_all_heard_told_before_any_word_of_a_command(engine, sentence, heard, left_out):
+    """The verb was heard in another form, so that nothing in it is the command's own beginning."""
+    assert SpokenGrammar(engine).left_out(sentence.split(), [one.split() for one in heard]) == left_out
+
+
+SPOKEN = st.sampled_from(["go to the kitchen", "turn left", "please put it down", "could you go back one meter"])
+
+
+@given(SPOKEN, st.lists(st.sampled_from(["robot", "please", "okay", "so", "um"]), max_size=3), st.integers(1, 2))
+def test_who_says_please_begins_no_other_sentence(begins, sentence, before, models):
+    assert not begins(sentence, *[" ".join([*before, sentence])] * models)

@@ -1,0 +1,86 @@
+"""Who tells something gives no command."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.speech.hypotheses.narration import ASKING, NARRATING, SUBJECTS, TELLING, leaves_out, narrating, told
+
+
+@pytest.mark.parametrize(
+    ("text", "story", "left_out"),
+    [
+        ("turn left", ["when"], True),
+        ("turn left when you are there", ["when"], False),
+        ("go to the kitchen", ["we"], True),
+        ("put the box on the table", ["i"], True),
+        ("turn left", ["you"], True),
+        ("i need you to turn left", ["i"], False),
+        ("id like you to turn left", ["i"], False),
+        ("can you turn left", ["you"], False),
+        ("i would like you to turn left", ["youd"], False),
+        ("can you turn left", ["i"], True),
+        ("turn left", [], False),
+    ],
+)
+def test_a_statement_is_no_command(text, story, left_out):
+    """ "We go to the kitchen" tells of somebody; who begins so and wants it done says "I want you to"."""
+    assert leaves_out(text.split(), story, heard=[]) is left_out
+
+
+def test_the_words_of_every_language_with_which_nothing_is_done(root):
+    english, german = (
+        IntentEngine.from_files(root / "grammars" / f"{name}.yaml").matcher(name).grammar for name in ("en", "de")
+    )
+    assert narrating(english) == NARRATING
+    found = narrating(german)
+    assert found >= {"nicht", "nie", "wenn", "ich", "wer"}
+    # With these commands are joined, corrected, stopped and made polite.
+    assert found.isdisjoint({"und", "dann", "nein", "stopp", "halt", "es"})
+
+
+def test_no_word_is_misheard_as_one_that_was_heard():
+    """ "Please won't watch in the front room": the "front" was heard as it is, so the "won't" is none."""
+    words = ["please", "walk", "in", "the", "front", "room"]
+    assert leaves_out(words, ["wont"], heard=["please", "wont", "watch", "in", "the", "front", "room"])
+    assert not leaves_out(words, ["wont"], heard=["please", "walk", "in", "the", "wont", "room"])
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "lead", "found"),
+    [
+        ("go back one meter", ["she goes back on meter"] * 2, 0, "she"),
+        ("go back one meter", ["okay she goes back on meter"] * 2, 1, "okay she"),
+        ("you can go forward", ["you are going forward"] * 2, 0, "you are"),
+        ("keep going", ["you are going", "we are going"], 0, ""),
+        ("go to the dock", ["so is the dog"] * 2, 1, "so is"),
+        ("where is linda", ["where is the linda"] * 2, 0, ""),
+        ("remove the camera", ["who moved the camera"] * 2, 0, "who"),
+        ("remove the camera", ["who moved the camera", "remove the camera"], 0, ""),
+        ("when do you open", ["what do you open"] * 2, 0, ""),
+        ("pick it up", ["pick it up"] * 2, 0, ""),
+        ("as the crow flies", ["has the crow flies"] * 2, 0, ""),
+        ("go back", [], 0, ""),
+    ],
+)
+def test_what_several_heard_alike_tells_of_somebody(sentence, heard, lead, found):
+    assert " ".join(told(sentence.split(), [one.split() for one in heard], lead)) == found
+
+
+WORDS = st.lists(
+    st.sampled_from([*sorted(TELLING | ASKING | set(SUBJECTS)), "go", "left", "please", "robot"]), max_size=6
+)
+
+
+@given(WORDS, st.lists(WORDS, max_size=2), st.integers(0, 2))
+def test_nothing_is_told_by_a_sentence_that_was_heard(words, others, lead):
+    assert not told(words, [words, *others], lead)
+
+
+@given(WORDS, st.lists(WORDS, min_size=1, max_size=3), st.integers(0, 2))
+def test_what_is_told_all_have_heard(words, heard, lead):
+    found = list(told(words, heard, lead))
+    assert all(one[: len(found)] == found for one in heard)

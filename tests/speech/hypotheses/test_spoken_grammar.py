@@ -1,0 +1,447 @@
+"""What a grammar says of words that may have been spoken."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language.approximate import FreeWord
+from intent_engine.speech.hypotheses.evidence import View
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+
+
+@pytest.fixture(scope="module")
+def grammar(engine) -> SpokenGrammar:
+    return SpokenGrammar(engine)
+
+
+SENTENCES = st.sampled_from(
+    [("go", "forward", "two", "meters"), ("turn", "left"), ("stop",), ("go", "to", "the", "kitchen")]
+)
+VIEWS = st.builds(View, st.floats(-40, 0), st.floats(-40, 0), st.floats(0, 20))
+
+
+@given(st.dictionaries(SENTENCES, VIEWS, min_size=1))
+def test_two_models_that_think_the_same_rank_as_one_does(grammar, views):
+    alone = grammar.ranked({words: (view,) for words, view in views.items()})
+    both = grammar.ranked({words: (view, view) for words, view in views.items()})
+    assert [one.words for one in alone] == [one.words for one in both]
+    for one, two in zip(alone, both, strict=True):
+        assert two.evidence.models == 2
+        assert two.evidence.weighed == pytest.approx(one.evidence.weighed)
+
+
+@given(VIEWS, VIEWS)
+def test_of_two_models_neither_counts_more(grammar, one, other):
+    words = ("turn", "left")
+    (forth,), (back,) = grammar.ranked({words: (one, other)}), grammar.ranked({words: (other, one)})
+    assert forth.evidence.confidence == pytest.approx(back.evidence.confidence)
+
+
+def test_a_sentence_carries_what_it_would_do(engine, grammar):
+    (reading,) = grammar.ranked({("turn", "left"): (View(-1.0, -1.0, 0.0),)})
+    assert reading.actions == engine.parse("turn left").actions
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("turn left ninety degrees", True),
+        ("please turn left ninety degrees", True),
+        ("turn left ninety degrees please", True),
+        ("turn left please and go forward", True),
+        ("turn left and then go forward two meters", True),
+        ("go to the kitchen i mean the bedroom", True),
+        ("turn left no right", True),
+        ("turn like by sixteen degrees", True),
+        ("turn right five hundred and fourteen degrees", False),
+        ("turn right three hundred and sixty degrees", True),
+        ("pick up the cup", True),
+        ("pick up the florble", False),
+    ],
+)
+def test_what_people_say_is_plain(engine, grammar, text, plain):
+    meaning = engine.parse(text)
+    assert meaning.status is Status.ACCEPTED
+    assert grammar.plain(text.split(), meaning) is plain
+
+
+@pytest.mark.parametrize(
+    ("language", "text", "inside"),
+    [
+        ("en", "turn like by sixteen degrees", ["like"]),
+        ("en", "turn left please and go forward", ["please"]),
+        ("en", "please turn left thank you", []),
+        ("de", "fahr bitte mal in die küche", ["bitte", "mal", "mal"]),
+        ("de", "fahr in die küche bitte", []),
+    ],
+)
+def test_words_that_say_nothing_between_others(root, language, text, inside):
+    engine = IntentEngine.from_files(root / "grammars" / f"{language}.yaml", locations=root / "locations/zuhause.yaml")
+    assert SpokenGrammar(engine).empty_inside(text.split(), language) == inside
+
+
+@pytest.fixture(scope="module")
+def german(root) -> SpokenGrammar:
+    engine = IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
+    return SpokenGrammar(engine)
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        ("Ge einen halben Meter zurück.", "geh einen halben meter zurück"),
+        ("Far drei Meter zurück", "fahr drei meter zurück"),
+        ("Fahr 25 Zentimeta vorwärts", "fahr fünfundzwanzig zentimeter vorwärts"),
+        ("Drehe dich um 45° nach rächts", "drehe dich um fünfundvierzig grad nach rechts"),
+        ("Fahrer bitte anderthalb Meter vorwärts.", "fahre bitte anderthalb meter vorwärts"),
+        ("Far 1,5 Meter vor", "fahr eins komma fünf meter vor"),
+        ("Kom bitte zur Ladestation", "komm bitte zur ladestation"),
+        ("Dreh dich mal nach lings", "dreh dich mal nach links"),
+    ],
+)
+def test_german_numbers_and_politeness_are_looked_for(german, heard, said):
+    assert tuple(said.split()) in german.near(german.words(heard, "de"), "de")
+
+
+@pytest.mark.parametrize("heard", ["Far nicht in die Küche", "Treh dich nicht um", "Nim nicht die Tasse"])
+def test_what_shall_not_be_done_is_nearest_to_itself_in_german(german, heard):
+    nearest, *_ = german.near(german.words(heard, "de"), "de")
+    assert "nicht" in nearest
+    assert not german.parse(" ".join(nearest), "de").actions
+
+
+def test_a_short_word_that_may_stand_anywhere_is_not_made_up(german):
+    """ "Dreh dich um 90 Grad nach" goes on; with a "noch" for the "nach" it was a turn to the left."""
+    for sentence in german.near(german.words("Dreh dich um 90 Grad nach", "de"), "de"):
+        assert sentence[-1] != "noch" or not german.possible(sentence, (), "de")
+
+
+def test_how_a_german_command_would_be_forbidden(german):
+    forbidden = german.forbidden(("bitte", "dreh", "dich", "um"), "de")
+    assert ("bitte", "dreh", "dich", "nicht", "um") in forbidden
+    assert all("nicht" in words and not german.parse(" ".join(words), "de").actions for words in forbidden)
+    assert german.forbidden(("stopp",), "de") == german.forbidden(("hallo",), "de") == []
+
+
+def test_a_number_is_plain_in_every_language(root):
+    german = IntentEngine.from_files(root / "grammars" / "de.yaml")
+    for text in ("fahr einen halben meter vor", "geh zweieinhalb meter nach hinten", "fahr 2 meter vor"):
+        assert SpokenGrammar(german).plain(text.split(), german.parse(text), "de"), text
+    text = "nimm die flurbe"
+    assert not SpokenGrammar(german).plain(text.split(), german.parse(text), "de")
+
+
+@pytest.mark.parametrize(
+    ("text", "unknown"),
+    [
+        ("take the cup", False),
+        ("put the cup on the table", False),
+        ("go to the kitchen and pick up the bottle", False),
+        ("take meter from the living room", True),
+        ("pick up the florble", True),
+        ("go to the kitchen and pick up the meter", True),
+    ],
+)
+def test_a_word_of_the_grammar_is_no_thing_that_it_knows(engine, grammar, text, unknown):
+    meaning = engine.parse(text)
+    assert meaning.status is Status.ACCEPTED
+    assert grammar.unknown(text.split(), meaning, "en") is unknown
+
+
+@pytest.mark.parametrize(
+    ("text", "story", "possible"),
+    [
+        ("turn left", (), True),
+        ("do not turn left", (), True),
+        ("the orchestra played", (), False),
+        ("turn left", ("when",), False),
+        ("head to the kitchen", ("had",), True),
+        ("so now", (), False),
+        ("take me to duck", (), False),
+    ],
+    ids=["a command", "a refusal", "no sentence", "a story", "what may have been misheard", "sounds", "a near name"],
+)
+def test_what_may_be_meant(grammar, text, story, possible):
+    assert grammar.possible(text.split(), story) is possible
+
+
+@pytest.mark.parametrize(
+    ("text", "forbidden"),
+    [
+        ("turn left", ["don't turn left", "do not turn left", "never turn left"]),
+        ("please turn left", ["don't turn left", "please don't turn left"]),
+        ("then well turn left", ["don't turn left", "then well don't turn left"]),
+        ("stop", []),
+        ("do not turn left", []),
+        ("the orchestra played", []),
+    ],
+)
+def test_a_command_as_it_would_be_forbidden(engine, grammar, text, forbidden):
+    found = [" ".join(words) for words in grammar.forbidden(text.split())]
+    assert [one for one in found if "don't" in one.split() or len(forbidden) == len(found)] == forbidden
+    assert len(found) == 3 * len([one for one in found if "don't" in one.split()])
+    assert not [one for one in found if engine.parse(one).actions]
+
+
+@pytest.mark.parametrize(
+    ("text", "lead"), [("turn left", 0), ("and then please turn left", 3), ("please", 0), ("all right turn left", 2)]
+)
+def test_what_says_nothing_at_the_beginning(grammar, text, lead):
+    assert grammar.lead(text.split()) == lead
+
+
+def test_a_command_in_other_words_that_may_be_forbidden(grammar):
+    """ "Don't forward two meters" is what nobody says, and "go back" is another command."""
+    ways = ["move forward two meters", "go back", "forward two meters", "please go forward two meters", "drive ahead"]
+    found = grammar.said_otherwise([tuple(way.split()) for way in ways])
+    assert [" ".join(one) for one in found] == ["please go forward two meters"]
+    assert grammar.said_otherwise([("go", "back")]) == []
+
+
+@pytest.mark.parametrize(
+    ("language", "words", "negated"),
+    [
+        ("en", "never go back", True),
+        ("en", "dont go back", True),
+        ("en", "when we go back", True),
+        ("en", "ever go back", False),
+        ("en", "a hundred percent get me a mocha", False),
+        ("de", "fahr nicht zurueck", True),
+        ("de", "fahr zurueck", False),
+    ],
+)
+def test_a_word_with_which_nothing_is_done(language, words, negated):
+    spoken = SpokenGrammar(IntentEngine.from_files(["grammars/en.yaml", "grammars/de.yaml"]))
+    assert spoken.negated(words.split(), language) is negated
+
+
+def test_a_stop_of_words_that_may_stand_anywhere(grammar, monkeypatch):
+    """German "halt an": both are said anywhere too."""
+    monkeypatch.setattr(grammar, "_telling", lambda _words, _language: 0)
+    assert grammar.possible(("stop", "now"), (), "en")
+    assert not grammar.possible(("go", "now"), (), "en")
+
+
+def test_sentences_like_the_words_heard_are_near(grammar):
+    assert ("go", "forward", "two", "meters") in grammar.near(["go", "for", "word", "two", "meters"])
+    assert grammar.near(["xylophone"]) == []
+
+
+@pytest.mark.parametrize(
+    "heard", ["go forward half the meter", "turn left half the turn", "go back for half the minute"]
+)
+def test_near_a_quantity_that_nobody_says_is_one_that_people_say(grammar, heard):
+    """And not only others that are none."""
+    said = tuple(heard.replace("the", "a").split())
+    first = next(words for words in grammar.near(heard.split()) if grammar.possible(words, heard=heard.split()))
+    assert first == said
+
+
+def test_numbers_are_words(grammar):
+    assert grammar.words("Turn left by 15 degrees!") == ["turn", "left", "by", "fifteen", "degrees"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1. Go to the kitchen.", "go to the kitchen"),
+        ("1 meter back.", "one meter back"),
+        ("1.5 meters back", "one point five meters back"),
+        ("90. degrees left", "ninety degrees left"),
+        ("Go back 1. Meter", "go back one meter"),
+        ("1.", "one"),
+    ],
+)
+def test_the_number_of_a_sentence_in_a_list_was_not_said(grammar, text, words):
+    assert grammar.words(text) == words.split()
+
+
+def test_what_is_known_is_of_the_grammar_that_is_loaded(tmp_path):
+    """A robot that learns a command hears it."""
+    file = tmp_path / "en.yaml"
+    intent = "intents:\n  {0}:\n    sentences: [{0}]\n    action: {{type: custom, name: {0}}}\n"
+    file.write_text("language: en\n" + intent.format("dance"))
+    engine = IntentEngine.from_files(file)
+    grammar = SpokenGrammar(engine)
+    before = grammar.search()
+    assert grammar.near(["dance"]) == [("dance",)]
+    assert grammar.search() is before, "what was learnt of it is kept"
+    file.write_text("language: en\n" + intent.format("whistle"))
+    engine.reload()
+    assert grammar.near(["dance"]) == []
+    assert grammar.near(["whistle"]) == [("whistle",)]
+    assert grammar.search() is not before
+
+
+def test_free_words_are_words():
+    assert FreeWord("cup") == "cup"
+
+
+def test_please_says_nothing(engine):
+    grammar = SpokenGrammar(engine)
+    assert grammar.says_nothing(["please"])
+    assert not grammar.says_nothing(["please", "slowly"])
+    assert not grammar.says_nothing(["six", "miles"])
+
+
+@pytest.mark.parametrize(
+    ("text", "unlisted"),
+    [
+        ("pick up the red cup", []),
+        ("grab the yellow to the box", ["to"]),
+        ("go forward two meters then pick up the flurb", ["flurb"]),
+        ("go to the kitchen then turn left", []),
+    ],
+)
+def test_the_words_of_a_slot_that_no_list_has_there(engine, text, unlisted):
+    assert SpokenGrammar(engine).unlisted(engine.parse(text)) == unlisted
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("Kitchen", "kitchen"),
+        ("Living Room", "living room"),
+        ("Bay B12", "bay b twelve"),
+        ("Room 204", "room two oh four"),
+        ("X-ray", "x ray"),
+        ("Dr. Miller's office", "doctor miller's office"),
+        ("Café Luna", "cafe luna"),
+        ("ICU", "ICU"),
+    ],
+)
+def test_a_place_is_listed_however_the_map_writes_it(root, tmp_path, name, said):
+    (tmp_path / "map.yaml").write_text(f'locations:\n  "{name}": {{x: 1, y: 2}}\n', "utf-8")
+    engine = IntentEngine.from_files(root / "grammars" / "en.yaml", locations=tmp_path / "map.yaml")
+    grammar, meaning = SpokenGrammar(engine), engine.parse(f"go to {said}")
+    assert meaning.slots == {"place": name}
+    assert grammar.unlisted(meaning) == []
+    assert grammar.unlisted(engine.parse(f"go to {said} and then pick up the flurb")) == ["flurb"]
+
+
+@pytest.mark.parametrize(
+    ("words", "share"),
+    [("go to the kitchen", 1.0), ("go 2.5 meters", 1.0), ("go to my gorgeous kitchen unicorn", 4 / 6), ("", 1.0)],
+)
+def test_how_many_of_the_words_heard_the_grammar_has(grammar, words, share):
+    assert grammar.share_known(words.split()) == pytest.approx(share)
+
+
+PEOPLE = """
+language: en
+fillers: [please]
+slots:
+  name: {type: text, max_words: 2}
+  thing: {type: text, known: [cup, ball]}
+intents:
+  call: {action: {type: custom, name: call}, sentences: ["call {name}", "bring {thing} to {name}", "take {thing}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def people(engine_of) -> SpokenGrammar:
+    return SpokenGrammar(engine_of(PEOPLE))
+
+
+@pytest.mark.parametrize(
+    ("text", "taken"),
+    [
+        ("call jessica", True),
+        ("please call uncle bob", True),
+        ("bring the cup to jessica", True),
+        ("bring the flurb to jessica", False),
+        ("take the flurb", False),
+        ("take the cup", False),
+        ("greet jessica", False),
+        ("", False),
+    ],
+)
+def test_a_slot_without_a_list_takes_words_as_they_are_heard(people, text, taken):
+    """In one that has a list a word that it does not have may be a misheard one that it has."""
+    assert people.takes_as_heard(text.split()) is taken
+
+
+def test_a_word_that_a_slot_without_a_list_takes_is_no_less_likely(people):
+    view = View(-3.0, -3.0, 0.0)
+    jessica, flurb = ("call", FreeWord("jessica")), ("take", "the", FreeWord("flurb"))
+    found = {one.words: one.evidence.unknown for one in people.ranked({jessica: (view,), flurb: (view,)})}
+    assert found == {jessica: 0, flurb: 1}
+
+
+@pytest.mark.parametrize(
+    ("words", "fits"),
+    [("code a x", True), ("code a x today", False), ("ring", False), ("stop", False), ("and the clockwise", False)],
+)
+def test_words_as_they_are_fit_a_pattern_of_which_nobody_knows_what_else_it_has(tmp_path, words, fits):
+    (tmp_path / "g.yaml").write_text(
+        "language: en\nintents:\n"
+        "  code: {action: custom, regex: 'code [a-z](?: [a-z]{3}| [a-z])'}\n"
+        "  ring: {action: custom, sentences: [ring, clockwise]}\n"
+        "  stop: {action: stop, sentences: [stop]}\n",
+        "utf-8",
+    )
+    engine = IntentEngine.from_files(tmp_path / "g.yaml")
+    assert not engine.matcher().patterns.networks
+    assert SpokenGrammar(engine).fits_pattern(words.split()) is fits
+
+
+GATES = """
+language: en
+slots: {gate: {type: number, min: 1, max: 16, whole: true}}
+intents: {bring: {action: custom, sentences: ["bring it to gate {gate}"]}}
+"""
+
+
+@pytest.fixture(scope="module")
+def gates(engine_of) -> SpokenGrammar:
+    return SpokenGrammar(engine_of(GATES))
+
+
+@pytest.mark.parametrize("number", ["seventy", "twenty", "two and a half", "minus three"])
+def test_a_number_beyond_its_limits_may_have_been_said_and_does_nothing(gates, number):
+    words = ("bring", "it", "to", "gate", *number.split())
+    assert gates.possible(words)
+    alone = (View(-1.0, -1.0, 0.0),)
+    best, *_ = readings = gates.ranked({words: alone, ("bring", "it", "to", "gate", "seven"): (View(-9.0, -1.0, 2.0),)})
+    assert (best.words, best.actions, len(readings)) == (words, (), 2)
+
+
+def test_a_number_within_its_limits_is_likelier(gates):
+    heard = (View(-1.0, -1.0, 0.0),)
+    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
+    assert [one.words for one in gates.ranked({beyond: heard, within: heard})] == [within, beyond]
+
+
+@pytest.mark.parametrize(("apart", "first"), [(0.0, "seventy"), (1.0, "seven")])
+def test_a_number_beyond_its_limits_must_be_far_likelier_unless_it_was_heard_so(gates, apart, first):
+    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
+    views = {within: (View(-5.0, -1.0, 1.0),), beyond: (View(-1.5, -1.0, apart),)}
+    assert gates.ranked(views)[0].words[-1] == first
+
+
+def test_the_other_names_of_places_are_known_words(engine):
+    """Else "head lounge" is half unknown, like talk, and "go to the family room" compared with all other sentences."""
+    grammar = SpokenGrammar(engine)
+    for said in ("go to the family room", "head lounge", "navigate to the charging station"):
+        words = said.split()
+        assert grammar.share_known(words) == 1
+        assert not grammar.unknown(words, grammar.parse(said))
+
+
+@pytest.mark.parametrize(
+    ("words", "any_"),
+    [
+        ("take the cup", True),
+        ("please put the ball on the table", True),
+        ("turn left ninety degrees", False),
+        ("go to the kitchen", False),
+        ("stop", False),
+        ("what a nice day", True),
+    ],
+)
+def test_whether_a_slot_could_hold_any_other_words(engine, words, any_):
+    assert SpokenGrammar(engine).holds_any_words(words.split(), "en") is any_
