@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from intent_engine.actions import Action, Move, Turn
 from intent_engine.amending import can_be_amended
@@ -278,23 +279,32 @@ class Judge:
         return None
 
     def _run_together(self, transcript: Transcript, meaning: Interpretation) -> str | None:
-        """What may have been said as well, if the joint before a command is the beginning of its verb: "unload it", of
-        which "and load it" is heard; None: nothing that does anything else. However sure the models are of an "and",
-        little speaks for one that joins nothing."""
+        """What may have been said as well, if a joint is the beginning of the word after it: "unload it", of which "and
+        load it" is heard, or "turn anticlockwise", of which "turn and clockwise" is; None: nothing that does anything
+        else. However sure the models are of an "and", little speaks for one that joins nothing, and less for two
+        commands where the same sound is one."""
         words = plain(transcript.text)
-        if meaning.status is not Status.ACCEPTED or len(words) < 2:
-            return None
-        if (words[0],) not in self._grammar(transcript).operators.sequence:
+        if meaning.status is not Status.ACCEPTED:
             return None
         language = self._language(transcript)
-        strict = self.engine.matcher(language).strict
-        for verb in sorted(strict.next_words(strict.start())):
-            if verb.endswith(words[1]) and _sounds_like_begun(words[0], verb.removesuffix(words[1])):
-                other = " ".join((verb, *words[2:]))
-                found = self.engine.parse(other, language=language)
-                if found.status is Status.ACCEPTED and found.actions != meaning.actions:
-                    return other
+        joints = self._grammar(transcript).operators.sequence
+        for place, (joint, begun) in enumerate(pairwise(words)):
+            if (joint,) not in joints:
+                continue
+            for word in self._words_after(words[:place], language):
+                if word.endswith(begun) and _sounds_like_begun(joint, word.removesuffix(begun)):
+                    other = " ".join((*words[:place], word, *words[place + 2 :]))
+                    found = self.engine.parse(other, language=language)
+                    fewer = len(found.actions) < len(meaning.actions)
+                    if found.actions and (fewer if place else found.actions != meaning.actions):
+                        return other
         return None
+
+    def _words_after(self, words: Sequence[str], language: str | None) -> list[str]:
+        """The words of the grammar with which a sentence may go on that begins so."""
+        strict = self.engine.matcher(language).strict
+        known, reached = strict.walk(words)
+        return sorted(strict.next_words(reached)) if reached is not None and known == len(words) else []
 
     def _intents(self, transcript: Transcript, meaning: Interpretation) -> list[Intent]:
         """What was said, one intent for each kind of command."""

@@ -151,10 +151,7 @@ def german(engine: IntentEngine, voices: int) -> list[dict[str, Any]]:
         meaning = engine.parse(text)
         if meaning.status is not Status.ACCEPTED or meaning.intent is None:
             raise ValueError(f"{text!r}: {meaning.reason}")
-        one = label(text, meaning.intent, meaning.actions, "plain")
-        if meaning.intent == "compound":
-            del one["intent"]  # its actions tell
-        found += [one] * voices
+        found += [label(text, meaning.intent, meaning.actions, "plain")] * voices
     for text in (FORBIDDEN + TALK).split("\n"):
         if engine.parse(text).actions:
             raise ValueError(f"the grammar takes this for a command: {text!r}")

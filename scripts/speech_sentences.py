@@ -10,6 +10,7 @@ from typing import Any
 
 from intent_engine.actions import to_json
 from intent_engine.engine import IntentEngine
+from intent_engine.evaluation.labels import COMPOUND
 from intent_engine.interpretation import Status
 from intent_engine.language.sampler import sample
 
@@ -381,7 +382,9 @@ def paused(engine: IntentEngine) -> list[dict[str, Any]]:
 
 
 def label(text: str, intent: str, actions: Sequence[Any], kind: str) -> dict[str, Any]:
-    return {"text": text, "intent": intent, "actions": [to_json(action) for action in actions], "kind": kind}
+    """A line of labels. Of several commands the actions tell enough, without the intents of their steps."""
+    one = {} if intent == COMPOUND else {"intent": intent}
+    return {"text": text, **one, "actions": [to_json(action) for action in actions], "kind": kind}
 
 
 def others(engine: IntentEngine, texts: str = OTHERS) -> list[dict[str, Any]]:

@@ -372,3 +372,18 @@ def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(engine_o
     if other is not None:
         assert found.reason == f"{text!r} or {other!r}? say it again"
         assert found.alternatives == (text, other)
+
+
+@pytest.mark.parametrize(
+    ("text", "other"),
+    [
+        ("do a full circle turn and clockwise", "do a full circle turn anticlockwise"),
+        ("turn left and clockwise", None),  # one command with "anticlockwise" does not exist
+        ("do a full circle turn then clockwise", None),
+        ("go forward and turn left", None),
+    ],
+)
+def test_so_is_one_between_two_commands_if_the_same_sound_is_one(judge, text, other):
+    found = judge.meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
+    assert found.alternatives == ((text, other) if other else ())
+    assert len(found.actions) == (0 if other else 2)

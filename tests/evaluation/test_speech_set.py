@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 import shutil
 import sys
@@ -9,9 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 
 from intent_engine.actions import to_json
 from intent_engine.engine import IntentEngine
+from intent_engine.evaluation.labels import read_labels
 from intent_engine.evaluation.scoring import same
 from intent_engine.evaluation.sound import end_of_speech
 
@@ -31,7 +34,7 @@ def test_three_hundred_commands_and_no_sentence_twice(engine):
     texts = [sentence["text"] for sentence in usual + odd]
     assert len(texts) >= 300
     assert len(texts) - len(set(texts)) <= 5  # a sample may happen to be a plain one
-    assert {sentence["intent"] for sentence in usual} >= {"stop", "move", "turn", "navigate", "pick", "place"}
+    assert {sentence.get("intent") for sentence in usual} >= {"stop", "move", "turn", "navigate", "pick", "place"}
     assert plain(engine, 240, random.Random(1)) == usual
     assert sampled(engine, 120, 1) == odd
 
@@ -41,6 +44,17 @@ def test_the_engine_understands_a_sample_as_the_sampler_meant_it(engine):
         understood = [to_json(action) for action in engine.parse(sentence["text"]).actions]
         assert len(understood) == len(sentence["actions"]), sentence["text"]
         assert all(map(same, understood, sentence["actions"])), sentence["text"]
+
+
+def test_its_labels_are_such_as_are_read(engine, tmp_path):
+    sentences = [*plain(engine, 240, random.Random(1)), *sampled(engine, 120, 1), *others(engine)]
+    lines = [json.dumps({"audio": "one.flac", **sentence}) for sentence in sentences]
+    soundfile.write(tmp_path / "one.flac", np.zeros(1600, np.float32), 16_000)
+    (tmp_path / "labels.jsonl").write_text("\n".join(lines), "utf-8")
+    rows = read_labels(tmp_path / "labels.jsonl", engine)
+    assert len(rows) == len(sentences)
+    for row, sentence in zip(rows, sentences, strict=True):
+        assert bool(row.expected.actions) == bool(sentence.get("actions")), row
 
 
 def test_talk_is_no_command(engine, capsys):
