@@ -5,7 +5,8 @@ A motion that could go on is begun after a short silence, so that the robot answ
 command by itself, is heard once more together with it. If both are one command that begins with the words of the first,
 then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn. Of what
 begins with "no", and is not understood, so much is clear that the motion was not meant: the robot stops. And a stop is
-done before its sentence is over: "going forward" after "stop" is the end of it.
+done before its sentence is over: "going forward" after "stop" is the end of it. "And go to the kitchen" goes on from
+what was said before; if that was not understood, neither is done.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ STILL_STOPPING = 1.5
 ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
+_AFTER_NOTHING = "what was said before it was not understood, and may come first; say both again"
 _WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
 
 
@@ -75,6 +77,8 @@ class Continuing:
         self._said: _Said | None = None
         self._stopped: tuple[str, float] | None = None
         """The last stop in words, and when they ended; None: something else was done since."""
+        self._missed: float | None = None
+        """When the last utterance ended, if it was not understood."""
 
     def carried_out(self, utterance: SpokenUtterance, understood: Understood, goals: Sequence[Goal]) -> None:
         """A command was begun, by these goals."""
@@ -95,7 +99,7 @@ class Continuing:
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
-        self._said = self._stopped = None
+        self._said = self._stopped = self._missed = None
 
     def heard_with(
         self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action], *, held: bool = False
@@ -122,7 +126,19 @@ class Continuing:
         return None if sure else said.sound
 
     def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
-        """What an utterance means that was decoded, by itself or together with the command before."""
+        """What an utterance means that was decoded, by itself or together with the command before. Nothing, if it goes
+        on ("and go to the kitchen") from what was not understood just before: that may have had to be done first."""
+        found = self._meant(utterance, state, last)
+        soon = self._missed is not None and utterance.began - self._missed <= self._within
+        accepted = found.meaning.status is Status.ACCEPTED
+        if soon and accepted and not found.meaning.stops and self._judge.comes_after(found.transcript):
+            refused = Interpretation(found.transcript.text, Status.REJECTED, reason=_AFTER_NOTHING)
+            found = Understood(found.transcript, refused, Step(()))
+        said = accepted or not found.transcript.text.strip()
+        self._missed = None if said else utterance.last_voice
+        return found
+
+    def _meant(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
         heard, alone = utterance.result, utterance.alone
         assert heard is not None
         said = self._before(utterance)

@@ -45,6 +45,32 @@ def test_it_may_begin_in_other_words_that_mean_the_same(begun):
     assert said.done[-1].interpretation.text == "drive back two meters", "as whoever carries it out knows its beginning"
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "driven"),
+    [
+        ("learn left", "and go forward two meters", 0.0),
+        ("learn left", "and then go forward two meters", 0.0),
+        ("learn left", "go forward two meters", 2.0),
+        ("turn left", "and go forward two meters", 2.0),
+        ("", "and go forward two meters", 2.0),
+    ],
+)
+def test_what_goes_on_from_nothing_that_was_understood_is_not_done(first, second, driven):
+    """Who turns first goes elsewhere."""
+    said = Said(Script(first, second, f"{first}, {second}"))
+    assert math.hypot(said.pose.x, said.pose.y) == pytest.approx(driven)
+
+
+def test_but_a_stop_is():
+    said = Said(Script("learn left", "and stop", "learn left, and stop"))
+    assert [event.interpretation.stops for event in said.done] == [True]
+
+
+def test_and_so_is_what_follows_later():
+    said = Said(Script("learn left", "and go forward two meters", ""), pause=SOON + 0.3)
+    assert said.pose.x == pytest.approx(2.0)
+
+
 @pytest.mark.parametrize("begun", ["turn right", "don't turn left", "learn left"])
 def test_but_in_no_others(begun):
     """The robot acts on what it heard first."""

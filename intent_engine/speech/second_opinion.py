@@ -292,7 +292,9 @@ class SecondOpinion:
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
+            said = [one.heard for one in (first, second)]
+            unclear += self._grammar.begins_unheard(best.words, said, heard.language)
+            left_out = self._grammar.left_out(best.words, said, heard.language)
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.

@@ -246,6 +246,7 @@ class Steering(Clearness):
         otherwise = self.grammar.said_otherwise(heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
+        unclear += self.grammar.begins_unheard(best, [heard.heard], transcript.language)
         left_out = self.left_out(heard.encoded, best, heard.heard, transcript)
         return replace(transcript, unclear=unclear, left_out=left_out)
 

@@ -11,10 +11,11 @@ from collections.abc import Iterable, Sequence
 
 from rapidfuzz.distance import Levenshtein
 
+from intent_engine.language.likeness import sound
 from intent_engine.language.thing_words import ARTICLES
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
-__all__ = ["begin_left_out", "begins_like", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = ["begin_left_out", "begins_like", "begins_unheard", "end_left_out", "ends_unheard", "goes_on"]
 
 UNHEARD_LETTERS = 6
 """Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
@@ -100,6 +101,19 @@ def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequen
     return _begin_before(forms[:1], words[:lead], heard) or _begin_before(forms, words[:lead], heard)
 
 
+def begins_unheard(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:
+    """Whether a sentence begins with a word that no model heard, and all that each heard is what follows it: who says
+    "for three seconds" goes on from something, and said no "go for three seconds".
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard.
+    """
+    rest, whole = (_sounds(part) for part in (words[lead + 1 :], (*words[:lead], *words[lead + 1 :])))
+    return bool(rest) and bool(heard) and all(_sounds(one) in (rest, whole) for one in heard)
+
+
 def begins_like(words: Sequence[str], other: Sequence[str], heard: Sequence[str]) -> bool:
     """Whether what a sentence has before the words that it ends with as another does is like what was heard there.
 
@@ -132,6 +146,10 @@ def _begin_before(
 
 def _apart(one: Iterable[str], other: Iterable[str]) -> int:
     return Levenshtein.distance(_letters(one), _letters(other))
+
+
+def _sounds(words: Iterable[str]) -> str:
+    return "".join(sound(word) for word in words if word not in ARTICLES)
 
 
 def _letters(words: Iterable[str]) -> str:

@@ -24,7 +24,7 @@ from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.hypotheses.guided import WORD, word_count
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
-from intent_engine.speech.hypotheses.left_out import begin_left_out, end_left_out
+from intent_engine.speech.hypotheses.left_out import begin_left_out, begins_unheard, end_left_out
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out, told
 from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
@@ -175,6 +175,23 @@ class SpokenGrammar:
         """Phrases that take back what was said before them."""
         return self._known(language).corrections
 
+    def taking_back(
+        self, sentences: Sequence[tuple[str, ...]], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> list[tuple[str, ...]]:
+        """Those sentences that take something back, where each of several models heard that ("to the lounge, know the
+        duck"): what does all of it is not what was meant, however much likelier. All, if none does.
+
+        Args:
+            sentences: that may have been said.
+            heard: the words that each model heard.
+            language: of the speech.
+        """
+        corrections = self.corrections(language)
+        alikes = self._known(language).matcher.grammar.sound_alikes
+        if len(heard) < 2 or not all(corrections.find(as_meant(one, corrections, alikes), 1) for one in heard):
+            return list(sentences)
+        return [words for words in sentences if corrections.find(words, 1)] or list(sentences)
+
     def narrating(self, language: str | None = None) -> frozenset[str]:
         """Words with which a sentence is no command, wherever they stand: "when", "not"."""
         return self._known(language).narrating
@@ -271,6 +288,22 @@ class SpokenGrammar:
             begin = told(words, heard, min((self.lead(one, language) for one in heard), default=0))
         end = end_left_out(words, heard)
         return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
+
+    def begins_unheard(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> tuple[str, ...]:
+        """The word with which a command begins, where no model heard it, and what they heard is none. No stop's.
+
+        Args:
+            words: of the sentence.
+            heard: the words that each model heard.
+            language: of the speech.
+        """
+        lead = self.lead(words, language)
+        if begin_of(words) or lead >= len(words) or not begins_unheard(words, lead, heard):
+            return ()
+        whole, rest = (self.parse(" ".join(part), language) for part in (words, words[lead + 1 :]))
+        return () if whole.stops or rest.actions else (words[lead],)
 
     def settled(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether no more of a sentence may follow than the manner of it."""

@@ -120,6 +120,7 @@ def _compared(
         for words in sentences
         if not (goes_on(words, heard) or (several and not begin_of(words) and ends_unheard(words, heard)))
     ]
+    said = grammar.taking_back(said, heard, opinions[0].transcript.language)
     if not said:
         return []
     views = zip(*each(lambda one: one.views(said), opinions), strict=True)

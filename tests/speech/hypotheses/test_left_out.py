@@ -6,7 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.speech.hypotheses.left_out import begin_left_out, end_left_out, ends_unheard, goes_on
+from intent_engine.speech.hypotheses.left_out import (
+    begin_left_out,
+    begins_unheard,
+    end_left_out,
+    ends_unheard,
+    goes_on,
+)
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 WORDS = st.lists(st.sampled_from("abc"), max_size=4)
@@ -130,3 +136,24 @@ SPOKEN = st.sampled_from(["go to the kitchen", "turn left", "please put it down"
 @given(SPOKEN, st.lists(st.sampled_from(["robot", "please", "okay", "so", "um"]), max_size=3), st.integers(1, 2))
 def test_who_says_please_begins_no_other_sentence(begins, sentence, before, models):
     assert not begins(sentence, *[" ".join([*before, sentence])] * models)
+
+
+@pytest.mark.parametrize(
+    ("heard", "unheard"),
+    [
+        (["for three seconds", "four three seconds"], True),
+        (["for three seconds", "go for three seconds"], False),
+        (["go four three seconds"], False),
+        (["for three"], False),
+        ([], False),
+    ],
+    ids=["by nobody", "by one", "heard", "not all of it", "nobody asked"],
+)
+def test_a_first_word_that_nobody_heard(heard, unheard):
+    """Who says "for three seconds" goes on from something."""
+    assert begins_unheard(["go", "for", "three", "seconds"], 0, [one.split() for one in heard]) is unheard
+
+
+@given(st.lists(st.sampled_from(["turn", "left", "now", "two"]), min_size=1, max_size=4), st.integers(0, 3))
+def test_a_sentence_that_was_heard_begins_with_nothing_else(words, lead):
+    assert not begins_unheard(words, lead, [words])

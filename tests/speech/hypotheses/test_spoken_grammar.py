@@ -445,3 +445,38 @@ def test_the_other_names_of_places_are_known_words(engine):
 )
 def test_whether_a_slot_could_hold_any_other_words(engine, words, any_):
     assert SpokenGrammar(engine).holds_any_words(words.split(), "en") is any_
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "unheard"),
+    [
+        ("go for three seconds", "for three seconds", ("go",)),
+        ("please go for three seconds", "for three seconds", ("go",)),
+        ("go forward two meters", "forward two meters", ()),  # a command by itself
+        ("stop moving", "moving", ()),
+        ("go for three seconds", "so for three seconds", ()),
+    ],
+)
+def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sentence, heard, unheard):
+    assert grammar.begins_unheard(sentence.split(), [heard.split()] * 2) == unheard
+
+
+DOCK, BOTH, LOUNGE = (
+    tuple(text.split())
+    for text in ("go to the lounge no the dock", "go to the lounge and the dock", "go to the lounge")
+)
+
+
+@pytest.mark.parametrize(
+    ("heard", "left"),
+    [
+        (["go to the lounge know the duck", "go to the lounge no the dock"], [DOCK]),
+        (["go to the lounge know the duck", "go to the lounge and the duck"], [DOCK, BOTH, LOUNGE]),
+        (["no go to the lounge", "no go to the lounge"], [DOCK, BOTH, LOUNGE]),
+        (["go to the lounge no the dock"], [DOCK, BOTH, LOUNGE]),
+    ],
+    ids=["by both", "by one", "at the beginning", "one model"],
+)
+def test_what_both_heard_taken_back_is_not_all_done(grammar, heard, left):
+    assert grammar.taking_back([DOCK, BOTH, LOUNGE], [one.split() for one in heard]) == left
+    assert grammar.taking_back([BOTH, LOUNGE], [one.split() for one in heard]) == [BOTH, LOUNGE]
