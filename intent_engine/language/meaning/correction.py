@@ -99,7 +99,9 @@ class Corrections:
         start = position = 0
         while position < len(part):
             length = self._correction.at(part.words, position)
-            if length:
+            if length and position == 0 and self._begins_a_sentence(part, length):
+                position = length
+            elif length:
                 bare = position == 0 and not self._pause_after(part, position + length)
                 if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
@@ -109,6 +111,15 @@ class Corrections:
             else:
                 position += 1
         yield part.part(start, len(part))
+
+    def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
+        """Whether the words of correction with which a part begins are those of a sentence, and it goes on in one breath:
+        "wait for twenty, no, thirty seconds", "make it warmer, no, cooler"."""
+        words = part.words[: length + 1]
+        if len(words) == length or self._pause_after(part, length):
+            return False
+        count, reached = self._matcher.strict.walk(words)
+        return reached is not None and count == len(words)
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
         return position < len(part) and part.breaks[position]
