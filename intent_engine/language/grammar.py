@@ -228,6 +228,8 @@ class Operators:
     correction: tuple[tuple[str, ...], ...] = ()
     cancel: tuple[tuple[str, ...], ...] = ()
     sequence: tuple[tuple[str, ...], ...] = ()
+    later: tuple[tuple[str, ...], ...] = ()
+    """Those of ``sequence`` that say that something else is done first: "when you get there", not "and"."""
     contrast: tuple[tuple[str, ...], ...] = ()
     """After a negated part, what comes next is wanted: "don't turn left, *instead* turn right"."""
     stop: tuple[tuple[str, ...], ...] = ()

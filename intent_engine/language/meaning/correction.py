@@ -113,7 +113,7 @@ class Corrections:
         yield part.part(start, len(part))
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
-        """Whether the words of correction with which a part begins are those of a sentence, and it goes on in one breath:
+        """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:
         "wait for twenty, no, thirty seconds", "make it warmer, no, cooler"."""
         words = part.words[: length + 1]
         if len(words) == length or self._pause_after(part, length):
