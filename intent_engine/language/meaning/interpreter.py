@@ -396,6 +396,9 @@ class Interpreter:
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:
             return _told(text, clause)
+        if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
+            reason = f"it is not clear what {' '.join(meant)!r} takes the place of; say the whole command again"
+            return self._rejected(text, reason)
         failing = self._compounds.failing(core, state)
         if failing is not None:
             return self._not_all(text, *failing)
