@@ -32,11 +32,13 @@ from intent_engine.speech.clearness import RIVAL_MARGIN
 from intent_engine.speech.dictating import (
     DICTATED,
     as_heard,
+    begin_of,
     dictated_to_both,
     hardly_begun,
 )
 from intent_engine.speech.evidence import letters_apart
 from intent_engine.speech.leaving import LeftError
+from intent_engine.speech.left_out import unheard
 from intent_engine.speech.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.opinion import Opinion, Reading, Steered, as_read
 from intent_engine.speech.pace import too_few
@@ -292,7 +294,13 @@ class SecondOpinion:
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            left_out = self._grammar.left_out(best.words, [one.heard for one in (first, second)], heard.language)
+            if not (begin_of(best.words) or self._grammar.parse(" ".join(best.words), heard.language).stops):
+                unclear += tuple(unheard(best.words, [one.heard for one in (first, second)]))
+            both_heard = [one.heard for one in (first, second)]
+            left_out = self._grammar.left_out(best.words, both_heard, heard.language)
+            left_out = left_out or self._grammar.heard_otherwise(
+                best.words, both_heard, best.evidence.confidence, heard.language
+            )
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.
