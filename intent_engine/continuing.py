@@ -21,6 +21,7 @@ from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
+from intent_engine.language.meaning.stops import MOVING
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -197,9 +198,12 @@ class Continuing:
         state: Collection[str],
     ) -> Step:
         """What is to be done of a command by itself. After the one before, if it begins with "and then", or both were
-        said in one breath and are two commands in a row ("turn left, go forward")."""
-        in_turn = False
-        if said is not None and meaning.status is Status.ACCEPTED and not meaning.stops:
+        said in one breath and are two commands in a row ("turn left, go forward"). After whatever is being done,
+        however long ago that was said, if it says so: "when you get there, turn left"."""
+        if meaning.status is not Status.ACCEPTED or meaning.stops:
+            return Step(meaning.actions)
+        in_turn = MOVING in state and self._judge.comes_later(heard)
+        if said is not None and not in_turn:
             both = in_a_row(lambda text: self._judge.text(text, heard, state), said.command.meaning, meaning)
             soon = utterance.began - said.ended <= ONE_BREATH
             in_turn = self._judge.comes_after(heard) or (soon and both is not None)

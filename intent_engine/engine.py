@@ -21,7 +21,7 @@ from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.meaning.stops import MOVING
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import resolve
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import Utterance, plain
 from intent_engine.language_tag import language_of
 
 if TYPE_CHECKING:
@@ -252,6 +252,13 @@ class IntentEngine:
         """What is dictated in a text, with the words before it; None: nothing is."""
         _only_text("dictated", text)
         return self._interpreter(language).dictated(text)
+
+    def comes_later(self, text: str, *, language: str | None = None) -> bool:
+        """Whether a text begins with words that say that something else is done first: "then turn left", "when you get
+        there, turn left". Fillers may stand before several such words, but not before one: "okay then, turn left"."""
+        _only_text("comes_later", text)
+        parsers = self._parsers if language is None else (self._interpreter(language),)
+        return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
 
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""

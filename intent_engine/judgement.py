@@ -185,6 +185,10 @@ class Judge:
         sequence = PhraseSet(self._grammar(transcript).operators.sequence)
         return sequence.at(plain(transcript.free_text), 0) > 0
 
+    def comes_later(self, transcript: Transcript) -> bool:
+        """Whether it says by itself that something else is done first: "then", "when you get there", not "and"."""
+        return self.engine.comes_later(transcript.free_text, language=self._language(transcript))
+
     def corrects(self, transcript: Transcript) -> bool:
         """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
         corrections, words = self._corrections(transcript)

@@ -147,6 +147,39 @@ def test_a_number_that_sounds_like_another_must_be_heard_with_the_command():
     assert [event.interpretation.text for event in said.done] == ["turn left"]
 
 
+LONG_AFTER = SOON + 1.0
+FAR = "go forward five meters"
+
+
+@given(
+    st.sampled_from(sorted(" ".join(words) for words in ENGINE.grammar.operators.later)), st.sampled_from(["", ", "])
+)
+def test_what_is_said_to_come_later_waits_however_long_ago_the_command_was_said(words, pause):
+    said = Said(Script(FAR, f"{words}{pause} turn left", "-"), LONG_AFTER)
+    assert said.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED]
+    assert said.pose.x == pytest.approx(5.0), "it was driven to its end first"
+    assert said.done[-1].in_turn
+
+
+@pytest.mark.parametrize(
+    "second", ["turn left", "and turn left", "okay then turn left", "now turn left", "also turn left"]
+)
+def test_other_commands_take_its_place_then(second):
+    said = Said(Script(FAR, second, "-"), LONG_AFTER)
+    assert said.goals == [GoalState.CANCELED, GoalState.SUCCEEDED]
+
+
+def test_where_nothing_is_being_done_it_begins_at_once():
+    said = Said(Script("go forward half a meter", "when you are done, turn left", "-"), LONG_AFTER)
+    assert said.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED]
+    assert not said.done[-1].in_turn
+
+
+def test_a_stop_never_waits():
+    said = Said(Script(FAR, "then stop", "-"), LONG_AFTER)
+    assert said.goals == [GoalState.CANCELED]
+
+
 def test_what_comes_after_it_waits_its_turn():
     said = Said(Script("turn left", "and then go forward one meter", "-"))
     assert said.goals == [GoalState.SUCCEEDED, GoalState.SUCCEEDED]

@@ -228,8 +228,12 @@ class Operators:
     correction: tuple[tuple[str, ...], ...] = ()
     cancel: tuple[tuple[str, ...], ...] = ()
     sequence: tuple[tuple[str, ...], ...] = ()
+    later: tuple[tuple[str, ...], ...] = ()
+    """Those of ``sequence`` that say that something else is done first: "when you get there", not "and"."""
     contrast: tuple[tuple[str, ...], ...] = ()
     """After a negated part, what comes next is wanted: "don't turn left, *instead* turn right"."""
+    opener: tuple[tuple[str, ...], ...] = ()
+    """What people begin with, and what says nothing there alone: "first", "well"."""
     stop: tuple[tuple[str, ...], ...] = ()
     stop_by_sound: tuple[tuple[str, ...], ...] = ()
     """The same as they may be written by their sound: "break". They stop where nothing else was said."""
@@ -240,8 +244,8 @@ class Operators:
 
     @property
     def opening(self) -> tuple[tuple[str, ...], ...]:
-        """Words that go on from what was said before, and say nothing where an utterance begins: "and", "but"."""
-        return (*self.sequence, *self.contrast)
+        """Words that say nothing where an utterance begins: "and", "but", "first"."""
+        return (*self.sequence, *self.contrast, *self.opener)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from intent_engine.actions import Action, to_json
 from intent_engine.amending import CarriedOut
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
+from intent_engine.execution.admission import Policy
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.guardian import Guardian
@@ -116,7 +117,9 @@ class VoiceCommands:
 
     def _take(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.status is Status.ACCEPTED:
-            goals = self.executor.submit(found.actions, spoken_at=spoken_at, text=found.text)
+            later = not found.stops and self.engine.comes_later(found.text)
+            policy = Policy.QUEUE if later else None
+            goals = self.executor.submit(found.actions, spoken_at=spoken_at, policy=policy, text=found.text)
             self._done = CarriedOut(found, tuple(goals))
         return found
 

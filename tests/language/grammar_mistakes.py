@@ -71,6 +71,8 @@ MISTAKES: dict[str, str | bytes] = {
     "a colon in a sentence": wave("sentences:", "  - wave: at me"),
     "a sentence that begins with a brace": wave("sentences:", "  - {go} there"),
     "a sentence that begins with a bracket": wave("sentences:", "  - [please] wave"),
+    "a phrase that begins with a bracket": says("{it} there", "phrases:\n  it: [the] (cup|box)\n"),
+    "a slot without quotes in a list on one line": wave("sentences: [bow, wave {person} over]"),
     "a quote that is never closed": wave("sentences:", '  - "wave', "  - bow"),
     "a bracket of YAML that is never closed": wave("sentences: [wave, bow"),
     "a tab": "language: en\nintents:\n\twave: {}\n",

@@ -26,6 +26,9 @@ MAX_INDENT = 400
 """Brackets in brackets, and characters before the first word of a line. Nobody writes more, and the YAML library in C
 overflows its stack, and ends the process, on some ten thousand."""
 
+_BARE_IN_A_LIST = re.compile(r"[\[,]\s*[^\s\[\]{}\"',][^\[\]{}\"',]*\s[{\[]$")
+"""Words without quotes in a list on one line, up to a bracket: "[go {place}"."""
+
 NAMED = {("intents",), ("slots",), ("phrases",)}
 """Sections of a grammar whose keys are names that somebody gave."""
 
@@ -191,9 +194,15 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         message, hint = "a second document begins here", "remove the ---; write a second file and include: it"
     elif "undefined alias" in what:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
+    elif opened is not None and _BARE_IN_A_LIST.search(shown[: column + 1]):
+        hint = "quote a sentence that holds { or ["
     elif opened is not None and what.startswith("did not find expected ',' or"):
         hint = f"the bracket that is opened at line {opened.line + 1}, column {opened.column + 1} is not closed"
-    elif "expected '-'" in what or re.search(r"-\s+[{\[]", shown):
+    elif (
+        "expected '-'" in what
+        or re.search(r"-\s+[{\[]", shown)
+        or ("expected key" in what and re.search(r":\s+[{\[]", shown))
+    ):
         hint = "quote a sentence that begins with { or ["
     elif "mapping values are not allowed" in what:
         hint = "quote text that holds ': ', and check that this line is indented like its neighbours"

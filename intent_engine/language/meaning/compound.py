@@ -57,7 +57,15 @@ class Compounds:
         return self._commands_in(core, state, exactly)
 
     def _commands_in(self, core: Utterance, state: Collection[str], exactly: bool = False) -> list[Clause] | None:
-        """The same of an utterance that may be a single command."""
+        """The same of an utterance that may be a single command.
+
+        What may say nothing at its beginning does not where it belongs to a command: "first gear, then go back".
+        """
+        begin = self._phrases.goes_on(core.words)
+        whole = self._commands_from(core, state, 0, True) if begin else None
+        return whole or self._commands_from(core, state, begin, exactly)
+
+    def _commands_from(self, core: Utterance, state: Collection[str], begin: int, exactly: bool) -> list[Clause] | None:
         words = core.words
         tried: dict[tuple[int, str, bool], list[Clause] | None] = {}
 
@@ -94,7 +102,7 @@ class Compounds:
             tried[start, before, joined] = found
             return found
 
-        return rest(self._phrases.goes_on(words), 1, "") or None
+        return rest(begin, 1, "") or None
 
     def _one(self, part: Utterance, state: Collection[str], before: str, exactly: bool) -> Clause | None:
         """The command that a part is, by itself or ("and then to the bedroom") behind one of the intent ``before``.

@@ -67,6 +67,13 @@ class Corrections:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
 
+    def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
+        """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
+        pieces = [piece.words for piece in self._split(part) if piece.words]
+        if len(pieces) != 2 or not self._commands.accepts(pieces[0], state):
+            return []
+        return pieces[1]
+
     def instead(self, denied: list[str], meant: list[str], state: Collection[str]) -> list[str] | None:
         """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
@@ -99,7 +106,9 @@ class Corrections:
         start = position = 0
         while position < len(part):
             length = self._correction.at(part.words, position)
-            if length:
+            if length and position == 0 and self._begins_a_sentence(part, length):
+                position = length
+            elif length:
                 bare = position == 0 and not self._pause_after(part, position + length)
                 if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
@@ -109,6 +118,15 @@ class Corrections:
             else:
                 position += 1
         yield part.part(start, len(part))
+
+    def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
+        """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:
+        "wait for twenty, no, thirty seconds", "make it warmer, no, cooler"."""
+        words = part.words[: length + 1]
+        if len(words) == length or self._pause_after(part, length):
+            return False
+        count, reached = self._matcher.strict.walk(words)
+        return reached is not None and count == len(words)
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
         return position < len(part) and part.breaks[position]
@@ -163,7 +181,39 @@ class Corrections:
             _, reached = automaton.walk(said)
             return meant if reached is not None else None
         several = self._replace_several(said, meant, first, before) if first is not None else None
-        return several or (None if before else self._replace_before_end(said, meant))
+        if several is not None or before:
+            return several
+        return self._replace_before_end(said, meant) or (self._begin_again(said, meant, first) if first else None)
+
+    def _begin_again(self, said: list[str], meant: list[str], first: Reading) -> list[str] | None:
+        """``said`` from one of its words on as ``meant`` has it, which begins with that word: "take it to the kitchen,
+        no, to room five". None if it is not clear.
+
+        That may be another sentence, since all words before it are kept; what is replaced and what replaces it both
+        name something, and all that was named before and behind that stays.
+        """
+        found: dict[int, dict[tuple[Any, ...], list[str]]] = {}
+        held = {place for slot in first.slots for place in range(slot.start, slot.end)}
+        begins = [place for place in range(1, len(said)) if said[place] == meant[0] and place not in held]
+        for at, after in [(begin, end) for begin in begins for end in range(begin + 1, len(said) + 1)]:
+            words = said[:at] + meant + said[after:]
+            reading = next(iter(self._matcher.read(words)), None)
+            if reading is None or reading.problem or any(slot.slot.type in _FREE for slot in reading.slots):
+                continue
+            stop, moved = at + len(meant), at + len(meant) - after
+            new = [slot for slot in reading.slots if slot.start >= at and slot.end <= stop]
+            old = [slot for slot in first.slots if slot.start >= at and slot.end <= after]
+            kept = [
+                (one.label, one.value, one.start + moved * (one.start >= after))
+                for one in first.slots
+                if one not in old
+            ]
+            stay = [(one.label, one.value, one.start) for one in reading.slots if one not in new]
+            if new and old and sorted(kept, key=str) == sorted(stay, key=str):
+                meaning = (reading.intent.name, *sorted((slot.label, str(slot.value)) for slot in reading.slots))
+                found.setdefault(len(words), {}).setdefault(meaning, words)
+        best = found[max(found)] if found else {}
+        return next(iter(best.values())) if len(best) == 1 else None
 
     def _replace_before_end(self, said: list[str], meant: list[str]) -> list[str] | None:
         """``said``, which was broken off, with its last slots replaced by what ``meant`` begins with; the rest of

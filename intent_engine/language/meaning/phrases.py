@@ -44,7 +44,9 @@ class Phrases:
         self.correction = PhraseSet(operators.correction)
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
+        self._later = PhraseSet(operators.later)
         self.contrast = PhraseSet(operators.contrast)
+        self._opener = PhraseSet(operators.opener)
         self._opening = PhraseSet(operators.opening)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
         listing = [words for words in joining if lists is not None and lists(list(self._before_joint(words)))]
@@ -165,14 +167,23 @@ class Phrases:
             position += length
         return position
 
+    def comes_later(self, words: Sequence[str]) -> bool:
+        """Whether words begin by saying that something else is done first: "then", "um, when you get there"."""
+        position = 0
+        while length := self.fillers.at(words, position):
+            position += length
+        return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
+
     def after_opening(self, words: list[str]) -> int:
-        """Where an utterance begins, past fillers, wake words and words of correction ("no stop", "hey robot stop")."""
+        """Where an utterance begins, past fillers, wake words, openers and words of correction ("no stop", "hey robot
+        stop", "oh stop")."""
         position = 0
         while position < len(words):
             length = max(
                 self.fillers.at(words, position),
                 self.wake.at(words, position),
                 self.correction.at(words, position),
+                self._opener.at(words, position),
             )
             if not length or self.stop.at(words, position) >= length:
                 break

@@ -7,7 +7,8 @@ it begins, and where it ends, such a word makes another meaning of it: "do you g
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from difflib import SequenceMatcher
 
 from rapidfuzz.distance import Levenshtein
 
@@ -15,10 +16,22 @@ from intent_engine.language.likeness import sound
 from intent_engine.language.thing_words import ARTICLES
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
-__all__ = ["begin_left_out", "begins_like", "begins_unheard", "end_left_out", "ends_unheard", "goes_on"]
+__all__ = [
+    "begin_left_out",
+    "begins_like",
+    "begins_unheard",
+    "end_left_out",
+    "ends_unheard",
+    "goes_on",
+    "heard_otherwise",
+    "tells",
+    "unheard",
+]
 
 UNHEARD_LETTERS = 6
 """Letters of the last words of a sentence, from which it is asked whether they were heard: a "milk" may be missed;"""
+MOST_UNHEARD = 4
+"""Words at most of which that is asked elsewhere;"""
 LEFT_OUT_LETTERS = 4
 """and of the last words that were heard, from which they are not left out."""
 BEYOND = 0.75
@@ -29,6 +42,14 @@ ENDINGS = ("s", "es", "ed", "ing")
 """Of the forms in which the first word of a command is told by somebody of something."""
 BEGIN_LETTERS = 2
 """Letters by which what stands before a command differs from what was heard there, from which it began otherwise."""
+
+OTHERWISE_LETTERS = 6
+"""Letters of words that all models heard in the place of others, from which it is asked whether they may be these,"""
+OTHERWISE = 0.65
+"""and share of the letters by which they differ, from which they are not: "degrees" and "percent", "in the office" and
+"immediately"; "palette" and "pallet" are the same."""
+OTHERWISE_THAN_NOTHING = 0.4
+"""The same of words that say nothing, which would be found for whatever was said: "at once"."""
 
 MISHEARD = 0.6
 """Share of its letters by which the beginning of a command differs at most from what was heard in its place: "making"
@@ -58,6 +79,27 @@ def ends_unheard(words: Sequence[str], heard: Sequence[Sequence[str]]) -> bool:
     return bool(_end_beyond(words, heard, UNHEARD_LETTERS))
 
 
+def unheard(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
+    """Words anywhere in a sentence that are like nothing that several models heard: of "the kitchen lights, nor the
+    bedroom lights" it is no "the kitchen lights and turn on the bedroom lights". Empty: there are none.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    if len(heard) < 2 or not all(heard):
+        return ()
+    whole = [letters_apart(words, one) for one in heard]
+    for begin, count in itertools.product(range(len(words)), range(1, MOST_UNHEARD + 1)):
+        part, rest = words[begin : begin + count], [*words[:begin], *words[begin + count :]]
+        letters = sum(map(len, part))
+        if len(part) < count or letters < UNHEARD_LETTERS or not rest:
+            continue
+        if all(before - letters_apart(rest, one) >= BEYOND * letters for before, one in zip(whole, heard, strict=True)):
+            return part
+    return ()
+
+
 def end_left_out(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
     """The last words that were heard, where a sentence ends before them for each of several models: "at six miles per
     hour" was said, whoever drives on without it. Empty: it leaves out nothing.
@@ -68,6 +110,65 @@ def end_left_out(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequen
     """
     left_out = [_end_beyond(one, [words], LEFT_OUT_LETTERS) for one in heard]
     return left_out[0] if left_out and all(left_out) else ()
+
+
+def heard_otherwise(
+    words: Sequence[str], heard: Sequence[Sequence[str]], nothing: Callable[[Sequence[str]], bool] = lambda _: False
+) -> Sequence[str]:
+    """The words that several models all heard where a sentence has others that sound otherwise: that was "turn off the
+    lights in the office", whoever does it "at once". Empty: there are none.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+        nothing: whether words say nothing ("at once", "please").
+    """
+    for said, meant, _ in _all_instead(words, heard):
+        apart = letters_apart(meant, said) / max(len("".join(meant)), len("".join(said)))
+        least = OTHERWISE_THAN_NOTHING if nothing(meant) else OTHERWISE
+        if len("".join(said)) >= OTHERWISE_LETTERS and apart >= least:
+            return said
+    return ()
+
+
+def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
+    """The word that several models all heard where a sentence has another form of it, with which somebody tells what
+    they do or did: "turning on the lights". Empty: there is none.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    for said, meant, after in _all_instead(words, heard):
+        if len(meant) == 1 == len(said) and said[0] in _told(meant[0], after):
+            return said
+    return ()
+
+
+def _all_instead(
+    words: Sequence[str], heard: Sequence[Sequence[str]]
+) -> Iterator[tuple[Sequence[str], Sequence[str], Sequence[str]]]:
+    """What several models all heard in the place of which words of a sentence, and the word after these."""
+    if len(heard) < 2:
+        return
+    own = [word for word in words if word not in ARTICLES]
+    for said, (begin, end) in sorted(set.intersection(*(_instead(own, one) for one in heard))):
+        yield said, own[begin:end], own[end : end + 1]
+
+
+def _instead(own: Sequence[str], heard: Sequence[str]) -> set[tuple[tuple[str, ...], tuple[int, int]]]:
+    """What was heard, articles aside, in the place of which words of a sentence."""
+    other = [word for word in heard if word not in ARTICLES]
+    changes = SequenceMatcher(None, other, own, autojunk=False).get_opcodes()
+    return {(tuple(other[begin:end]), (at, to)) for what, begin, end, at, to in changes if what == "replace"}
+
+
+def _told(verb: str, after: Sequence[str]) -> Iterable[str]:
+    """The forms of a verb in which somebody tells what they do or did. The end of the past is heard before vowels:
+    "turned on", while "turn left" may be written "turned left"."""
+    stems = (verb, verb.removesuffix("e"), verb + verb[-1])
+    endings = ("ing", "ed") if after and after[0][0] in "aeiou" else ("ing",)
+    return [stem + ending for stem in stems for ending in endings]
 
 
 def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: int) -> Sequence[str]:

@@ -12,6 +12,9 @@ from intent_engine.speech.hypotheses.left_out import (
     end_left_out,
     ends_unheard,
     goes_on,
+    heard_otherwise,
+    tells,
+    unheard,
 )
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
@@ -157,3 +160,73 @@ def test_a_first_word_that_nobody_heard(heard, unheard):
 @given(st.lists(st.sampled_from(["turn", "left", "now", "two"]), min_size=1, max_size=4), st.integers(0, 3))
 def test_a_sentence_that_was_heard_begins_with_nothing_else(words, lead):
     assert not begins_unheard(words, lead, [words])
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "otherwise"),
+    [
+        ("turn off the lights at once", ["turn off the lights in the office"] * 2, "in office"),
+        (
+            "turn off the lights immediately",
+            ["turn off the lights in the office", "turn of lights in the office"],
+            "in office",
+        ),
+        ("set it to twenty percent", ["set it to twenty degrees", "set each to twenty degrees"], "degrees"),
+        ("turn on the lights", ["turning on the lights", "turning on the light"], "turning"),
+        ("charge the battery", ["charging the battery"] * 2, "charging"),
+        ("stop the car", ["stopping the car"] * 2, "stopping"),
+        ("turn on the lights", ["turned on the light", "turned on the lights"], "turned"),
+        ("turn left", ["turned left"] * 2, ""),
+        # One of two may have misheard,
+        ("turn off the lights at once", ["turn off the lights in the office", "turn off the lights at one"], ""),
+        ("turn on the lights", ["turning on the lights", "turn on the lights"], ""),
+        # and both may have written it otherwise, or short words.
+        ("load the pallet", ["load the palette"] * 2, ""),
+        ("go to the washroom", ["go to the watch room"] * 2, ""),
+        ("turn off the light would you", ["turn off the light with you"] * 2, ""),
+        ("turn on the lights", ["turning the lights"] * 2, ""),
+    ],
+)
+def test_words_that_all_heard_where_a_sentence_has_others(sentence, heard, otherwise):
+    words, said = sentence.split(), [one.split() for one in heard]
+    found = tells(words, said) or heard_otherwise(words, said, lambda part: part == ["at", "once"])
+    assert " ".join(found) == otherwise
+
+
+@given(WORDS, st.lists(WORDS, max_size=3))
+def test_nothing_was_heard_otherwise_where_one_heard_the_sentence(words, heard):
+    assert not heard_otherwise(words, [*heard, words])
+    assert not tells(words, [*heard, words])
+
+
+def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
+    grammar, other = SpokenGrammar(engine), [["go", "to", "the", "mountains"]] * 2
+    assert not grammar.heard_otherwise(["stop"], [["somebody"], ["somebody"]], 0.8)
+    assert grammar.heard_otherwise(["go", "to", "the", "kitchen"], other, 0.8) == ("mountains",)
+    assert not grammar.heard_otherwise(["go", "to", "the", "kitchen"], other, 0.99)
+
+
+LIGHTS = "turn on the kitchen lights and turn on the bedroom lights"
+
+
+@pytest.mark.parametrize(
+    ("heard", "found"),
+    [
+        (
+            ["turn on the kitchen lights nor the bedroom lights", "turn on the kitchen lights not the maidroom lights"],
+            True,
+        ),
+        (["turn on the kitchen lights nor the bedroom lights", "turn on the kitchen lights and turn the bed"], False),
+        (["turn on the kitchen lights and turn on the bedroom lights"] * 2, False),
+        (["turn on the kitchen lights nor the bedroom lights"], False),
+        (["turn on the kitchen lights nor the bedroom lights", ""], False),
+    ],
+    ids=["by both", "by one", "by none", "one model", "nothing was heard"],
+)
+def test_words_inside_that_are_like_nothing_that_was_heard(heard, found):
+    assert bool(unheard(LIGHTS.split(), [one.split() for one in heard])) is found
+
+
+@given(WORDS, st.lists(WORDS, max_size=3))
+def test_all_was_heard_where_one_heard_the_sentence(words, heard):
+    assert not unheard(words, [*heard, words])
