@@ -14,6 +14,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.quantities import counts, evaluate
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Corrections"]
@@ -22,6 +23,8 @@ _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "o
 _FREE = ("text", "object")
 _MAY_FORBID = frozenset(("no", "nope", "nah"))
 """Words of correction that forbid what follows in one breath: "no turn left", but "no, turn left"."""
+_NONE_OF = "no"
+"""What corrects, and says that a thing is not wanted: "with milk, no sugar"."""
 
 
 class Corrections:
@@ -52,13 +55,17 @@ class Corrections:
         pieces = list(self._split(part))
         if len(pieces) < 2:
             return self._corrected_before(part, state) if not before else None
-        current = pieces[0].words
-        for piece in pieces[1:]:
+        current = pieces[0][0].words
+        for piece, denies in pieces[1:]:
             if not piece.words:
                 continue
             replaced = self._replace(current, piece.words, state, before)
             if replaced is None:
                 return None
+            if denies and self._is_what_is_had(current, replaced, piece.words):
+                either = (" ".join(replaced), " ".join(current))
+                reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
+                return Clause(reason=reason, alternatives=either, ambiguous=True)
             current = replaced
         clause = self._commands.exact(current, state)
         if before and not (clause is not None and clause.accepted):
@@ -94,9 +101,24 @@ class Corrections:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
 
-    def _split(self, part: Utterance) -> Iterator[Utterance]:
-        """What stands between the words of correction."""
+    def _is_what_is_had(self, said: list[str], words: list[str], meant: list[str]) -> bool:
+        """Whether ``meant`` has become what something is to be *with*: "with milk, no sugar" is as likely without any.
+
+        What begins with an article, a number or the "with" itself can only correct: "no, with sugar", "no the sugar".
+        """
+        known = thing_words(self._matcher.grammar.language)
+        leading = known.articles | known.having
+        if meant[0] in leading or self._matcher.is_number(meant[0]):
+            return False
+        at = next((at for at, (old, new) in enumerate(zip(said, words, strict=False)) if old != new), len(said))
+        while at and words[at - 1] in known.articles:
+            at -= 1
+        return at > 0 and words[at - 1] in known.having
+
+    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, bool]]:
+        """What stands between the words of correction, and whether it follows a "no" in one breath."""
         start = position = 0
+        denies = False
         while position < len(part):
             length = self._correction.at(part.words, position)
             if length:
@@ -104,11 +126,13 @@ class Corrections:
                 if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
-                    yield part.part(start, position)
+                    yield part.part(start, position), denies
+                denies = part.words[position : position + length] == [_NONE_OF]
                 start = position = position + length
+                denies = denies and not self._pause_after(part, start)
             else:
                 position += 1
-        yield part.part(start, len(part))
+        yield part.part(start, len(part)), denies
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
         return position < len(part) and part.breaks[position]
