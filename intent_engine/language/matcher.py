@@ -263,7 +263,9 @@ class Matcher:
             self.networks.add_template(f"quantity:{name}", node, scope)
         for words in range(1, 13):
             self.networks.add_wild(f"wild:{words}", words)
-            self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
+            self.networks.add_wild(
+                f"free:{words}", words, begins=free.unfinished, alone=free.alone, yielded=free.no_beginning
+            )
         for slot in grammar.slots.values():
             if slot.allow or slot.known or slot.without:
                 self.networks.add_wild(
@@ -274,6 +276,7 @@ class Matcher:
                     free.alone,
                     slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
                     slot.without,
+                    free.no_beginning,
                 )
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
