@@ -265,7 +265,9 @@ class Automaton:
         swallowed: list[_Entry] = [
             (target, stack, index, ())
             for place, stack, index in ways.wild
-            if (free or word in place.allowed) and not (self._refusing and word in place.refused)
+            if (free or word in place.allowed)
+            and not (self._refusing and word in place.refused)
+            and not (named and word in place.yielded)
             for target in (place.begun if word in place.begins else place.wild)
         ]
         if not (onward or guessed or swallowed):

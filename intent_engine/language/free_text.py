@@ -34,7 +34,8 @@ class FreeText:
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
         self._articles = words.articles or ARTICLES
-        self._no_beginning = words.joining - words.may_begin
+        self.no_beginning = words.joining - words.may_begin
+        """Words with which no thing begins, though a song may: "for", "at"."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
         self._binding = words.joining | self._articles | words.binding
         self.unfinished = words.unfinished
@@ -50,7 +51,9 @@ class FreeText:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
         said = words[start:end]
         wrong = slot.without.intersection(said)
-        if said and slot.known and said[0] in self._no_beginning - slot.known - slot.allow:
+        if not slot.dictation and self._parts_a_number(words, start, end):
+            return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
+        if said and slot.known and said[0] in self.no_beginning - slot.known - slot.allow:
             wrong = frozenset((said[0],))
         if said and slot.known and not wrong:
             wrong = self._no_name(slot, said)
@@ -61,6 +64,35 @@ class FreeText:
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _parts_a_number(self, words: Sequence[str], start: int, end: int) -> bool:
+        """Whether a number that is said with another one stands half outside: "two [or three eggs]", "two
+        [three eggs]", "[soup for two to] three minutes". Which of them was meant nobody knows.
+
+        A number with its unit belongs to the thing: "two [three meter cables]".
+        """
+        said = words[start:end]
+        if not said:
+            return False
+        if start and self._counts(words[start - 1]):
+            at = int(len(said) > 1 and said[0] in self._words.ranging)
+            if self._counts(said[at]) and not (at == 0 and self._measures(said)):
+                return True
+        return (
+            end < len(words)
+            and len(said) > 1
+            and said[-1] in self._words.ranging
+            and self._counts(said[-2])
+            and self._counts(words[end])
+        )
+
+    def _measures(self, said: Sequence[str]) -> bool:
+        """Whether words begin with an amount that has a unit: "three meter cables"."""
+        return any(
+            quantities.evaluate(said[:end], kind, self._language) is not None
+            for end in range(2, len(said) + 1)
+            for kind in _AMOUNTS
+        )
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
         """The word that shows that words are not the name of one thing, in a slot that lists things."""

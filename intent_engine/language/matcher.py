@@ -16,6 +16,7 @@ from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
+from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slot_values import NamesOf, SlotValues
@@ -263,7 +264,9 @@ class Matcher:
             self.networks.add_template(f"quantity:{name}", node, scope)
         for words in range(1, 13):
             self.networks.add_wild(f"wild:{words}", words)
-            self.networks.add_wild(f"free:{words}", words, begins=free.unfinished, alone=free.alone)
+            self.networks.add_wild(
+                f"free:{words}", words, begins=free.unfinished, alone=free.alone, yielded=free.no_beginning
+            )
         for slot in grammar.slots.values():
             if slot.allow or slot.known or slot.without:
                 self.networks.add_wild(
@@ -274,6 +277,7 @@ class Matcher:
                     free.alone,
                     slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
                     slot.without,
+                    free.no_beginning,
                 )
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
@@ -292,7 +296,8 @@ class Matcher:
             if slot.units:
                 kind = Choice((kind, self._own_units(slot, spoken)))
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
-            self.networks.add_template(key, kind, scope | {OWN_UNIT: Call(f"units:{slot.name}")})
+            own = {f"{OWN_UNIT}{place}": Call(f"units:{slot.name}:{place}") for place in range(len(slot.units))}
+            self.networks.add_template(key, kind, scope | own)
         elif slot.type in ("choice", "boolean"):
             scope = {}
             for _, node in slot.values:
@@ -303,11 +308,22 @@ class Matcher:
             self.networks.add_names(key, NamesOf(self.locations, slot.tags, self.grammar.language), respell)
 
     def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
-        """How many there are of a unit that only this slot has: "two steps", "a step and a half"."""
-        node = Choice(tuple(self._spoken(node) for _, node in slot.units))
-        self.networks.add_template(f"units:{slot.name}", node, self._scope(node))
+        """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one
+        behind it: "two kilos and three hundred grams"."""
         part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word("\0never"))
-        return TemplateSequence((Reference("count", "count", 0), Reference(OWN_UNIT, OWN_UNIT, 0), part))
+        table = units(self.grammar.language)
+        joints = sorted(table.words.get("and", ())) if table is not None else []
+        joint = (Optional(Choice(tuple(map(Word, joints)))),) if joints else ()
+        ways: list[Node] = []
+        smaller: list[Node] = []
+        count = Reference("count", "count", 0)
+        for place, (_, node) in enumerate(sorted(slot.units, key=lambda unit: unit[0])):
+            unit = Reference(name := f"{OWN_UNIT}{place}", name, 0)
+            self.networks.add_template(f"units:{slot.name}:{place}", self._spoken(node), self._scope(node))
+            less = (TemplateSequence((*joint, count, Choice(tuple(smaller)))),) if smaller else ()
+            ways.append(TemplateSequence((count, unit, Choice((part, *less)))))
+            smaller.append(unit)
+        return Choice(tuple(ways))
 
     def _spoken(self, node: Node) -> Node:
         """A template of the file with its numbers in digits and in words, where those are known."""

@@ -51,7 +51,7 @@ class State:
 
     __slots__ = (
         "allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "refused",
-        "wild",
+        "wild", "yielded",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -74,6 +74,8 @@ class State:
         """Words that are likely in this free slot."""
         self.refused: frozenset[str] = frozenset()
         """Words that show that something else is meant than what this free slot takes."""
+        self.yielded: frozenset[str] = frozenset()
+        """Words with which this free slot does not begin where a sentence has them: "stir [{thing}] [for {time}]"."""
         self.final = False
         """The end of its network."""
         self.expand: Callable[[State], None] | None = None
@@ -168,6 +170,7 @@ class Networks:
         alone: frozenset[str] = frozenset(),
         known: frozenset[str] = frozenset(),
         refused: frozenset[str] = frozenset(),
+        yielded: frozenset[str] = frozenset(),
     ) -> None:
         """One to ``max_words`` words of any kind.
 
@@ -179,8 +182,11 @@ class Networks:
             alone: words that are never the only one.
             known: words that are likely.
             refused: words with which nothing is meant that it takes.
+            yielded: words with which it does not begin where a sentence goes on with them.
         """
-        self._builders[key] = lambda: _wild(max_words, allowed, begins, alone | begins, known - refused, refused)
+        self._builders[key] = lambda: _wild(
+            max_words, allowed, begins, alone | begins, known - refused, refused, yielded - allowed
+        )
 
 
 def _template(node: Node, scope: Mapping[str, Call]) -> Network:
@@ -282,9 +288,11 @@ def _wild(
     alone: frozenset[str],
     known: frozenset[str],
     refused: frozenset[str],
+    yielded: frozenset[str],
 ) -> Network:
     start, end = State(), State()
     end.final = True
+    start.yielded = yielded
     here = start
     for left in range(max_words - 1, -1, -1):
         there, begun = State(), State()

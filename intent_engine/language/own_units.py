@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language import quantities
@@ -31,18 +32,42 @@ class OwnUnits:
         self._sizes = {words: size for size, names in units_called(slot, phrases) for words in names}
 
     def value(self, words: Sequence[str]) -> float | None:
-        """The value in SI units of exactly these words, normalised: how many, the unit, and perhaps "and a half"."""
-        if not self._sizes or len(words) > quantities.MAX_WORDS:
+        """The value in SI units of exactly these words, normalised: how many, the unit, and perhaps "and a half" or how
+        many of a smaller one: "two kilos three hundred grams"."""
+        return self._below(words, math.inf)
+
+    def _below(self, words: Sequence[str], largest: float) -> float | None:
+        """The same of units that are smaller than that."""
+        if not self._sizes or not words or len(words) > quantities.MAX_WORDS:
             return None
-        for count, after in quantities.counts(words, self._language):
+        for count, after in self._counts(words):
             for end in range(len(words), after, -1):
                 size = self._sizes.get(tuple(words[after:end]))
-                part = self._part(words[end:]) if size is not None and count.is_integer() else None
-                if size is not None and end == len(words):
+                if size is None or size >= largest:
+                    continue
+                if end == len(words):
                     return quantities.tidy(count * size)
-                if size is not None and part is not None:
+                if not count.is_integer():
+                    continue
+                if (part := self._part(words[end:])) is not None:
                     return quantities.tidy((count + part) * size)
+                more = self._below(self._without_and(words[end:]), size)
+                if more is not None and more < size:
+                    return quantities.tidy(count * size + more)
         return None
+
+    def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
+        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion."""
+        for count, after in quantities.counts(words, self._language):
+            sign = words[after - 1]
+            if (sign,) in self._sizes and sign in english.SUFFIXES and after > 1:
+                yield quantities.tidy(count / english.SUFFIXES[sign]), after - 1
+            yield count, after
+
+    def _without_and(self, words: Sequence[str]) -> Sequence[str]:
+        table = units(self._language)
+        led = table is not None and bool(words) and words[0] in table.words.get("and", ())
+        return words[1:] if led else words
 
     def _part(self, words: Sequence[str]) -> float | None:
         """What is said after a unit: "and a half"."""

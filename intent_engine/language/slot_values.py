@@ -70,9 +70,9 @@ class SlotValues:
         return SlotReading(label, slot, start, end, elided(thing, self._grammar.language))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
-        value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
+        value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
         if value is None:
-            value = self.in_own_units(slot, said)
+            value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
         problem = ""
         status = "exact"
         if value is None:

@@ -45,6 +45,10 @@ class ThingWords:
     """They say something of a thing."""
     timed: frozenset[str] = frozenset()
     """Between a thing and the time when it is wanted."""
+    ranging: frozenset[str] = frozenset()
+    """Between two numbers of which one is meant."""
+    having: frozenset[str] = frozenset()
+    """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()
     """Endings of words that say how something is done."""
     examples: tuple[str, ...] = ()

@@ -81,3 +81,32 @@ def test_of_two_amounts_the_last_is_meant(engine: IntentEngine, said: int, meant
     rest = f"microliters from {row} {column}"
     found = engine.parse(f"draw {said} no {meant} {rest}")
     assert found.actions == engine.parse(f"draw {meant} {rest}").actions != ()
+
+
+WAITING = """
+language: en
+slots: {time: duration}
+intents:
+  wait: {action: custom, sentences: ["wait [for] {time} [for a signature]"]}
+  open: {action: custom, sentences: ["open the drawer"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "time"),
+    [
+        ("wait five, no, ten minutes", 600),
+        ("wait twenty seconds no forty seconds", 40),
+        ("wait thirty, no, forty seconds for a signature", 40),
+        ("wait for ten seconds, wait, twenty seconds", 20),
+    ],
+)
+def test_a_verb_that_corrects_elsewhere_corrects_nothing_where_it_begins(engine_of, said: str, time: float) -> None:
+    assert engine_of(WAITING).parse(said).slots == {"time": time}
+
+
+def test_where_it_may_correct_it_does(engine_of) -> None:
+    engine = engine_of(WAITING)
+    assert engine.parse("wait, open the drawer").intent == "open"
+    assert not engine.parse("wait ten seconds, no").actions
+    assert not engine.parse("wait no forty seconds").actions

@@ -95,6 +95,14 @@ def test_in_every_language(language: str, count: int) -> None:
         ("order a tray", {"eggs": 30}),
         ("order ten", {"eggs": 10}),
         ("sleep three rounds", {"nap": 4500.0}),
+        ("walk two poles three steps", {"way": 4.9}),
+        ("walk a pole and three steps", {"way": 2.9}),
+        ("order a tray and two crates", {"eggs": 54}),
+        # A smaller one first, one twice, more of the smaller one than the larger has, and a part of the larger.
+        ("walk three steps two poles", "rejected"),
+        ("walk two steps two steps", "rejected"),
+        ("walk a pole ten steps", "rejected"),
+        ("walk half a pole and three steps", "rejected"),
         # No number, two of them, another unit, and more than its limit.
         ("walk steps", "rejected"),
         ("walk a few steps", "rejected"),
@@ -138,3 +146,32 @@ def test_steps_of_something_else_move_nothing(said: str) -> None:
 def test_they_are_checked_without_a_doubt() -> None:
     findings = check_grammar(engine_of("en").matcher("en").grammar, None).findings
     assert not [one for one in findings if one.level != "note"]
+
+
+GRAMS = """
+language: en
+slots:
+  mass: {type: number, units: {1: [g, gram, grams], 1000: [kg, kilo, kilos]}}
+intents:
+  weigh: {action: custom, sentences: ["weigh {mass} of flour"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "mass"),
+    [("250g", 250), ("250 g", 250), ("2.5 kg", 2500), ("1 kg 250 g", 1250), ("two kilos and three grams", 2003)],
+)
+def test_a_sign_that_scales_numbers_may_be_a_unit(tmp_path: Path, said: str, mass: float) -> None:
+    file = tmp_path / "grams.yaml"
+    file.write_text(GRAMS, "utf-8")
+    assert IntentEngine.from_files(file).parse(f"weigh {said} of flour").slots == {"mass": mass}
+
+
+@given(kilos=st.integers(1, 50), grams=st.integers(1, 999), joint=st.sampled_from([" ", " and "]))
+def test_a_larger_and_a_smaller_unit_add_up(kilos: int, grams: int, joint: str) -> None:
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "grams.yaml"
+        file.write_text(GRAMS, "utf-8")
+        engine = IntentEngine.from_files(file)
+        assert engine.parse(f"weigh {kilos} kg{joint}{grams} g of flour").slots == {"mass": kilos * 1000 + grams}
+        assert not engine.parse(f"weigh {grams} g{joint}{kilos} kg of flour").actions

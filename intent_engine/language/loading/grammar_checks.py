@@ -11,6 +11,7 @@ from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slo
 from intent_engine.language.loading.grammar_parts import Draft, Places, Written
 from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
+from intent_engine.language.numbers.english import SUFFIXES
 from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
 from intent_engine.language.quantities import evaluate
@@ -192,7 +193,12 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
 
 
 def _known_size(words: tuple[str, ...], slot: Slot, sizes: Mapping[tuple[str, ...], float], language: str) -> float:
-    """The size of a unit that has a name already: one of the slot's own, or one that everybody knows; 0: none has."""
+    """The size of a unit that has a name already: one of the slot's own, or one that everybody knows; 0: none has.
+
+    A sign that scales a number is none: who has grams in units says "250 g" of these.
+    """
+    if slot.type == "number" and len(words) == 1 and words[0] in SUFFIXES:
+        return sizes.get(words, 0.0)
     known = sizes.get(words) or evaluate(("1", *words), slot.type, language)
     return known if isinstance(known, float) else 0.0
 

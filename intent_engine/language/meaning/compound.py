@@ -159,10 +159,17 @@ class Compounds:
         yield len(words), len(words)
         for end in range(len(words) - 1, start, -1):
             ends = [end + length for length in self._sequence.lengths_at(words, end)]
+            ends += [more for after in ends for more in self._ends_of_clauses(words, after)]
             for after in (*ends, end) if core.breaks[end] else ends:
                 # "turn 15 and 20 degrees", "turn 100, 80 degrees": one number or two, nobody can know.
                 if after < len(words) and not (is_number(words[end - 1]) and is_number(words[after])):
                     yield end, after
+
+    def _ends_of_clauses(self, words: list[str], start: int) -> Iterator[int]:
+        """Where words of sequence end that are more than one, behind others: "and *once you are there*"."""
+        for length in self._sequence.lengths_at(words, start):
+            if length > 1:
+                yield start + length
 
 
 def _goes_on(clause: Clause) -> bool:

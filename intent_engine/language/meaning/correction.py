@@ -14,6 +14,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.quantities import counts, evaluate
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Corrections"]
@@ -22,6 +23,8 @@ _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "o
 _FREE = ("text", "object")
 _MAY_FORBID = frozenset(("no", "nope", "nah"))
 """Words of correction that forbid what follows in one breath: "no turn left", but "no, turn left"."""
+_NONE_OF = "no"
+"""What corrects, and says that a thing is not wanted: "with milk, no sugar"."""
 
 
 class Corrections:
@@ -49,16 +52,32 @@ class Corrections:
 
         ``before`` names an intent whose command the part goes on from: "to the bedroom, no, to the office".
         """
-        pieces = list(self._split(part))
+        clause = self._corrected_from(part, 0, state, before)
+        if clause is None and self._begins_with_a_verb(part):
+            clause = self._corrected_from(part, 1, state, before)
+        return clause
+
+    def _begins_with_a_verb(self, part: Utterance) -> bool:
+        """Whether the first word corrects nothing, but may be the command's: "wait five, no, ten minutes"."""
+        corrects = self._correction.at(part.words, 0) == 1
+        return corrects and part.words[0] in self._commands.first_words and not self._pause_after(part, 1)
+
+    def _corrected_from(self, part: Utterance, begin: int, state: Collection[str], before: str) -> Clause | None:
+        """The same, where no word before a place is one of correction."""
+        pieces = list(self._split(part, begin))
         if len(pieces) < 2:
-            return self._corrected_before(part, state) if not before else None
-        current = pieces[0].words
-        for piece in pieces[1:]:
+            return self._corrected_before(part, state) if not (before or begin) else None
+        current = pieces[0][0].words
+        for piece, denies in pieces[1:]:
             if not piece.words:
                 continue
             replaced = self._replace(current, piece.words, state, before)
             if replaced is None:
                 return None
+            if denies and self._is_what_is_had(current, replaced, piece.words):
+                either = (" ".join(replaced), " ".join(current))
+                reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
+                return Clause(reason=reason, alternatives=either, ambiguous=True)
             current = replaced
         clause = self._commands.exact(current, state)
         if before and not (clause is not None and clause.accepted):
@@ -101,9 +120,24 @@ class Corrections:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
 
-    def _split(self, part: Utterance) -> Iterator[Utterance]:
-        """What stands between the words of correction."""
-        start = position = 0
+    def _is_what_is_had(self, said: list[str], words: list[str], meant: list[str]) -> bool:
+        """Whether ``meant`` has become what something is to be *with*: "with milk, no sugar" is as likely without any.
+
+        What begins with an article, a number or the "with" itself can only correct: "no, with sugar", "no the sugar".
+        """
+        known = thing_words(self._matcher.grammar.language)
+        leading = known.articles | known.having
+        if meant[0] in leading or self._matcher.is_number(meant[0]):
+            return False
+        at = next((at for at, (old, new) in enumerate(zip(said, words, strict=False)) if old != new), len(said))
+        while at and words[at - 1] in known.articles:
+            at -= 1
+        return at > 0 and words[at - 1] in known.having
+
+    def _split(self, part: Utterance, begin: int) -> Iterator[tuple[Utterance, bool]]:
+        """What stands between the words of correction, from a place on, and whether it follows a "no" in one breath."""
+        start, position = 0, begin
+        denies = False
         while position < len(part):
             length = self._correction.at(part.words, position)
             if length and position == 0 and self._begins_a_sentence(part, length):
@@ -113,11 +147,13 @@ class Corrections:
                 if bare and part.words[0] in _MAY_FORBID and length == 1:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
-                    yield part.part(start, position)
+                    yield part.part(start, position), denies
+                denies = part.words[position : position + length] == [_NONE_OF]
                 start = position = position + length
+                denies = denies and not self._pause_after(part, start)
             else:
                 position += 1
-        yield part.part(start, len(part))
+        yield part.part(start, len(part)), denies
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
         """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:

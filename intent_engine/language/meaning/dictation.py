@@ -24,6 +24,8 @@ ANYTHING = "\0anything"
 """Stands for the text, as a word that no grammar has."""
 AROUND = " \t\n,;:-.\u2026"
 """What is written around the text and not said."""
+PAUSES = ",;:.!?\u2026"
+"""What is written at the end of a word where a pause follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,14 +62,32 @@ class Dictation:
         """
         written = text.split()
         for count in range(min(len(written) - 1, LONGEST), 0, -1):
-            rest = " ".join(written[count:]).strip(AROUND)
-            if self._says_nothing(rest):
+            if (found := self._parted(written, count, state, spoken)) is None:
                 continue
-            for begin in self._begins(" ".join(written[:count]), spoken):
-                clause = self._commands.exact([*begin.words, ANYTHING], state)
-                if clause is not None and (slot := _dictated(clause.reading)) is not None:
-                    return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
+            for earlier in range(self._filled_from(written, count), count):
+                if (longer := self._parted(written, earlier, state, spoken)) is not None:
+                    return longer  # "say please wait" says "please wait"
+            return found
         return None
+
+    def _parted(self, written: list[str], count: int, state: Collection[str], spoken: bool) -> Dictated | None:
+        """The command with a text that begins after so many words, if it is one."""
+        rest = " ".join(written[count:]).strip(AROUND)
+        if self._says_nothing(rest):
+            return None
+        for begin in self._begins(" ".join(written[:count]), spoken):
+            clause = self._commands.exact([*begin.words, ANYTHING], state)
+            if clause is not None and (slot := _dictated(clause.reading)) is not None:
+                return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
+        return None
+
+    def _filled_from(self, written: list[str], count: int) -> int:
+        """Where the words begin that say nothing and lead to what is dictated in one breath; without any, the count."""
+        start = count
+        if written[count - 1][-1] not in PAUSES:
+            while start > 1 and self._says_nothing(" ".join(written[start - 1 : count])):
+                start -= 1
+        return start
 
     def _says_nothing(self, text: str) -> bool:
         """Whether there is nothing in it to dictate: "write down, please"."""

@@ -240,6 +240,12 @@ class Interpreter:
             return self._rejected(text, "cancelled in the same breath")
         if self._stops.in_a_sentence(core):
             return self._stopped(text)
+        if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
+            return self._stopped(text)
+        if (after := self.phrases.after_cancelled(core)) and not self._commands.accepts(words[:after], state):
+            found, told = self._meant(text, core.part(after, len(core)), state, spoken=False)
+            if found.status is Status.ACCEPTED:
+                return replace(found, reason=found.reason or f"after {' '.join(words[:after])!r}"), told
         if taken_back := self._corrections.taken_back(words):
             if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)

@@ -160,6 +160,18 @@ class Phrases:
             position += length
         return 0
 
+    def after_cancelled(self, said: Utterance) -> int:
+        """Where an utterance goes on after a pause behind words that cancel what was said before: "never mind, go
+        back". 0: it does not begin so; "don't, go back" may be one negation."""
+        after = 0
+        while True:
+            ends = (after + length for length in self.cancel.lengths_at(said.words, after))
+            apart = (end for end in ends if end < len(said) and said.breaks[end])
+            end = next((end for end in apart if not self.negation.at(said.words, end - 1)), 0)
+            if not end:
+                return after
+            after = end
+
     def goes_on(self, words: Sequence[str]) -> int:
         """How many words at the beginning only go on from what was said before: "and then", "but"."""
         position = 0

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
@@ -137,6 +138,24 @@ class Stops:
             apart = core.breaks[position] or self._clause_begins(words, 0, position)
             if apart and not phrases.negated_before(words, position) and not phrases.joined_before(words, position):
                 return True
+        return False
+
+    @step(Kind.STOP)
+    def of_doing(self, core: Utterance) -> bool:
+        """Whether a robot is told to stop what is a command of its own: "stop stirring", "stop chopping the onions".
+
+        What is to be ended need not be said in full, only as a command begins.
+        """
+        words = core.words
+        start = self._phrases.after_opening(words)
+        matcher = self._commands.matcher
+        while lengths := self._stop.lengths_at(words, start):
+            for length in lengths:
+                doing, *rest = words[start + length :] or [""]
+                for verb in verbs(doing, matcher.grammar.language):
+                    if verb in self._commands.first_words and matcher.prefix([verb, *rest])[1] is not None:
+                        return True
+            start += lengths[0]
         return False
 
     def _is_stop_sentence(self, words: list[str]) -> bool:

@@ -30,6 +30,8 @@ class KnownGrammar:
     """"I mean", "no", "make that","""
     correcting: frozenset[str]
     """and their words, which a sentence that is corrected has besides."""
+    sequence: PhraseSet
+    """"And then"."""
     negations: PhraseSet
     """"Not", "never","""
     narrating: frozenset[str]
@@ -59,6 +61,7 @@ class KnownGrammar:
             words=words,
             corrections=PhraseSet(operators.correction),
             correcting=frozenset(word for words in operators.correction for word in words),
+            sequence=PhraseSet(operators.sequence),
             negations=PhraseSet(operators.negation),
             narrating=narrating(grammar),
             wake=WakeWords(grammar),

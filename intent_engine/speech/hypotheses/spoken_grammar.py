@@ -373,12 +373,20 @@ class SpokenGrammar:
         return not as_heard or any(isinstance(word, FreeWord) for word in as_heard)
 
     def takes_as_heard(self, words: Sequence[str], language: str | None = None) -> bool:
-        """Whether words are a sentence with a slot that has no list, which holds all words that the grammar does not
-        have: whoever may be called can be called anything."""
+        """Whether words are a sentence, or several that are joined, with a slot that has no list, which holds all words
+        that the grammar does not have: whoever may be called can be called anything."""
         matcher, known = self._known(language).matcher, self._known(language).words
         said = list(words[self.lead(words, language) :])
-        free = [slot for slot in self._free_slots(words, language) or () if not slot.slot.known]
-        taken = {place for slot in free for place in range(slot.start, slot.end)}
+        joined = self._joined_slots(said, language) or []
+        if len(joined) > 1 and not self.parse(" ".join(said), language).actions:
+            return False
+        taken = {
+            start + place
+            for start, slots in joined
+            for slot in slots
+            if not slot.slot.known
+            for place in range(slot.start, slot.end)
+        }
         strange = {place for place, word in enumerate(said) if word not in known and not matcher.is_number(word)}
         return bool(taken) and strange <= taken
 
@@ -387,9 +395,29 @@ class SpokenGrammar:
         none that is known."""
         return self._free_slots(words, language) != []
 
+    def _joined_slots(
+        self, words: Sequence[str], language: str | None, start: int = 0
+    ) -> list[tuple[int, list[SlotReading]]] | None:
+        """Where each of several sentences that are joined begins, and its slots that take any words: "wait until the
+        bell rings and then go back". None: they are no such sentences."""
+        if (whole := self._free_slots_of(words[start:], language)) is not None:
+            return [(start, whole)]
+        sequence = self._known(language).sequence
+        for end in range(start + 1, len(words) - 1):
+            for length in sequence.lengths_at(words, end):
+                first = self._free_slots_of(words[start:end], language)
+                rest = self._joined_slots(words, language, end + length) if first is not None else None
+                if first is not None and rest is not None:
+                    return [(start, first), *rest]
+        return None
+
     def _free_slots(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
         """The slots of a sentence that take any words; None: it is no sentence."""
-        readings = self._known(language).matcher.read(list(words[self.lead(words, language) :]))
+        return self._free_slots_of(words[self.lead(words, language) :], language)
+
+    def _free_slots_of(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
+        """The same of one in which nothing comes before its first word."""
+        readings = self._known(language).matcher.read(list(words))
         if not readings or readings[0].problem:
             return None
         return [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS]

@@ -70,6 +70,21 @@ def test_last_words_that_were_heard_and_left_out(heard, left_out):
     assert bool(found) is bool(left_out)
 
 
+@pytest.mark.parametrize(
+    ("heard", "left_out"),
+    [
+        (["go to ward 3 said the nurse", "go to war free said the nurse"], "said the nurse"),
+        (["go to ward 3 said the nurse"], ""),  # one model alone, as unlike as that
+        (["go to ward 3 said the nurse", "go to war free said the purse"], ""),
+        (["go to ward free", "go to war free"], ""),  # it may be how "three" was heard
+        (["go to warder free", "go to war defree"], ""),
+    ],
+)
+def test_last_words_that_were_heard_alike_are_not_left_out(heard, left_out):
+    found = end_left_out(["go", "to", "ward", "three"], [one.split() for one in heard])
+    assert " ".join(found) == left_out
+
+
 @given(st.lists(st.sampled_from(["go", "left", "to", "the", "kitchen", "slowly"]), min_size=1, max_size=6), st.data())
 def test_of_words_that_were_heard_none_is_unheard(words, data):
     """However many others were heard, too."""

@@ -1,0 +1,72 @@
+""" "Stop stirring the soup": what is a command of a grammar is ended in its own words."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine, Stop
+from intent_engine.language.meaning.doing import verbs
+
+GRAMMAR = """
+language: en
+slots:
+  thing: {type: text, max_words: 2, known: [soup, onions]}
+  time: duration
+intents:
+  work:
+    action: custom
+    sentences: ["(stir|chop|slice|whisk|tie) [[the] {thing}] [for {time}]", "open the oven"]
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "stop stirring",
+        "stop stirring the soup",
+        "please stop chopping onions now",
+        "stop slicing",
+        "halt, stop whisking for ten minutes",
+        "no, stop tying",
+        "stop opening",
+    ],
+)
+def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(said).actions == (Stop(),)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "stop talking about the soup",
+        "don't stop stirring",
+        "never stop stirring",
+        "the bus stop stirring",
+        "he should stop stirring",
+        "stop sing",
+        "stirring",
+    ],
+)
+def test_what_is_no_command_ends_nothing(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(said).actions == ()
+
+
+@pytest.mark.parametrize(
+    ("form", "verb"),
+    [("stirring", "stir"), ("driving", "drive"), ("opening", "open"), ("tying", "tie"), ("rolling", "roll")],
+)
+def test_the_verb_of_a_form(form: str, verb: str) -> None:
+    assert verb in verbs(form, "en")
+
+
+@given(st.text("abcdefgino", max_size=8))
+def test_a_verb_is_never_longer_than_its_form(word: str) -> None:
+    assert all(len(verb) < len(word) for verb in verbs(word, "en"))
+    assert not list(verbs(word, "de"))
