@@ -52,21 +52,9 @@ class Corrections:
 
         ``before`` names an intent whose command the part goes on from: "to the bedroom, no, to the office".
         """
-        clause = self._corrected_from(part, 0, state, before)
-        if clause is None and self._begins_with_a_verb(part):
-            clause = self._corrected_from(part, 1, state, before)
-        return clause
-
-    def _begins_with_a_verb(self, part: Utterance) -> bool:
-        """Whether the first word corrects nothing, but may be the command's: "wait five, no, ten minutes"."""
-        corrects = self._correction.at(part.words, 0) == 1
-        return corrects and part.words[0] in self._commands.first_words and not self._pause_after(part, 1)
-
-    def _corrected_from(self, part: Utterance, begin: int, state: Collection[str], before: str) -> Clause | None:
-        """The same, where no word before a place is one of correction."""
-        pieces = list(self._split(part, begin))
+        pieces = list(self._split(part))
         if len(pieces) < 2:
-            return self._corrected_before(part, state) if not (before or begin) else None
+            return self._corrected_before(part, state) if not before else None
         current = pieces[0][0].words
         for piece, denies in pieces[1:]:
             if not piece.words:
@@ -88,7 +76,7 @@ class Corrections:
 
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
-        pieces = [piece.words for piece in self._split(part) if piece.words]
+        pieces = [piece.words for piece, _ in self._split(part) if piece.words]
         if len(pieces) != 2 or not self._commands.accepts(pieces[0], state):
             return []
         return pieces[1]
@@ -134,9 +122,9 @@ class Corrections:
             at -= 1
         return at > 0 and words[at - 1] in known.having
 
-    def _split(self, part: Utterance, begin: int) -> Iterator[tuple[Utterance, bool]]:
-        """What stands between the words of correction, from a place on, and whether it follows a "no" in one breath."""
-        start, position = 0, begin
+    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, bool]]:
+        """What stands between the words of correction, and whether it follows a "no" in one breath."""
+        start = position = 0
         denies = False
         while position < len(part):
             length = self._correction.at(part.words, position)
