@@ -119,7 +119,7 @@ def test_files_may_be_checked_together(intent_engine, grammar):
 
 
 def test_notes_are_told_when_asked_for(intent_engine, grammar):
-    text = FINE + "  all: {action: {type: custom, name: all}, sentences: ['wave {thing}']}\nslots: {thing: text}\n"
+    text = FINE + "  all: {action: {type: custom, name: all}, sentences: ['wave at {thing}']}\nslots: {thing: text}\n"
     done = intent_engine("check", grammar(text))
     assert "--notes tells 1 note" in done.stdout
     assert "note:" not in done.stdout

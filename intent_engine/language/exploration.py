@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.matcher import Matcher, spoken_trees
+from intent_engine.language.network import NEVER
 from intent_engine.language.reading import Reading
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 from intent_engine.language.vocabulary import vocabulary
@@ -73,7 +74,7 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
         # English ordinals are few words, and none is a numeral: "third", "3rd".
         if kind in trees and (kind != "ordinal" or grammar.language != "en"):
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
-    matcher.networks.add_template("quantity:and_part", Word("\0never"), {})
+    matcher.networks.add_template("quantity:and_part", Word(NEVER), {})
     free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
     walk = _Walk(matcher.strict, grammar, free)
     meetings = [Meeting(words, tuple(matcher.read(list(words)))) for words in walk.endings(most)]
@@ -119,6 +120,8 @@ def _kinds(automaton: Automaton, state: WordState, grammar: Grammar, free: str) 
     leads: dict[str, list[tuple[int, int]]] = {free: []} if automaton.free(state) else {}
     for index, (place, _) in enumerate(state.members):
         for word, targets in place.arcs.items():
+            if word == NEVER:
+                continue
             leads.setdefault(word, []).extend((index, id(target)) for target in targets)
     if automaton.allows_digits(state):
         leads.setdefault(NUMERAL, [])

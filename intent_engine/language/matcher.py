@@ -12,7 +12,7 @@ from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
-from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.network import NEVER, Call, Edge, Networks, State
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import number_otherwise
@@ -290,7 +290,7 @@ class Matcher:
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"
         if slot.type in QUANTITY_KINDS:
-            kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word("\0never")
+            kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word(NEVER)
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
             if slot.units:
@@ -310,7 +310,7 @@ class Matcher:
     def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
         """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one
         behind it: "two kilos and three hundred grams"."""
-        part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word("\0never"))
+        part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word(NEVER))
         table = units(self.grammar.language)
         joints = sorted(table.words.get("and", ())) if table is not None else []
         joint = (Optional(Choice(tuple(map(Word, joints)))),) if joints else ()

@@ -13,7 +13,10 @@ from typing import Any, TypeAlias
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
-__all__ = ["Call", "Edge", "Network", "Networks", "State"]
+__all__ = ["NEVER", "Call", "Edge", "Network", "Networks", "State"]
+
+NEVER = "\0never"
+"""A word that nobody says: where a language has nothing that may stand there."""
 
 
 Name: TypeAlias = tuple[tuple[str, ...], str]

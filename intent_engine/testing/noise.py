@@ -63,22 +63,25 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
     alone = {
         words[0] for node in choosing for words in spellings(node, grammar.phrases, MOST_SPELLINGS) if len(words) == 1
     }
-    for _ in range(choices.below(MOST_FILLERS + 1) if usable else 0):
+    places = len(said) - 1 if _dictated(said) else len(said) + 1
+    for _ in range(choices.below(MOST_FILLERS + 1) if usable and places > 0 else 0):
         filler = usable[choices.below(len(usable))]
         # "right then, turn left": elsewhere, and without the pause, it joins two commands. And whether "turn right away
         # ninety degrees" is to the right nobody knows.
         opens = any((word,) in operators.sequence or (len(filler) > 1 and word in alone) for word in filler)
-        place = 0 if opens else choices.below(len(said) + (0 if _dictated(said) else 1))
+        place = 0 if opens else choices.below(places)
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
         longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
+            places += 1
     return said
 
 
 def _dictated(pieces: Sequence[Piece]) -> bool:
-    """Whether the last of the pieces is a dictated text: all that is said in it and after it belongs to it."""
+    """Whether the last of the pieces is a dictated text: all that is said right before it, in it and after it belongs
+    to it."""
     return bool(pieces) and pieces[-1].slot is not None and pieces[-1].slot.dictation
 
 
