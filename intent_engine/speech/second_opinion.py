@@ -33,14 +33,13 @@ from intent_engine.speech.hypotheses.clearness import RIVAL_MARGIN
 from intent_engine.speech.hypotheses.dictating import (
     DICTATED,
     as_heard,
-    begin_of,
     dictated_to_both,
     hardly_begun,
 )
 from intent_engine.speech.hypotheses.evidence import letters_apart
-from intent_engine.speech.hypotheses.left_out import unheard
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, Steered, as_read
 from intent_engine.speech.hypotheses.pace import too_few
+from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.weighing import begun_otherwise, crossed, doubted
 from intent_engine.speech.leaving import LeftError
@@ -294,14 +293,9 @@ class SecondOpinion:
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            said = [one.heard for one in (first, second)]
-            unclear += self._grammar.begins_unheard(best.words, said, heard.language)
-            if not (begin_of(best.words) or self._grammar.parse(" ".join(best.words), heard.language).stops):
-                unclear += tuple(unheard(best.words, said))
-            left_out = self._grammar.left_out(best.words, said, heard.language)
-            left_out = left_out or self._grammar.heard_otherwise(
-                best.words, said, best.evidence.confidence, heard.language
-            )
+            said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language)
+            unclear += said.begins_unheard() + said.unheard_inside()
+            left_out = said.left_out() or said.heard_otherwise(best.evidence.confidence)
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.

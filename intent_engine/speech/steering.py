@@ -32,6 +32,7 @@ from intent_engine.speech.hypotheses.left_out import goes_on
 from intent_engine.speech.hypotheses.narration import NARRATING
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, as_read
 from intent_engine.speech.hypotheses.pace import too_few, too_many
+from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.weighing import doubted
 from intent_engine.speech.recognizer import Encoded, Transcript
@@ -246,7 +247,7 @@ class Steering(Clearness):
         otherwise = self.grammar.said_otherwise(heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
-        unclear += self.grammar.begins_unheard(best, [heard.heard], transcript.language)
+        unclear += SaidAndHeard(self.grammar, best, [heard.heard], transcript.language).begins_unheard()
         left_out = self.left_out(heard.encoded, best, heard.heard, transcript)
         return replace(transcript, unclear=unclear, left_out=left_out)
 

@@ -20,6 +20,7 @@ from intent_engine.speech.acoustic.scoring import Scoring
 from intent_engine.speech.acoustic.writing import spellings, written
 from intent_engine.speech.hypotheses.left_out import end_left_out
 from intent_engine.speech.hypotheses.narration import NARRATING, SUBJECTS_IN
+from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Encoded, Transcript
 
@@ -99,7 +100,7 @@ class Clearness(Scoring):
             transcript: of them.
         """
         language = transcript.language
-        left_out = self.grammar.left_out(words, [heard], language)
+        left_out = SaidAndHeard(self.grammar, words, [heard], language).left_out()
         if not left_out:
             return ()
         clearly = self.heard_clearly(encoded, transcript.free_text, language)

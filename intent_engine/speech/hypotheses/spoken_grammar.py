@@ -24,14 +24,7 @@ from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.hypotheses.guided import WORD, word_count
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
-from intent_engine.speech.hypotheses.left_out import (
-    begin_left_out,
-    begins_unheard,
-    end_left_out,
-    heard_otherwise,
-    tells,
-)
-from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out, told
+from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
 from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
@@ -53,8 +46,6 @@ FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
-SURE_OF_OTHERS = 0.9
-"""Confidence from which other words than those that all models heard were said all the same."""
 FULL_CIRCLE = 2 * math.pi + 0.01
 """rad of a turn that people ask for, and a little."""
 UNKNOWN_WORD = 8.0
@@ -278,68 +269,9 @@ class SpokenGrammar:
         """Whether words change nothing, wherever they stand: "please"."""
         return self._known(language).leading.cover(words)
 
-    def left_out(
-        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
-    ) -> tuple[str, ...]:
-        """The first and the last words that were heard, where a sentence begins or ends otherwise, with such as say
-        something. A stop leaves out nothing: it waits for nothing.
-
-        Args:
-            words: of the sentence.
-            heard: the words that each model heard.
-            language: of the speech.
-        """
-        if begin_of(words) or self.parse(" ".join(words), language).stops:
-            return ()
-        begin = self.begin_left_out(words, heard, language)
-        if not begin and not self.wake(language).after(words) and language in (None, "en"):
-            begin = told(words, heard, min((self.lead(one, language) for one in heard), default=0))
-        end = end_left_out(words, heard)
-        return tuple(" ".join(part) for part in (begin, end) if not self.says_nothing(part, language))
-
-    def begins_unheard(
-        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
-    ) -> tuple[str, ...]:
-        """The word with which a command begins, where no model heard it, and what they heard is none. No stop's.
-
-        Args:
-            words: of the sentence.
-            heard: the words that each model heard.
-            language: of the speech.
-        """
-        lead = self.lead(words, language)
-        if begin_of(words) or lead >= len(words) or not begins_unheard(words, lead, heard):
-            return ()
-        whole, rest = (self.parse(" ".join(part), language) for part in (words, words[lead + 1 :]))
-        return () if whole.stops or rest.actions else (words[lead],)
-
-    def heard_otherwise(
-        self, words: Sequence[str], heard: Sequence[Sequence[str]], confidence: float, language: str | None = None
-    ) -> tuple[str, ...]:
-        """What all models heard in the place of words of a sentence, where that is something else. A stop is what it
-        is, and what is dictated too; and of other words what is as good as sure: a "marker" may be a mocha.
-
-        Args:
-            words, heard, language: as for :meth:`left_out`.
-            confidence: in the sentence.
-        """
-        if begin_of(words) or self.parse(" ".join(words), language).stops:
-            return ()
-        said = tells(words, heard) if language in (None, "en") else ()
-        if not said and confidence < SURE_OF_OTHERS:
-            said = heard_otherwise(words, heard, lambda part: self.says_nothing(part, language))
-        return (" ".join(said),) if said and not self.says_nothing(said, language) else ()
-
     def settled(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether no more of a sentence may follow than the manner of it."""
         return self._known(language).matcher.settled(words)
-
-    def begin_left_out(
-        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
-    ) -> Sequence[str]:
-        """As :func:`~intent_engine.speech.hypotheses.left_out.begin_left_out`."""
-        led = [(one, self.lead(one, language)) for one in heard]
-        return begin_left_out(words, self.lead(words, language), led)
 
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence is what people say: without words in free slots that no list has, and without a

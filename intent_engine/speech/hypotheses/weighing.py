@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading
+from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 __all__ = ["Each", "begun_otherwise", "crossed", "doubted"]
@@ -68,7 +69,7 @@ def begun_otherwise(
         readings: what that gave.
     """
     best = readings[0].words if readings else ()
-    left_out = grammar.begin_left_out(best, [one.heard for one in opinions], opinions[0].transcript.language)
+    left_out = _beside_heard(grammar, best, opinions).begin_left_out()
     if not left_out:
         return list(readings)
     known = {one.words for one in readings}
@@ -89,17 +90,22 @@ def crossed(
         readings: what that gave.
     """
     language = opinions[0].transcript.language
-    heard = [one.heard for one in opinions]
-    if not readings or not grammar.left_out(readings[0].words, heard, language):
+    if not readings or not _beside_heard(grammar, readings[0].words, opinions).left_out():
         return list(readings)
     known = dict.fromkeys(one.words for one in readings)
     ways = (way for other in readings[1:MOST_CROSSED] for way in _crossings(readings[0].words, other.words))
     others = [
         words
         for words in dict.fromkeys(ways)
-        if words not in known and grammar.possible(words, (), language) and not grammar.left_out(words, heard, language)
+        if words not in known
+        and grammar.possible(words, (), language)
+        and not _beside_heard(grammar, words, opinions).left_out()
     ]
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
+
+
+def _beside_heard(grammar: SpokenGrammar, words: tuple[str, ...], opinions: Sequence[Opinion]) -> SaidAndHeard:
+    return SaidAndHeard(grammar, words, [one.heard for one in opinions], opinions[0].transcript.language)
 
 
 def _crossings(one: tuple[str, ...], other: tuple[str, ...]) -> Iterator[tuple[str, ...]]:

@@ -453,20 +453,6 @@ def test_whether_a_slot_could_hold_any_other_words(engine, words, any_):
     assert SpokenGrammar(engine).holds_any_words(words.split(), "en") is any_
 
 
-@pytest.mark.parametrize(
-    ("sentence", "heard", "unheard"),
-    [
-        ("go for three seconds", "for three seconds", ("go",)),
-        ("please go for three seconds", "for three seconds", ("go",)),
-        ("go forward two meters", "forward two meters", ()),  # a command by itself
-        ("stop moving", "moving", ()),
-        ("go for three seconds", "so for three seconds", ()),
-    ],
-)
-def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sentence, heard, unheard):
-    assert grammar.begins_unheard(sentence.split(), [heard.split()] * 2) == unheard
-
-
 DOCK, BOTH, LOUNGE = (
     tuple(text.split())
     for text in ("go to the lounge no the dock", "go to the lounge and the dock", "go to the lounge")

@@ -1,0 +1,96 @@
+"""A sentence of a grammar beside the words that models heard: what it passes over, and what of it nobody heard."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from intent_engine.speech.hypotheses.dictating import begin_of
+from intent_engine.speech.hypotheses.left_out import (
+    begin_left_out,
+    begins_unheard,
+    end_left_out,
+    heard_otherwise,
+    tells,
+    unheard,
+)
+from intent_engine.speech.hypotheses.narration import told
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+
+__all__ = ["SaidAndHeard"]
+
+SURE_OF_OTHERS = 0.9
+"""Confidence from which other words than those that all models heard were said all the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class SaidAndHeard:
+    """One sentence, and the words that one or several models heard. A stop passes over nothing, since it waits for
+    nothing; nor does what is dictated."""
+
+    grammar: SpokenGrammar
+    words: Sequence[str]
+    """Of the sentence."""
+    heard: Sequence[Sequence[str]]
+    """The words that each model heard."""
+    language: str | None = None
+    """Of the speech."""
+
+    def left_out(self) -> tuple[str, ...]:
+        """The first and the last words that were heard, where the sentence begins or ends otherwise, with such as say
+        something."""
+        if self._free:
+            return ()
+        grammar, language = self.grammar, self.language
+        begin = self.begin_left_out()
+        if not begin and not grammar.wake(language).after(self.words) and self._english:
+            lead = min((grammar.lead(one, language) for one in self.heard), default=0)
+            begin = told(self.words, self.heard, lead)
+        end = end_left_out(self.words, self.heard)
+        return tuple(" ".join(part) for part in (begin, end) if not grammar.says_nothing(part, language))
+
+    def begin_left_out(self) -> Sequence[str]:
+        """As :func:`~intent_engine.speech.hypotheses.left_out.begin_left_out`."""
+        led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
+        return begin_left_out(self.words, self._lead, led)
+
+    def heard_otherwise(self, confidence: float) -> tuple[str, ...]:
+        """What all models heard in the place of words of the sentence, where that is something else; but what is as
+        good as sure is what it is: a "marker" may be a mocha.
+
+        Args:
+            confidence: in the sentence.
+        """
+        if self._free:
+            return ()
+        said = tells(self.words, self.heard) if self._english else ()
+        if not said and confidence < SURE_OF_OTHERS:
+            said = heard_otherwise(self.words, self.heard, self._says_nothing)
+        return (" ".join(said),) if said and not self._says_nothing(said) else ()
+
+    def begins_unheard(self) -> tuple[str, ...]:
+        """The word with which the command begins, where no model heard it, and what they heard is none."""
+        lead = self._lead
+        if self._free or lead >= len(self.words) or not begins_unheard(self.words, lead, self.heard):
+            return ()
+        rest = self.grammar.parse(" ".join(self.words[lead + 1 :]), self.language)
+        return () if rest.actions else (self.words[lead],)
+
+    def unheard_inside(self) -> tuple[str, ...]:
+        """Words of the sentence that are like nothing that was heard."""
+        return () if self._free else tuple(unheard(self.words, self.heard))
+
+    @property
+    def _free(self) -> bool:
+        return bool(begin_of(self.words)) or self.grammar.parse(" ".join(self.words), self.language).stops
+
+    @property
+    def _english(self) -> bool:
+        return self.language in (None, "en")
+
+    @property
+    def _lead(self) -> int:
+        return self.grammar.lead(self.words, self.language)
+
+    def _says_nothing(self, part: Sequence[str]) -> bool:
+        return self.grammar.says_nothing(part, self.language)

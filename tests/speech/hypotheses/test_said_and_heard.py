@@ -1,0 +1,49 @@
+"""A sentence of a grammar beside the words that were heard."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
+
+
+@pytest.fixture(scope="module")
+def grammar(engine) -> SpokenGrammar:
+    return SpokenGrammar(engine)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "unheard"),
+    [
+        ("go for three seconds", "for three seconds", ("go",)),
+        ("please go for three seconds", "for three seconds", ("go",)),
+        ("go forward two meters", "forward two meters", ()),  # a command by itself
+        ("stop moving", "moving", ()),
+        ("go for three seconds", "so for three seconds", ()),
+    ],
+)
+def test_a_verb_that_nobody_heard_makes_no_command_of_a_part_of_one(grammar, sentence, heard, unheard):
+    assert SaidAndHeard(grammar, sentence.split(), [heard.split()] * 2).begins_unheard() == unheard
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("lets turn around", ["it turns around"] * 2, ("it",)),
+        ("oh let us go to the lounge", ["all of us went to the lounge"] * 2, ("all of us went",)),
+        ("lets turn around", ["it turns around", "lets turn around"], ()),
+        ("lets turn around", [], ()),
+    ],
+)
+def test_what_all_heard_told_before_any_word_of_a_command(engine, sentence, heard, left_out):
+    """The verb was heard in another form, so that nothing in it is the command's own beginning."""
+    assert SaidAndHeard(SpokenGrammar(engine), sentence.split(), [one.split() for one in heard]).left_out() == left_out
+
+
+def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
+    grammar, other = SpokenGrammar(engine), [["go", "to", "the", "mountains"]] * 2
+    assert not SaidAndHeard(grammar, ["stop"], [["somebody"], ["somebody"]]).heard_otherwise(0.8)
+    kitchen = SaidAndHeard(grammar, ["go", "to", "the", "kitchen"], other)
+    assert kitchen.heard_otherwise(0.8) == ("mountains",)
+    assert not kitchen.heard_otherwise(0.99)
