@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language.automaton import Automaton, WordState
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
-from intent_engine.language.matcher import Matcher, spoken_trees
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.network import NEVER
 from intent_engine.language.reading import Reading
+from intent_engine.language.sentence_networks import spoken_trees
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 from intent_engine.language.vocabulary import vocabulary
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
@@ -11,38 +11,24 @@ from intent_engine.language.adjacent_numbers import is_number, numbers_apart
 from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
-from intent_engine.language.network import NEVER, Call, Edge, Networks, State
-from intent_engine.language.numbered import numbers_either_way
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
+from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.numbers.spelled import number_otherwise
-from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.slot_values import NamesOf, SlotValues
+from intent_engine.language.sentence_networks import SentenceNetworks, call_of
+from intent_engine.language.slot_values import SlotValues
 from intent_engine.language.spacing import Spacing
-from intent_engine.language.template import parse_template
-from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
-from intent_engine.language.template_tree import Sequence as TemplateSequence
-from intent_engine.language.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["NOT_AFTER_THE_VERB", "Matcher"]
+__all__ = ["NEGATED", "Matcher"]
 
-MAX_LOOSE_WORDS = 5
-"""Words that a misheard name may have."""
 NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
 """How a negated command begins in speech, besides the negation itself."""
 FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
 """The usual ones of these, for finding what was probably said."""
-NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht",),)}
-"""What stands behind the first words of a command that shall not be done, in some languages."""
-BEHIND = ("\0behind", "\0sound behind")
-"""Names that no template has."""
-OWN_UNIT = "\0unit"
-"""Another one: of the units that a slot has of its own."""
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
@@ -74,8 +60,9 @@ class Matcher:
         self._whole = range(sum(len(intent.sentences) for intent in intents))
         self._free = FreeText(grammar)
         self.values = SlotValues(grammar, locations, self._free)
-        self._add_networks()
-        self.patterns = SpokenPatterns(grammar, self.networks, self._call)
+        self._parts = SentenceNetworks(grammar, locations, self.networks, self._free)
+        self._parts.add_sentences([sentence for _, sentence in self.sentences])
+        self.patterns = SpokenPatterns(grammar, self.networks, call_of)
         self.strict = self._automaton(self._root(self._whole), loose=False)
         self.loose = self._automaton(self._root(self._whole), loose=True)
         self.later = {
@@ -217,7 +204,7 @@ class Matcher:
             for place in (begin, end, *ends.values()):
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
-        polite = not stop_anywhere and self._add_polite(fillers, sounds)
+        polite = not stop_anywhere and self._parts.add_polite(fillers, sounds)
         kind = "polite" if polite else "sentence"
         for index in self._whole:
             after = ends.get(self.sentences[index][0].name, end)
@@ -239,117 +226,6 @@ class Matcher:
                 for index in self._later_of(intent):
                     between.edges.append(Edge(ends[intent.name], call=Call(f"{kind}:{index}")))
         return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
-
-    def _add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> bool:
-        """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
-        Küche", "fahr nicht in die Küche"; False, if nothing does."""
-        language = self.grammar.language
-        behind = {*NOT_AFTER_THE_VERB.get(language, ()), *(words for words in fillers if len(words) == 1)}
-        if language == "en" or not behind:
-            return False
-        either = Optional(Choice(tuple(Reference(name, name, 0) for name in BEHIND)))
-        calls = {BEHIND[0]: Call("behind", apart=True), BEHIND[1]: Call("sounds behind", mark=SOUND, apart=True)}
-        self.networks.add_names("behind", [(words, "") for words in sorted(behind.difference(sounds))])
-        self.networks.add_names("sounds behind", [(words, "") for words in sorted(behind.intersection(sounds))])
-        for index, (_, sentence) in enumerate(self.sentences):
-            scope = self._scope(sentence.template) | calls
-            self.networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
-        return True
-
-    def _add_networks(self) -> None:
-        grammar = self.grammar
-        spoken, free = quantities.templates(grammar.language), self._free
-        for name, node in spoken_trees(grammar.language).items():
-            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(node)}
-            self.networks.add_template(f"quantity:{name}", node, scope)
-        for words in range(1, 13):
-            self.networks.add_wild(f"wild:{words}", words)
-            self.networks.add_wild(
-                f"free:{words}", words, begins=free.unfinished, alone=free.alone, yielded=free.no_beginning
-            )
-        for slot in grammar.slots.values():
-            if slot.allow or slot.known or slot.without:
-                self.networks.add_wild(
-                    f"text:{slot.name}",
-                    slot.max_words,
-                    slot.allow,
-                    free.unfinished_in(slot),
-                    free.alone,
-                    slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
-                    slot.without,
-                    free.no_beginning,
-                )
-        for slot in grammar.slots.values():
-            self._add_slot(slot, spoken)
-        for name, node in grammar.phrases.items():
-            self.networks.add_template(f"phrase:{name}", self._spoken(node), self._scope(node))
-        for index, (_, sentence) in enumerate(self.sentences):
-            node = sentence.template
-            self.networks.add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
-
-    def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
-        key = f"slot:{slot.name}"
-        if slot.type in QUANTITY_KINDS:
-            kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word(NEVER)
-            if slot.unit is not None and slot.type != "number":
-                kind = Choice((kind, Reference("number", "number", 0)))
-            if slot.units:
-                kind = Choice((kind, self._own_units(slot, spoken)))
-            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
-            own = {f"{OWN_UNIT}{place}": Call(f"units:{slot.name}:{place}") for place in range(len(slot.units))}
-            self.networks.add_template(key, kind, scope | own)
-        elif slot.type in ("choice", "boolean"):
-            scope = {}
-            for _, node in slot.values:
-                scope.update(self._scope(node))
-            self.networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
-        elif slot.type == "location":
-            respell = number_otherwise if self.grammar.language == "en" else None
-            self.networks.add_names(key, NamesOf(self.locations, slot.tags, self.grammar.language), respell)
-
-    def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
-        """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one
-        behind it: "two kilos and three hundred grams"."""
-        part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word(NEVER))
-        table = units(self.grammar.language)
-        joints = sorted(table.words.get("and", ())) if table is not None else []
-        joint = (Optional(Choice(tuple(map(Word, joints)))),) if joints else ()
-        ways: list[Node] = []
-        smaller: list[Node] = []
-        count = Reference("count", "count", 0)
-        for place, (_, node) in enumerate(sorted(slot.units, key=lambda unit: unit[0])):
-            unit = Reference(name := f"{OWN_UNIT}{place}", name, 0)
-            self.networks.add_template(f"units:{slot.name}:{place}", self._spoken(node), self._scope(node))
-            less = (TemplateSequence((*joint, count, Choice(tuple(smaller)))),) if smaller else ()
-            ways.append(TemplateSequence((count, unit, Choice((part, *less)))))
-            smaller.append(unit)
-        return Choice(tuple(ways))
-
-    def _spoken(self, node: Node) -> Node:
-        """A template of the file with its numbers in digits and in words, where those are known."""
-        return numbers_either_way(node) if self.grammar.language == "en" else node
-
-    def _scope(self, node: Node) -> dict[str, Call]:
-        scope = {"#": Call("quantity:number")}  # a numeral in a template of the file may be said in words
-        for reference in references(node):
-            name, label = reference.name, reference.label
-            slot = self.grammar.slots.get(name)
-            if slot is None:
-                scope[name] = Call(f"phrase:{name}")
-            else:
-                scope[f"{name}:{label}"] = self._call(slot, label)
-        return scope
-
-    @staticmethod
-    def _call(slot: Slot, label: str) -> Call:
-        mark = ("slot", label, slot.name)
-        if slot.type in FREE_KINDS:
-            listed = slot.allow or slot.known or slot.without
-            return Call(f"text:{slot.name}" if listed else f"free:{slot.max_words}", mark)
-        loose = None
-        if slot.fuzzy and slot.type in ("location", "choice"):
-            loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
-        return Call(f"slot:{slot.name}", mark, loose)
 
     # -- reading ----------------------------------------------------------------------------------------------
 
@@ -423,22 +299,6 @@ class Matcher:
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""
         return is_number(word, self.grammar.language)
-
-
-def _with_behind_first(node: Node, more: Node) -> Node:
-    """A template with more behind the first of its words, whichever of several ways it goes."""
-    match node:
-        case Choice(items):
-            return Choice(tuple(_with_behind_first(item, more) for item in items))
-        case TemplateSequence((first, *rest)) if not isinstance(first, Optional):
-            return TemplateSequence((first, more, *rest))
-    return node
-
-
-@cache
-def spoken_trees(language: str) -> Mapping[str, Node]:
-    """The spoken forms of quantities as trees."""
-    return {name: parse_template(text) for name, text in quantities.templates(language).items()}
 
 
 def _cut_off(trace: Trace, words: Sequence[str]) -> bool:

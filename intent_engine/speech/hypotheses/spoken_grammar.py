@@ -14,10 +14,10 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.matcher import NOT_AFTER_THE_VERB
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.reading import SlotReading
+from intent_engine.language.sentence_networks import NOT_AFTER_THE_VERB
 from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from intent_engine.language.as_written import as_written
-from intent_engine.language.matcher import Matcher, spoken_trees
+from intent_engine.language.matcher import Matcher
 from intent_engine.language.numbers.spelled import number_words
 from intent_engine.language.numbers.units import SIGNS, units
+from intent_engine.language.sentence_networks import spoken_trees
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary, words_in

@@ -1,0 +1,183 @@
+"""What is said for slots, phrases and sentences of a grammar, as networks of words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+from intent_engine.language import quantities
+from intent_engine.language.automaton import SOUND
+from intent_engine.language.free_text import FREE_KINDS, FreeText
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Sentence, Slot
+from intent_engine.language.network import NEVER, Call, Networks
+from intent_engine.language.numbered import numbers_either_way
+from intent_engine.language.numbers.spelled import number_otherwise
+from intent_engine.language.numbers.units import units
+from intent_engine.language.slot_values import NamesOf
+from intent_engine.language.template import parse_template
+from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
+from intent_engine.language.template_tree import Sequence as TemplateSequence
+from intent_engine.language.thing_words import thing_words
+
+if TYPE_CHECKING:
+    from intent_engine.language.locations import LocationMap
+
+__all__ = ["NOT_AFTER_THE_VERB", "SentenceNetworks", "call_of", "spoken_trees"]
+
+MAX_LOOSE_WORDS = 5
+"""Words that a misheard name may have."""
+NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht",),)}
+"""What stands behind the first words of a command that shall not be done, in some languages."""
+BEHIND = ("\0behind", "\0sound behind")
+"""Names that no template has."""
+OWN_UNIT = "\0unit"
+"""Another one: of the units that a slot has of its own."""
+
+
+class SentenceNetworks:
+    """Makes the networks of one grammar and one map, in those that are given.
+
+    Args:
+        grammar: whose.
+        locations: names of places; None: there are none.
+        networks: to which they are added.
+        free: what free words may be.
+    """
+
+    def __init__(self, grammar: Grammar, locations: LocationMap | None, networks: Networks, free: FreeText) -> None:
+        self._grammar = grammar
+        self._locations = locations
+        self._networks = networks
+        self._free = free
+        self._sentences: Sequence[Sentence] = ()
+
+    def add_sentences(self, sentences: Sequence[Sentence]) -> None:
+        """Add sentences, ``sentence:0`` and so on, with all that they are made of."""
+        self._sentences = sentences
+        grammar = self._grammar
+        spoken, free = quantities.templates(grammar.language), self._free
+        for name, node in spoken_trees(grammar.language).items():
+            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(node)}
+            self._networks.add_template(f"quantity:{name}", node, scope)
+        for words in range(1, 13):
+            self._networks.add_wild(f"wild:{words}", words)
+            self._networks.add_wild(
+                f"free:{words}", words, begins=free.unfinished, alone=free.alone, yielded=free.no_beginning
+            )
+        for slot in grammar.slots.values():
+            if slot.allow or slot.known or slot.without:
+                self._networks.add_wild(
+                    f"text:{slot.name}",
+                    slot.max_words,
+                    slot.allow,
+                    free.unfinished_in(slot),
+                    free.alone,
+                    slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
+                    slot.without,
+                    free.no_beginning,
+                )
+        for slot in grammar.slots.values():
+            self._add_slot(slot, spoken)
+        for name, node in grammar.phrases.items():
+            self._networks.add_template(f"phrase:{name}", self._spoken(node), self._scope(node))
+        for index, sentence in enumerate(sentences):
+            node = sentence.template
+            self._networks.add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
+
+    def add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> bool:
+        """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
+        Küche", "fahr nicht in die Küche"; False, if nothing does."""
+        language = self._grammar.language
+        behind = {*NOT_AFTER_THE_VERB.get(language, ()), *(words for words in fillers if len(words) == 1)}
+        if language == "en" or not behind:
+            return False
+        either = Optional(Choice(tuple(Reference(name, name, 0) for name in BEHIND)))
+        calls = {BEHIND[0]: Call("behind", apart=True), BEHIND[1]: Call("sounds behind", mark=SOUND, apart=True)}
+        self._networks.add_names("behind", [(words, "") for words in sorted(behind.difference(sounds))])
+        self._networks.add_names("sounds behind", [(words, "") for words in sorted(behind.intersection(sounds))])
+        for index, sentence in enumerate(self._sentences):
+            scope = self._scope(sentence.template) | calls
+            self._networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
+        return True
+
+    def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
+        key = f"slot:{slot.name}"
+        if slot.type in QUANTITY_KINDS:
+            kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word(NEVER)
+            if slot.unit is not None and slot.type != "number":
+                kind = Choice((kind, Reference("number", "number", 0)))
+            if slot.units:
+                kind = Choice((kind, self._own_units(slot, spoken)))
+            scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
+            own = {f"{OWN_UNIT}{place}": Call(f"units:{slot.name}:{place}") for place in range(len(slot.units))}
+            self._networks.add_template(key, kind, scope | own)
+        elif slot.type in ("choice", "boolean"):
+            scope = {}
+            for _, node in slot.values:
+                scope.update(self._scope(node))
+            self._networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
+        elif slot.type == "location":
+            respell = number_otherwise if self._grammar.language == "en" else None
+            self._networks.add_names(key, NamesOf(self._locations, slot.tags, self._grammar.language), respell)
+
+    def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
+        """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one
+        behind it: "two kilos and three hundred grams"."""
+        part = Optional(Reference("and_part", "and_part", 0)) if "and_part" in spoken else Optional(Word(NEVER))
+        table = units(self._grammar.language)
+        joints = sorted(table.words.get("and", ())) if table is not None else []
+        joint = (Optional(Choice(tuple(map(Word, joints)))),) if joints else ()
+        ways: list[Node] = []
+        smaller: list[Node] = []
+        count = Reference("count", "count", 0)
+        for place, (_, node) in enumerate(sorted(slot.units, key=lambda unit: unit[0])):
+            unit = Reference(name := f"{OWN_UNIT}{place}", name, 0)
+            self._networks.add_template(f"units:{slot.name}:{place}", self._spoken(node), self._scope(node))
+            less = (TemplateSequence((*joint, count, Choice(tuple(smaller)))),) if smaller else ()
+            ways.append(TemplateSequence((count, unit, Choice((part, *less)))))
+            smaller.append(unit)
+        return Choice(tuple(ways))
+
+    def _spoken(self, node: Node) -> Node:
+        """A template of the file with its numbers in digits and in words, where those are known."""
+        return numbers_either_way(node) if self._grammar.language == "en" else node
+
+    def _scope(self, node: Node) -> dict[str, Call]:
+        scope = {"#": Call("quantity:number")}  # a numeral in a template of the file may be said in words
+        for reference in references(node):
+            name, label = reference.name, reference.label
+            slot = self._grammar.slots.get(name)
+            if slot is None:
+                scope[name] = Call(f"phrase:{name}")
+            else:
+                scope[f"{name}:{label}"] = call_of(slot, label)
+        return scope
+
+
+def call_of(slot: Slot, label: str) -> Call:
+    """The network of what is said for a slot, under a label."""
+    mark = ("slot", label, slot.name)
+    if slot.type in FREE_KINDS:
+        listed = slot.allow or slot.known or slot.without
+        return Call(f"text:{slot.name}" if listed else f"free:{slot.max_words}", mark)
+    loose = None
+    if slot.fuzzy and slot.type in ("location", "choice"):
+        loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
+    return Call(f"slot:{slot.name}", mark, loose)
+
+
+def _with_behind_first(node: Node, more: Node) -> Node:
+    """A template with more behind the first of its words, whichever of several ways it goes."""
+    match node:
+        case Choice(items):
+            return Choice(tuple(_with_behind_first(item, more) for item in items))
+        case TemplateSequence((first, *rest)) if not isinstance(first, Optional):
+            return TemplateSequence((first, more, *rest))
+    return node
+
+
+@cache
+def spoken_trees(language: str) -> Mapping[str, Node]:
+    """The spoken forms of quantities as trees."""
+    return {name: parse_template(text) for name, text in quantities.templates(language).items()}
