@@ -176,7 +176,7 @@ class Utterance:
     def paused_in_number(self) -> bool:
         """Whether a pause stands where a number would go on: "turn twenty, five degrees", "five, ten degrees". Larger
         numbers have such pauses: "two thousand, five hundred"."""
-        return any(
+        return True in self.breaks and any(
             (before in TENS and word in DIGITS) or (before in DIGITS and (word in TENS or word in TEENS))
             for before, word, pause in zip(self.words, self.words[1:], self.breaks[1:], strict=False)
             if pause

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import cache
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spellings import own_words
@@ -53,14 +54,12 @@ class Phrases:
         self._listing = PhraseSet(listing)
         self._hiding: dict[tuple[str, ...], str] = {}
         """Fillers of several words of which one is a command, with that: "right away", "all right"."""
-        for filler in grammar.fillers if lists is not None else ():
-            command = next((word for word in filler if lists is not None and lists([word])), None)
-            if command is not None and len(filler) > 1 and filler not in joining:
+        alone = cache(lambda word: lists is not None and lists([word]))
+        for filler in grammar.fillers:
+            if len(filler) > 1 and filler not in joining and (command := next(filter(alone, filler), None)) is not None:
                 self._hiding[tuple(filler)] = command
         self._hides = PhraseSet(self._hiding)
-        self._agrees = frozenset(
-            word for word in _AGREES.get(grammar.language, ()) if lists is not None and lists([word])
-        )
+        self._agrees = frozenset(filter(alone, _AGREES.get(grammar.language, ())))
         around = PhraseSet(grammar.around)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
         self._closed = operators.closed
