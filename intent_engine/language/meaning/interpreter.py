@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
-from intent_engine.language.matcher import LEADING, Matcher
-from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands, described, more_telling, slot_values
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.command import Clause, Commands, described, more_telling, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
-from intent_engine.language.meaning.said_twice import said_once
+from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import MOVING, Stops
-from intent_engine.language.name_words import is_identifier
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
-from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance, without_enumeration
 
 if TYPE_CHECKING:
@@ -54,8 +52,7 @@ class Interpreter:
         self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
         self._language = grammar.language
-        things = thing_words(grammar.language)
-        self._leading = things.articles | things.unfinished | things.joining | things.alone
+        self._said_twice = SaidTwice(commands, self.phrases)
         """Words after which a name or the like goes on."""
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
@@ -309,39 +306,12 @@ class Interpreter:
         return written
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again.
-
-        "Left left" may be two, and so may what is several commands where a verb was said twice.
-        """
-        once = said_once(core, lambda start, end: self._may_be_begun_twice(core.words, start, end))
-        if once is None or len(once) < LEAST_WORDS:
-            return None
-        found = self._understood_as(text, core, once, state)
-        first = found[1][0].reading if found is not None and found[1] else None
-        if found is None or first is None or not self._commands.opens_with_a_verb(first):
-            return None
-        verbs = sum(self._commands.may_begin_in([word]) for word in core.words)
-        one = len(found[1]) == 1 or verbs == sum(self._commands.may_begin_in([word]) for word in once.words)
-        return found if one else None
-
-    def _may_be_begun_twice(self, words: Sequence[str], start: int, end: int) -> bool:
-        """Whether words may be said twice by who means them once: with which the command begins, or which end with an
-        article or the like, or stand before a number ("bay bay seven").
-
-        None of them is a number, or changes what is meant. Nor are they a command ("back back"), but for its verb, or
-        may be a number before another: "to to thirty". "The cup the cup" may be two.
-        """
-        twice, after = words[start:end], words[2 * end - start : 2 * end - start + 1]
-        if any(self.matcher.is_number(word) or (is_identifier(word) and word not in self._leading) for word in twice):
-            return False
-        counted = any(map(self.matcher.is_number, after))
-        if counted and twice[-1] in LEADING:
-            return False
-        if (start, end) == (0, 1):
-            return True
-        if start and twice[-1] not in self._leading and not counted:
-            return False
-        return not (self.phrases.operate_in(twice) or self._commands.matcher.read(list(twice)))
+        """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
+        once = self._said_twice.once(core)
+        found = self._understood_as(text, core, once, state) if once is not None else None
+        return (
+            found if found is not None and once is not None and self._said_twice.means(found[1], core, once) else None
+        )
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
