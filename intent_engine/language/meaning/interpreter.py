@@ -53,7 +53,6 @@ class Interpreter:
         self._nearest = nearest
         self._language = grammar.language
         self._said_twice = SaidTwice(commands, self.phrases)
-        """Words after which a name or the like goes on."""
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
@@ -309,9 +308,9 @@ class Interpreter:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
         once = self._said_twice.once(core)
         found = self._understood_as(text, core, once, state) if once is not None else None
-        return (
-            found if found is not None and once is not None and self._said_twice.means(found[1], core, once) else None
-        )
+        if found is None or once is None or not self._said_twice.means(found[1], core, once):
+            return None
+        return found
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]

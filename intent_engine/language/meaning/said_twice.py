@@ -25,6 +25,7 @@ class SaidTwice:
         self._phrases = phrases
         things = thing_words(commands.matcher.grammar.language)
         self._leading = things.articles | things.unfinished | things.joining | things.alone
+        """Words after which a name or the like goes on."""
 
     def once(self, core: Utterance) -> Utterance | None:
         """An utterance with what was said twice in it said once; None: there is nothing, or hardly anything is left."""
