@@ -30,7 +30,7 @@ from intent_engine.speech.hypotheses.guide import Guide
 from intent_engine.speech.hypotheses.guided import DEEP, USUAL, Effort
 from intent_engine.speech.hypotheses.left_out import goes_on
 from intent_engine.speech.hypotheses.narration import NARRATING
-from intent_engine.speech.hypotheses.opinion import Opinion, Reading, as_read
+from intent_engine.speech.hypotheses.opinion import Opinion, Reading, read_alone
 from intent_engine.speech.hypotheses.pace import too_few, too_many
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
@@ -227,14 +227,14 @@ class Steering(Clearness):
         """What was heard, compared with other commands beside the likeliest, as :func:`doubted` has them."""
         if not heard.sentences or heard.transcript.confidence == 1.0:
             return heard
-        return _as_read(heard, doubted(self.grammar, [heard], far=far))
+        return read_alone(heard, doubted(self.grammar, [heard], far=far))
 
     def _compared(self, heard: Opinion, effort: Effort | None) -> Opinion:
         """What was heard, taken for the likeliest sentence of the grammar."""
         readings = self.readings(heard, effort)
         free, language = heard.transcript.free_text, heard.transcript.language
         unread = replace(heard, transcript=Transcript(free, heard.transcript.score, free, language=language))
-        return _as_read(unread, readings)
+        return read_alone(unread, readings)
 
     def clear(self, heard: Opinion) -> Transcript:
         """What was heard, with the words that were not heard clearly, if it may be acted on."""
@@ -438,12 +438,6 @@ class Steering(Clearness):
         if guide is None or guide.near is not self.grammar.search(language):
             guide = self._guides[language] = Guide.of(self, self.grammar, language)
         return guide
-
-
-def _as_read(heard: Opinion, readings: Sequence[Reading]) -> Opinion:
-    """What was heard, taken for the likeliest of some sentences; if there are none, for nothing."""
-    transcript = as_read([heard], readings) if readings else heard.transcript
-    return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))
 
 
 def _below(clearness: Mapping[str, float]) -> tuple[str, ...]:

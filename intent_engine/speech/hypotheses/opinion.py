@@ -17,7 +17,7 @@ from intent_engine.speech.recognizer import Encoded, Recognizer, Transcript
 if TYPE_CHECKING:
     from intent_engine.speech.steering import Steering
 
-__all__ = ["Opinion", "Reading", "Steered", "as_read"]
+__all__ = ["Opinion", "Reading", "Steered", "as_read", "read_alone"]
 
 ALTERNATIVES = 3
 """Further readings of a transcript."""
@@ -180,3 +180,9 @@ def as_read(
         left_out=left_out,
         confidence=best.evidence.confidence,
     )
+
+
+def read_alone(heard: Opinion, readings: Sequence[Reading]) -> Opinion:
+    """What was heard, taken for the likeliest of some sentences; if there are none, for nothing."""
+    transcript = as_read([heard], readings) if readings else heard.transcript
+    return replace(heard, transcript=transcript, sentences=tuple(one.words for one in readings))

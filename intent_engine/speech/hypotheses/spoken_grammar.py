@@ -7,9 +7,9 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from statistics import fmean
 from typing import TYPE_CHECKING
 
-from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
@@ -26,6 +26,7 @@ from intent_engine.speech.hypotheses.guided import WORD, word_count
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
 from intent_engine.speech.hypotheses.opinion import Reading
+from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
 
@@ -46,8 +47,6 @@ FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
-FULL_CIRCLE = 2 * math.pi + 0.01
-"""rad of a turn that people ask for, and a little."""
 UNKNOWN_WORD = 8.0
 """nats by which a word that no list has is less likely than those that are."""
 UNUSUAL = 2.0
@@ -277,7 +276,7 @@ class SpokenGrammar:
         """Whether an exact sentence is what people say: without words in free slots that no list has, and without a
         turn of more than a circle ("five fourteen degrees" was "by fourteen"). Else it may be another that was heard a
         little wrong; so it may with words that are :meth:`empty_inside`."""
-        return not (_circles(meaning) or self.unknown(words, meaning, language))
+        return not (circles(meaning) or self.unknown(words, meaning, language))
 
     def empty_inside(self, words: Sequence[str], language: str | None = None) -> list[str]:
         """The words that say nothing and stand between others of a sentence: "turn like by sixteen degrees"."""
@@ -357,7 +356,7 @@ class SpokenGrammar:
     def share_known(self, words: Sequence[str], language: str | None = None) -> float:
         """Share of some words that the grammar has, anywhere; 1 of none."""
         known = self._known(language).words
-        return _mean([float(word in known or is_numeral(word)) for word in words] or [1.0])
+        return fmean([float(word in known or is_numeral(word)) for word in words] or [1.0])
 
     def unlisted(self, meaning: Interpretation, language: str | None = None) -> list[str]:
         """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
@@ -375,7 +374,7 @@ class SpokenGrammar:
             language: of the speech.
             heard: whether any model heard it word by word.
         """
-        unusual = self._known(language).usual.unusual(meaning) + _circles(meaning)
+        unusual = self._known(language).usual.unusual(meaning) + circles(meaning)
         return UNUSUAL * unusual + (UNUSUAL if heard else BEYOND_LIMITS) * meaning.beyond_limits
 
     def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
@@ -390,7 +389,7 @@ class SpokenGrammar:
                 unknown = 0
             meaning = self.parse(" ".join(words), language)
             count = max(view.words for view in seen) or word_count(words)
-            rank = _mean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
+            rank = fmean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
             addressed = meaning.stops or self.wake(language).addressed(words)  # a stop needs no wake word
             heard = any(view.apart == 0 for view in seen)
             rank -= self.unusual(meaning, language, heard=heard) + UNADDRESSED * (not addressed)
@@ -403,10 +402,10 @@ class SpokenGrammar:
             gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
             evidence = Evidence(
                 # As the gap is weighed.
-                gap=math.expm1(_mean([math.log1p(gap) for gap in gaps])),
+                gap=math.expm1(fmean([math.log1p(gap) for gap in gaps])),
                 margin=min(FAR_AHEAD, rank - other),
-                cost=-_mean([view.score / (1 + (view.words or len(words))) for view in seen]),
-                apart=_mean([view.apart for view in seen]) / telling,
+                cost=-fmean([view.score / (1 + (view.words or len(words))) for view in seen]),
+                apart=fmean([view.apart for view in seen]) / telling,
                 unknown=unknown,
                 models=len(seen),
                 alone=len(words) == 1,
@@ -443,12 +442,3 @@ class SpokenGrammar:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
         heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
         return 2 * self._telling(words, language) < heard_anywhere
-
-
-def _circles(meaning: Interpretation) -> int:
-    """Turns of more than a circle in a sentence."""
-    return sum(isinstance(action, Turn) and abs(action.angle) > FULL_CIRCLE for action in meaning.actions)
-
-
-def _mean(values: Sequence[float]) -> float:
-    return sum(values) / len(values)

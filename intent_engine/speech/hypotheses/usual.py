@@ -7,19 +7,22 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.adjacent_numbers import is_number
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slots_by_label
 from intent_engine.language.utterance import plain
 
-__all__ = ["UsualNumbers"]
+__all__ = ["UsualNumbers", "circles"]
 
 NEARLY = 1e-3
 """Steps by which a number may be beside a multiple: 90 degrees in rad is none but nearly."""
 TIMES = 5.0
 """A number that is so many times as large as the most that people say is unusual twice, and so on. Of 358 distances
 that people told a robot the largest are 20 feet (SCOUT); robots in a field go farther."""
+FULL_CIRCLE = 2 * math.pi + 0.01
+"""rad of a turn that people ask for, and a little."""
 
 
 class UsualNumbers:
@@ -78,3 +81,8 @@ def _commands(intent: str | None, slots: Mapping[str, Any]) -> Iterator[tuple[st
             yield from _commands(step.get("intent"), step.get("slots", {}))
     elif intent is not None:
         yield intent, slots
+
+
+def circles(meaning: Interpretation) -> int:
+    """Turns of more than a circle in a sentence."""
+    return sum(isinstance(action, Turn) and abs(action.angle) > FULL_CIRCLE for action in meaning.actions)
