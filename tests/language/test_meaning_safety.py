@@ -13,6 +13,7 @@ from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHIL
 from intent_engine.actions import Move, Navigate, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
+from intent_engine.language.meaning.said_twice import said_once
 from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
 from intent_engine.language.utterance import Utterance
 
@@ -238,6 +239,8 @@ VOCABULARY = sorted(
 
 @settings(max_examples=300, deadline=None)
 @given(st.lists(st.sampled_from(VOCABULARY), min_size=1, max_size=9))
+@example(["slightly", "slightly", "write"])
+@example(["go", "go", "back"])
 def test_words_at_random_do_what_their_parts_say_or_nothing(said: list[str]) -> None:
     """An accepted utterance is made of commands: without stop words, negations and corrections, every part is one."""
     text = " ".join(said)
@@ -250,8 +253,9 @@ def test_words_at_random_do_what_their_parts_say_or_nothing(said: list[str]) -> 
         assert len(found.slots["steps"]) == len(found.actions) > 1
     elif not plain & {(word,) for word in said} and found.confidence == 1.0:
         phrases, said_so = shipped()._interpreter(None).phrases, Utterance.of(text)
-        # "Turn right now" is "turn right", now.
-        ways = (phrases.without_fillers(said_so), phrases.without_whole_fillers(said_so))
+        # "Turn right now" is "turn right", now; and "go go back" is "go back", begun twice.
+        ways = [phrases.without_fillers(said_so), phrases.without_whole_fillers(said_so)]
+        ways += [once for way in ways if (once := said_once(way, lambda start, end: True)) is not None]
         readings = [reading for way in ways for reading in shipped().matcher().read(way.words, loose=True)]
         ends = operators.sequence and any(" ".join(words) in text for words in operators.sequence)
         assert readings or ends or isinstance(found.actions[0], Stop)
