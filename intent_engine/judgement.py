@@ -105,6 +105,15 @@ class Judge:
             return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
 
+    def begins_nothing(self, transcript: Transcript) -> bool:
+        """Whether no command begins with what was heard so far of words under way, of which the last may be half a
+        word."""
+        *words, _ = transcript.free_text.split() or [""]
+        if not words:
+            return False
+        begun = self.engine.prefix(" ".join(words), language=self._language(transcript))
+        return begun.status is PrefixStatus.IMPOSSIBLE
+
     def wait(self, transcript: Transcript, meaning: Interpretation | None) -> float | None:
         """s of silence that end it where it could go on: the longest that its intents ask for; None: they do not."""
         if meaning is None or meaning.status is not Status.ACCEPTED:

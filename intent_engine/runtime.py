@@ -233,6 +233,8 @@ class Runtime:
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
             self._decoding.decode(utterance, final=True)
         elif self._speculate and utterance.job is None and (heard := self._decoding.follow(utterance)):
+            if self._judgement.begins_nothing(heard):
+                self._decoding.rest()
             self._tell(HeardKind.PARTIAL, frame.time, transcript=heard)
         return utterance
 

@@ -18,6 +18,8 @@ OFTEN = 0.35
 """s of speech after which it is listened along again,"""
 REST = 3.0
 """and how many times as long as that took: a third of a core at most, on any machine."""
+SELDOM = 1.2
+"""s of speech after which it is listened along again, where what was said begins no command."""
 LONGEST = 6.0
 """s of speech beyond which nobody says a command, and it is not listened along."""
 GIVES_WAY = 0.035
@@ -60,6 +62,10 @@ class UtteranceDecoder(DecodeThread):
                 if self._stepped:
                     self.wait(job)
         return heard
+
+    def rest(self) -> None:
+        """What was said so far begins no command, and need not be done at once: listen along seldom."""
+        self._next = max(self._next, self._now + SELDOM)
 
     def _followed(self) -> Transcript | None:
         """What was heard while it was listened along, if that is over."""

@@ -98,16 +98,17 @@ def test_only_of_the_same_sound_going_on(seconds, later, pieces, other, lost):
 class Follows(Says):
     """A recogniser that listens along, and takes its time for it."""
 
-    def __init__(self, *texts: str, seconds: float = 0.05) -> None:
+    def __init__(self, *texts: str, seconds: float = 0.05, along: str = "go forward") -> None:
         super().__init__(*texts)
         self.seconds = seconds
+        self.along = along
         self.followed: list[float] = []
         """s of each sound."""
         self.lost = 0
 
     def follow(self, samples: np.ndarray) -> Transcript:
         self.followed.append(samples.size / SAMPLE_RATE)
-        return Transcript("go forward", decode_seconds=self.seconds, draft=True)
+        return Transcript(self.along, free_text=self.along, decode_seconds=self.seconds, draft=True)
 
     def lose(self) -> None:
         self.lost += 1
@@ -139,6 +140,26 @@ def test_but_less_often_where_it_takes_long(listen, two_cores):
     recognizer = Follows(WORDS, seconds=0.3)
     listen(SPEECH, recognizer, voice=Voiced((1.0, 3.0)), noise_filter=None)
     assert len(recognizer.followed) == 2
+
+
+@pytest.mark.parametrize(
+    ("along", "times"),
+    [
+        ("It was a dark and", 2),
+        ("Emma Woodhouse, handsome", 2),
+        ("go", 5),
+        ("go to the kit", 5),  # the last word may be half a word
+        ("Please go to the", 5),
+        ("wait", 5),
+        ("", 5),
+    ],
+)
+def test_nor_where_what_is_said_begins_no_command(listen, two_cores, along, times):
+    recognizer = Follows(WORDS, along=along)
+    found = listen(SPEECH, recognizer, voice=Voiced((1.0, 3.0)), noise_filter=None)
+    assert len(recognizer.followed) == times
+    assert found.texts == [WORDS], "what was said in the end is understood as ever"
+    assert found.moved == pytest.approx(2.0)
 
 
 def test_and_not_on_one_core_nor_without_looking_ahead(listen, monkeypatch):
