@@ -53,7 +53,7 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if not slot.dictation and self._parts_a_number(words, start, end):
             return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
-        if said and slot.known and said[0] in self.no_beginning - slot.known - slot.allow:
+        if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and slot.known and not wrong:
             wrong = self._no_name(slot, said)
@@ -99,11 +99,11 @@ class FreeText:
         allowed = slot.allow
         if never := self._words.never.intersection(said) - allowed - slot.known:
             return never
-        if said[0] in self._words.not_bare - allowed and (len(said) > 1 or said[0] not in slot.known):
+        if said[0] in self._words.not_bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
-            if said[place - 1] in self._words.pronouns and word not in self._words.joining | allowed:
+            if said[place - 1] in self._words.pronouns and word not in self._words.joining and word not in allowed:
                 return frozenset((word,))
             if word in self._words.telling and said[place - 1] not in self._binding:
                 return frozenset((word,))
@@ -117,7 +117,11 @@ class FreeText:
         if slot.dictation and self._fillers.cover(said):
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
-        return (alone or said[-1] in self.unfinished_in(slot)) and said[-1] not in slot.allow
+        last = said[-1]
+        unfinished = (
+            last in self._unfinished_things and last not in slot.known if slot.known else last in self.unfinished
+        )
+        return (alone or unfinished) and last not in slot.allow
 
     def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
@@ -129,7 +133,7 @@ class FreeText:
                 word
                 for word, after in zip(said, following, strict=True)
                 if (word in self._words.not_held or self._words.is_manner(word))
-                and word not in slot.known | slot.allow
+                and not _meant(slot, word)
                 and (not after or after in self._words.joining)
             ),
             "",
@@ -181,6 +185,11 @@ class FreeText:
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]
         return " ".join(words)
+
+
+def _meant(slot: Slot, word: str) -> bool:
+    """Whether a slot lists a word, or lets it stand in what it holds."""
+    return word in slot.known or word in slot.allow
 
 
 def _is_code(words: Sequence[str]) -> bool:

@@ -308,7 +308,7 @@ def _cut_off(trace: Trace, words: Sequence[str]) -> bool:
 
 def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> bool:
     """Whether a word is taken for a number that only leads to one: "turn right to twenty degrees"."""
-    return any(
+    return not LEADING.isdisjoint(words) and any(
         mark[0] == "alike"
         and words[position - 1] in LEADING
         and (words[position - 1], mark[1]) in NUMBERS_BY_SOUND

@@ -30,6 +30,7 @@ class OwnUnits:
     def __init__(self, slot: Slot, phrases: Mapping[str, Node], language: str) -> None:
         self._language = language
         self._sizes = {words: size for size, names in units_called(slot, phrases) for words in names}
+        self._ends = frozenset(words[-1] for words in self._sizes)
 
     def value(self, words: Sequence[str]) -> float | None:
         """The value in SI units of exactly these words, normalised: how many, the unit, and perhaps "and a half" or how
@@ -38,7 +39,7 @@ class OwnUnits:
 
     def _below(self, words: Sequence[str], largest: float) -> float | None:
         """The same of units that are smaller than that."""
-        if not self._sizes or not words or len(words) > quantities.MAX_WORDS:
+        if self._ends.isdisjoint(words) or len(words) > quantities.MAX_WORDS:
             return None
         for count, after in self._counts(words):
             for end in range(len(words), after, -1):

@@ -78,6 +78,7 @@ _WHOLE_ANGLES: Mapping[tuple[str, ...], float] = {
     ("a", "u", "turn"): math.pi,
     ("u", "turn"): math.pi,
 }
+_ANGLES_BEGIN = frozenset(spoken[0] for spoken in _WHOLE_ANGLES)
 _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
 
@@ -189,9 +190,9 @@ def _unit_factor(unit: str, kind: str, table: Units) -> float | None:
 def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float, int, str] | None:
     """The unit that stands at a place, longest first: (factor, after, key)."""
     known = table.by_kind.get(kind, {})
-    for length in range(LONGEST, 0, -1):
+    for length in range(min(LONGEST, len(words) - at), 0, -1):
         spoken = tuple(words[at : at + length])
-        if len(spoken) == length and spoken in known:
+        if spoken in known:
             if _another_word(spoken, words[:at], "".join(words[at + 1 : at + 2])):
                 continue
             return known[spoken], at + length, table.names[spoken]
@@ -230,7 +231,7 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
             if rate is not None:
                 yield tidy(value * rate[0]), rate[1]
         return
-    if kind == "angle" and language == "en":
+    if kind == "angle" and language == "en" and words[at : at + 1] and words[at] in _ANGLES_BEGIN:
         for spoken, angle in _WHOLE_ANGLES.items():
             if tuple(words[at : at + len(spoken)]) == spoken:
                 yield angle, at + len(spoken)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
 from intent_engine.language.numbers import foreign
@@ -12,7 +13,7 @@ from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, 
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "Utterance", "plain", "without_enumeration"]
+__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -80,6 +81,26 @@ class PhraseSet:
             if length:
                 return position, length
         return None
+
+
+class SomePhrases(PhraseSet):
+    """Those of some phrases for which a test holds. Each is tested when it is first said: a test may be slow.
+
+    Args:
+        phrases: to be tested.
+        test: of a phrase; the same for all time.
+    """
+
+    def __init__(self, phrases: Iterable[Sequence[str]], test: Callable[[tuple[str, ...]], bool]) -> None:
+        super().__init__(phrases)
+        self._test = cache(test)
+
+    def at(self, words: Sequence[str], position: int) -> int:
+        return next(iter(self.lengths_at(words, position)), 0)
+
+    def lengths_at(self, words: Sequence[str], position: int) -> list[int]:
+        lengths = super().lengths_at(words, position)
+        return [length for length in lengths if self._test(tuple(words[position : position + length]))]
 
 
 def without_enumeration(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from unittest import mock
 
 import pytest
 from hypothesis import example, given
@@ -119,6 +120,24 @@ def test_no_words_raise_and_every_value_is_finite(said: list[str]) -> None:
             assert math.isfinite(value)
             assert at < after <= len(said)
     english.ordinal(said)
+
+
+@given(
+    st.lists(
+        st.sampled_from(
+            [*sorted(english.NUMBER_WORDS), "and", "a", "thirds", "second", "over", "out", "of", "k", "7", "-2", "0.5",
+             "1/2", "3rd", "meters", "in", "cups", "twelfth"]
+        ),
+        max_size=6,
+    )
+)  # fmt: skip
+@example(["five", "thirds"])
+@example(["7", "3rd"])
+def test_the_short_way_to_a_number_of_one_word_finds_what_the_long_one_does(said: list[str]) -> None:
+    places = range(len(said) + 1)
+    short = [list(english.numbers_at(said, at)) for at in places]
+    with mock.patch.object(english, "_single", return_value=None):
+        assert [list(english.numbers_at(said, at)) for at in places] == short
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.utterance import PhraseSet, SomePhrases, Utterance
 
 words = st.sampled_from("abc")
 phrases = st.lists(st.lists(words, max_size=3), max_size=5)
@@ -35,6 +35,26 @@ def test_the_first_and_the_last_phrase(given: list[list[str]], text: list[str]) 
         assert found.ends(text) == max(endings)
     if places:
         assert found.may_stand_in(text)
+
+
+@given(phrases, said, st.sets(st.integers(1, 3)))
+def test_phrases_that_are_tested_when_they_are_said(given: list[list[str]], text: list[str], lengths: set[int]) -> None:
+    tested: list[tuple[str, ...]] = []
+
+    def test(phrase: tuple[str, ...]) -> bool:
+        tested.append(phrase)
+        return len(phrase) in lengths
+
+    some = SomePhrases(given, test)
+    assert not tested, "none before it is said"
+    found = PhraseSet(one for one in given if len(one) in lengths)
+    places = range(len(text) + 1)
+    assert [some.lengths_at(text, at) for at in places] == [found.lengths_at(text, at) for at in places]
+    assert [some.at(text, at) for at in places] == [found.at(text, at) for at in places]
+    assert some.find(text) == found.find(text)
+    assert some.ends(text) == found.ends(text)
+    assert some.cover(text) == found.cover(text)
+    assert len(tested) == len(set(tested)), "and each once"
 
 
 @given(phrases, said, st.data())

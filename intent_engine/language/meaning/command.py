@@ -113,7 +113,9 @@ class Commands:
 
     def lists(self, words: list[str]) -> bool:
         """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""
-        readings = [reading for reading in self.matcher.read(words) if not reading.problem] if words else []
+        if not words or words[0] not in self.first_words:
+            return False
+        readings = [reading for reading in self.matcher.read(words) if not reading.problem]
         return bool(readings) and not any(map(self.opens_with_a_verb, readings))
 
     def holds_command(self, reading: Reading, words: Sequence[str] = ()) -> bool:

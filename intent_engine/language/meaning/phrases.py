@@ -7,7 +7,7 @@ from functools import cache
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spellings import own_words
-from intent_engine.language.utterance import Openers, PhraseSet, Utterance
+from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
 
 __all__ = ["Phrases"]
 
@@ -50,15 +50,13 @@ class Phrases:
         self._opener = PhraseSet(operators.opener)
         self._opening = PhraseSet(operators.opening)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
-        listing = [words for words in joining if lists is not None and lists(list(self._before_joint(words)))]
-        self._listing = PhraseSet(listing)
-        self._hiding: dict[tuple[str, ...], str] = {}
-        """Fillers of several words of which one is a command, with that: "right away", "all right"."""
         alone = cache(lambda word: lists is not None and lists([word]))
-        for filler in grammar.fillers:
-            if len(filler) > 1 and filler not in joining and (command := next(filter(alone, filler), None)) is not None:
-                self._hiding[tuple(filler)] = command
-        self._hides = PhraseSet(self._hiding)
+        self._listing = SomePhrases(joining, lambda words: lists is not None and lists(list(self._before_joint(words))))
+        self._hidden: Callable[[Sequence[str]], str] = cache(lambda filler: next(filter(alone, filler), ""))
+        """The word of a filler that is a command; empty: none is."""
+        several = (words for words in grammar.fillers if len(words) > 1 and words not in joining)
+        self._hides = SomePhrases(several, lambda filler: bool(self._hidden(filler)))
+        """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(alone, _AGREES.get(grammar.language, ())))
         around = PhraseSet(grammar.around)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
@@ -117,8 +115,7 @@ class Phrases:
     def in_full(self, said: Utterance) -> Utterance | None:
         """An utterance with the word that is a command in the place of each filler that has one in it, where no pause
         follows: "turn right away ninety degrees" may be "turn right ninety degrees". None: there is no such filler."""
-        found = self._hides.find(said.words)
-        if found is None:
+        if self._hides.find(said.words) is None:
             return None
         words: list[str] = []
         breaks: list[bool] = []
@@ -127,7 +124,7 @@ class Phrases:
             length = self._hides.at(said.words, position)
             end = position + length
             if length and (end == len(said) or not said.breaks[end]):
-                words.append(self._hiding[tuple(said.words[position:end])])
+                words.append(self._hidden(tuple(said.words[position:end])))
             else:
                 end = position + 1
                 words.append(said.words[position])

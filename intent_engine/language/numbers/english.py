@@ -48,6 +48,12 @@ NUMBER_WORDS = frozenset(
     (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
 )
 
+_DENOMINATORS = (*_ORDINAL_UNITS, *_ORDINAL_TENS, *_ORDINAL_SCALES)
+_GOES_ON = NUMBER_WORDS.union(
+    SUFFIXES, HALVES, _DENOMINATORS, [f"{word}s" for word in _DENOMINATORS], ("and", "over", "divided", "out")
+)
+"""Words with which a number may go on after its first."""
+
 Found = tuple[float, int]
 """A value and the place after its last word."""
 
@@ -236,6 +242,10 @@ def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
 
 def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
     word = words[at]
+    simple = _single(words, at)
+    if simple is not None:
+        yield simple
+        return
     if word == "point":
         decimals = _decimals(words, at + 1)
         if decimals is not None:
@@ -288,6 +298,15 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         yield part
     if whole is not None:
         yield whole
+
+
+def _single(words: Sequence[str], at: int) -> Found | None:
+    """A number of one word with which no other goes on, as most are: "five", "ninety", "2.5"; None: it is another."""
+    after = words[at + 1] if at + 1 < len(words) else ""
+    if after in _GOES_ON or after[:1].isdigit():
+        return None
+    value = SMALL.get(words[at])
+    return (float(value), at + 1) if value is not None else _numeral(words, at)
 
 
 def _hundreds_and_fraction(words: Sequence[str], at: int) -> Found | None:
