@@ -100,6 +100,15 @@ def test_what_was_said_right_after_a_motion_waits_its_turn(talk):
     assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
 
 
+def test_what_is_for_later_waits_for_what_is_being_done(talk):
+    talk.say("turn left twenty degrees")
+    until(talk.moving)
+    talk.say("when you get there, go forward ten centimeters")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    assert not talk.goals("canceled")
+    assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
+
+
 def test_what_is_meant_instead_is_done_after_the_no_has_stopped_it(talk):
     talk.say("turn left ninety degrees")
     until(talk.moving)
