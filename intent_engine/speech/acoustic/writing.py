@@ -4,6 +4,7 @@ looks, so it is asked about in the model's own writing."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from intent_engine.language.normalize import TITLES, elided, without_accents
@@ -13,7 +14,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.thing_words import ARTICLES
 from intent_engine.language.utterance import PhraseSet
 
-__all__ = ["Names", "spellings", "written"]
+__all__ = ["Names", "Writer", "spellings", "written"]
 
 _WRITTEN = {
     "i": "I",
@@ -124,3 +125,26 @@ class Names:
             return word not in ARTICLES
         small, large = (len(self._tokenizer.encode(" " + one)) for one in (word, word.capitalize()))
         return large < small
+
+
+@dataclass(frozen=True, slots=True)
+class Writer:
+    """How one model writes one language, in its pieces."""
+
+    tokenizer: Any
+    """Of the model, as faster-whisper's."""
+    language: str | None
+    names: Names | None = None
+    """Words that it may write with a capital; None: none."""
+
+    def encode(self, text: str) -> tuple[int, ...]:
+        """The pieces of a text that stands at the beginning of another, or behind a word."""
+        return tuple(self.tokenizer.encode(" " + text))
+
+    def pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
+        """The pieces of normalised words, as of a sentence, or as of the middle of one."""
+        return self.encode(written(words, self.language, sentence=capital))
+
+    def spellings(self, words: Sequence[str]) -> list[tuple[str, ...]]:
+        """As :func:`spellings`."""
+        return spellings(words, self.language, self.names)

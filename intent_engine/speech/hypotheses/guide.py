@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.speech.acoustic.scoring import Scoring
-from intent_engine.speech.acoustic.writing import written
+from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.guided import GuidedSearch
 from intent_engine.speech.hypotheses.rivals import Rivals
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
@@ -28,10 +28,11 @@ class Guide:
     @classmethod
     def of(cls, model: Scoring, grammar: SpokenGrammar, language: str | None) -> Guide:
         """Of the grammar of a language, for a model."""
-        near, tokenizer, names = grammar.search(language), model.tokenizer(language), model.names(language)
+        near = grammar.search(language)
+        writer = Writer(model.tokenizer(language), language, model.names(language))
         return cls(
             near,
-            GuidedSearch(near, tokenizer, language, model.end_piece(language), names),
-            Rivals(near, tokenizer, language, grammar.corrections(language), names),
-            {word: int(tokenizer.encode(" " + written([word], language))[0]) for word in near.single_words()},
+            GuidedSearch(near, writer, model.end_piece(language)),
+            Rivals(near, writer, grammar.corrections(language)),
+            {word: writer.pieces([word])[0] for word in near.single_words()},
         )

@@ -27,7 +27,7 @@ import numpy.typing as npt
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_words, number_words
-from intent_engine.speech.acoustic.writing import Names, written
+from intent_engine.speech.acoustic.writing import Writer
 
 __all__ = ["DEEP", "USUAL", "WORD", "Effort", "GuidedSearch", "NextPieces", "word_count"]
 
@@ -198,25 +198,15 @@ class GuidedSearch:
 
     Args:
         search: of the grammar, which knows the words after each of its states.
-        tokenizer: of the model, as faster-whisper's.
-        language: of the grammar.
+        writer: how the model writes the grammar's language.
         end: the piece that stands for the end of a sentence; None: the full stop.
-        names: words that the model may write with a capital.
     """
 
-    def __init__(
-        self,
-        search: UtteranceSearch,
-        tokenizer: Any,
-        language: str | None,
-        end: int | None = None,
-        names: Names | None = None,
-    ) -> None:
+    def __init__(self, search: UtteranceSearch, writer: Writer, end: int | None = None) -> None:
         self._search = search
         self._graph = search.graph
-        self._tokenizer = tokenizer
-        self._language = language
-        self._names = names
+        self._writer = writer
+        tokenizer = writer.tokenizer
         self._encoded: dict[tuple[str, bool], tuple[tuple[int, ...], ...]] = {}
         self._tries: dict[tuple[Any, bool], _Pieces] = {}
         (self._point,) = tokenizer.encode(".")
@@ -255,8 +245,8 @@ class GuidedSearch:
         Returns:
             (words, log probability with a full stop) pairs, likeliest first, at most :data:`FOUND`.
         """
-        pieces = tuple(self._tokenizer.encode(" " + free.strip()))
-        seeds = [pieces, *(tuple(self._tokenizer.encode(" " + draft)) for draft in drafts)]
+        pieces = self._writer.encode(free.strip())
+        seeds = [pieces, *map(self._writer.encode, drafts)]
         length = max(map(len, seeds)) + 2
         rows = {beginning: self._likely(row) for beginning, row in ask(list(dict.fromkeys(seeds)), length)}
         frontier = _Frontier(free_score, len(pieces))
@@ -302,7 +292,7 @@ class GuidedSearch:
             if path.digits and "." not in path.digits:
                 yield self._on(path, row, self._point, digits=path.digits + ".")
             if path.digits and not path.digits.endswith("."):
-                spelled = in_words([path.digits], self._language)
+                spelled = in_words([path.digits], self._writer.language)
                 yield from self._after(path, row, spelled, heard, found)
         elif path.inside is not None:
             yield from self._into(path, row, path.inside, path.words, path.state)
@@ -381,7 +371,7 @@ class GuidedSearch:
             words = {word for span in _spans(heard) for _, word in self._search.like(state, span)}
         # A short sound that fits anywhere ("so") would explain whatever was misheard.
         words.update(word for word in sounds if word[:1].isalnum() and (len(word) >= LONG_FILLER or not likely))
-        numbers = number_words(self._language)  # of a language of which none are known, any word may be one
+        numbers = number_words(self._writer.language)  # of a language of which none are known, any word may be one
         pieces = _Pieces(numbers=not (numbers and numbers.isdisjoint(likely)))
         for word in words:
             for spelled in self._in_pieces(word, first):
@@ -399,9 +389,9 @@ class GuidedSearch:
         """A word as it is written, with a capital at the beginning; and with one if it is a name."""
         found = self._encoded.get((word, first))
         if found is None:
-            named = word if self._names is None else self._names.large(word)
-            texts = [written([one], self._language, sentence=first) for one in (word, named)]
-            pieces = (tuple(self._tokenizer.encode(" " + text)) for text in texts)
+            names = self._writer.names
+            named = word if names is None else names.large(word)
+            pieces = (self._writer.pieces([one], first) for one in (word, named))
             found = self._encoded[word, first] = tuple(dict.fromkeys(pieces))
         return found
 

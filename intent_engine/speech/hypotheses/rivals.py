@@ -19,7 +19,7 @@ from intent_engine.language.numbers.spelled import in_digits, number_words
 from intent_engine.language.thing_words import ARTICLES
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.acoustic.rows import Rows, total
-from intent_engine.speech.acoustic.writing import Names, spellings, written
+from intent_engine.speech.acoustic.writing import Writer, spellings
 from intent_engine.speech.hypotheses.detours import Detours, leads
 from intent_engine.speech.hypotheses.guided import MANY_WORDS
 
@@ -44,26 +44,15 @@ class Rivals:
 
     Args:
         search: of the grammar, which knows the words after each of its states.
-        tokenizer: of the model, as faster-whisper's.
-        language: of the grammar.
+        writer: how the model writes the grammar's language.
         corrections: phrases that take back what was said before them.
-        names: words that the model may write with a capital.
     """
 
-    def __init__(
-        self,
-        search: UtteranceSearch,
-        tokenizer: Any,
-        language: str | None,
-        corrections: PhraseSet | None = None,
-        names: Names | None = None,
-    ) -> None:
+    def __init__(self, search: UtteranceSearch, writer: Writer, corrections: PhraseSet | None = None) -> None:
         self._search = search
         self._corrections = corrections or PhraseSet(())
-        self._tokenizer = tokenizer
-        self._language = language
-        self._number_words = number_words(language)
-        self._names = names
+        self._writer = writer
+        self._number_words = number_words(writer.language)
         self._detours = Detours(search)
         self._firsts: dict[tuple[str, bool], list[int]] = {}
         self._numbers: dict[tuple[str, ...], list[tuple[int, ...]]] = {}
@@ -72,7 +61,7 @@ class Rivals:
 
     def pieces(self, words: Sequence[str], capital: bool = True) -> tuple[int, ...]:
         """Of a sentence as the model writes it, or writes the middle of one."""
-        return tuple(self._tokenizer.encode(" " + written(words, self._language, sentence=capital)))
+        return self._writer.pieces(words, capital)
 
     def before(
         self, words: Sequence[str], rows: Rows, *, widely: bool = False
@@ -110,7 +99,7 @@ class Rivals:
         """The pieces of the words that a sentence begins with, however they are written, or with numbers in words."""
         if not words:
             return [()]
-        spelled = [tuple(words)] if in_words else spellings(words, self._language, self._names)
+        spelled = [tuple(words)] if in_words else self._writer.spellings(words)
         return [self.pieces(one, capital) for one in spelled for capital in (True, False)]
 
     def beside(
@@ -191,7 +180,7 @@ class Rivals:
         found = self._firsts.get((word, first))
         if found is None:
             capitals = (True, False) if first else (False,)
-            spelled = spellings([word], self._language, self._names)
+            spelled = self._writer.spellings([word])
             pieces = [self.pieces(one, capital)[0] for one in spelled for capital in capitals]
             found = [piece for piece in pieces if piece not in self._digits[:1]] or pieces
             self._firsts[word, first] = found
@@ -230,7 +219,7 @@ class Rivals:
 
     def _digit_pieces(self) -> list[int]:
         """The piece before every number in digits, and the digits; nothing where there is no such piece."""
-        pieces = [self._tokenizer.encode(" " + digit) for digit in DIGITS]
+        pieces = [self._writer.encode(digit) for digit in DIGITS]
         if any(len(one) != 2 or one[0] != pieces[0][0] for one in pieces):
             return []
         return [pieces[0][0], *(one[1] for one in pieces)]
@@ -248,7 +237,7 @@ class Rivals:
         values: dict[tuple[str, ...], tuple[float, str]] = {}
         for behind, other in found:
             # "Forty", and not "fourty" too.
-            values.setdefault(in_digits([other], self._language), (behind, other))
+            values.setdefault(in_digits([other], self._writer.language), (behind, other))
         return list(values.values())[:NUMBERS]
 
     def _likelihood(self, number: Sequence[str], begin: tuple[int, ...], chances: _Chances) -> float:
@@ -266,7 +255,7 @@ class Rivals:
     def _spelled(self, number: tuple[str, ...]) -> list[tuple[int, ...]]:
         """The pieces of a number inside a sentence, in all its spellings."""
         if number not in self._numbers:
-            self._numbers[number] = [self.pieces(one, False) for one in spellings(number, self._language)]
+            self._numbers[number] = [self.pieces(one, False) for one in spellings(number, self._writer.language)]
         return self._numbers[number]
 
     def _words_after(self, state: Any, said: str, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.utterance import PhraseSet
+from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.corrections import MOST, corrected_like, no_between
 from intent_engine.speech.hypotheses.rivals import Rivals
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
@@ -112,11 +113,11 @@ def test_each_is_a_command_a_correction_and_what_goes_on_from_a_beginning_of_tha
 def test_other_words_are_looked_for_after_it_as_at_a_beginning(whisper, grammar):
     """ "Turn left, no, right" beside "turn left, no, left": both go on from "turn"."""
     tokenizer = whisper.tokenizer("en")
-    rivals = Rivals(grammar.search("en"), tokenizer, "en", grammar.corrections("en"))
+    rivals = Rivals(grammar.search("en"), Writer(tokenizer, "en"), grammar.corrections("en"))
     row = np.full(51864, -50.0, np.float32)
     row[tokenizer.encode(" right")[0]] = row[tokenizer.encode(" left")[0]] = -1.0
     words = ["turn", "left", "no", "left"]
     rows = {rivals.pieces(words)[:count]: row for count in range(len(rivals.pieces(words)) + 1)}
     assert ("turn", "left", "no", "right") in rivals.beside(words, rows, 3.0)
-    unknown = Rivals(grammar.search("en"), tokenizer, "en")
+    unknown = Rivals(grammar.search("en"), Writer(tokenizer, "en"))
     assert ("turn", "left", "no", "right") not in unknown.beside(words, rows, 3.0)

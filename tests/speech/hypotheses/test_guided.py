@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from intent_engine import IntentEngine
 from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.utterance import plain
-from intent_engine.speech.acoustic.writing import Names
+from intent_engine.speech.acoustic.writing import Names, Writer
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.hypotheses import guided
 from intent_engine.speech.hypotheses.guided import GuidedSearch
@@ -59,7 +59,7 @@ class Wishes:
 
 @pytest.fixture(scope="module")
 def search(engine, whisper) -> GuidedSearch:
-    return GuidedSearch(UtteranceSearch(engine.matcher().likely), whisper.tokenizer("en"), "en")
+    return GuidedSearch(UtteranceSearch(engine.matcher().likely), Writer(whisper.tokenizer("en"), "en"))
 
 
 @pytest.mark.parametrize(("words", "text"), SENTENCES)
@@ -130,7 +130,7 @@ def test_of_very_many_names_those_like_what_was_heard_are_asked_about(tmp_path, 
     engine = IntentEngine.from_files(root + "grammars/en.yaml", locations=tmp_path / "map.yaml")
     monkeypatch.setattr(guided, "MANY_WORDS", 10)
     tokenizer = whisper.tokenizer("en")
-    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), tokenizer, "en")
+    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), Writer(tokenizer, "en"))
     model = Wishes(tokenizer.encode(" Go to the veranda"), *tokenizer.encode("."))
     heard = ["go", "to", "the", "veronda"]
     assert search.likeliest(model, heard, "Go to the Veronda.", -6.0)[0][0] == ("go", "to", "the", "veranda")
@@ -145,7 +145,7 @@ def test_a_name_is_found_as_the_model_writes_it(tmp_path, whisper, text):
     engine = IntentEngine.from_files(tmp_path / "people.yaml")
     tokenizer = whisper.tokenizer("en")
     names = Names(tokenizer, engine.grammar.as_written)
-    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), tokenizer, "en", names=names)
+    search = GuidedSearch(UtteranceSearch(engine.matcher().likely), Writer(tokenizer, "en", names))
     model = Wishes(tokenizer.encode(" " + text), *tokenizer.encode("."))
     found = search.likeliest(model, ["what", "ever"], "Whatever.", -8.0)
     assert found[0][0] == tuple(plain(text))

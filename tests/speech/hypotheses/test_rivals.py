@@ -15,7 +15,7 @@ from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.acoustic.moonshine import ScoringMoonshine
 from intent_engine.speech.acoustic.moonshine_weights import moonshine_package
-from intent_engine.speech.acoustic.writing import written
+from intent_engine.speech.acoustic.writing import Writer, written
 from intent_engine.speech.hypotheses.rivals import AT_A_PLACE, NUMBERS, Rivals
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
@@ -37,7 +37,7 @@ def tokenizer(whisper):
 
 @pytest.fixture(scope="module")
 def rivals(whisper, tokenizer) -> Rivals:
-    return Rivals(whisper.grammar.search("en"), tokenizer, "en")
+    return Rivals(whisper.grammar.search("en"), Writer(tokenizer, "en"))
 
 
 def rows_of(tokenizer, text: str, likely: dict[str, float]) -> dict[tuple[int, ...], np.ndarray]:
@@ -141,7 +141,7 @@ def one_by_one(whisper):
     if moonshine_package() is None:
         pytest.skip("Moonshine's package is for Linux on x86-64")
     tokenizer = ScoringMoonshine().tokenizer("en")
-    return Rivals(whisper.grammar.search("en"), tokenizer, "en"), tokenizer
+    return Rivals(whisper.grammar.search("en"), Writer(tokenizer, "en")), tokenizer
 
 
 @pytest.mark.parametrize(
@@ -192,7 +192,7 @@ def test_among_very_many_names_those_like_the_one_said_are_asked_about(tokenizer
     grammar = SpokenGrammar(IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=tmp_path / "map.yaml"))
     words = ("go", "to", "merlin", "hall")
     rows = rows_of(tokenizer, "Go to Merlin Hall", {"berlin": -1.0, "merlin": -1.0, "mer": -1.0, "ber": -1.0})
-    found = Rivals(grammar.search("en"), tokenizer, "en").beside(words, rows, NEAR)
+    found = Rivals(grammar.search("en"), Writer(tokenizer, "en")).beside(words, rows, NEAR)
     assert found["go", "to", "berlin", "hall"] == "merlin"
 
 
