@@ -157,7 +157,17 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
         factor = _unit_factor(unit, kind, table)
         if number is not None and factor is not None:
             value = tidy(number * factor)
-    return value if value is not None and math.isfinite(value) else None
+    if value is None or not math.isfinite(value) or (kind == "angle" and _in_two_pieces(words, value, language)):
+        return None
+    return value
+
+
+def _in_two_pieces(words: Sequence[str], angle: float, language: str) -> bool:
+    """Whether "five ten degrees" are two numbers, of which the second puts the first right: nobody turns by 510.
+    Hundreds are left out of angles up to a whole turn ("one eighty"), and of quarter turns ("seven twenty")."""
+    quarters = abs(angle) / (math.pi / 2)
+    left_out = language == "en" and english.leaves_hundred_out(words)
+    return left_out and quarters > 4 and not math.isclose(quarters, round(quarters))
 
 
 def counts(words: Sequence[str], language: str = "en") -> Iterator[tuple[float, int]]:

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, units
 from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, evaluate, find, templates
 from intent_engine.language.template import parse_template
@@ -373,3 +374,20 @@ def test_quantities_of_others_test_suites() -> None:
 
     share = sum(map(right, rows)) / len(rows)
     assert share >= 0.97, share
+
+
+@given(st.integers(1, 9), st.integers(10, 99), st.sampled_from(["", "minus "]), st.booleans())
+@example(5, 10, "", True)
+@example(7, 20, "", True)
+def test_an_angle_in_two_pieces_is_a_common_one_or_none(hundreds: int, tens: int, sign: str, unit: bool) -> None:
+    """ "One eighty" is an angle, "five ten degrees" five, no, ten."""
+    degrees = 100 * hundreds + tens
+    said = f"{sign}{in_words([str(hundreds)])[0]} {' '.join(in_words([str(tens)]))}".split()
+    value = evaluate([*said, "degrees"] if unit else said, "angle", unit="deg")
+    if degrees <= 360 or degrees % 90 == 0:
+        assert value == pytest.approx(math.copysign(degrees, -1 if sign else 1) * DEGREE)
+    else:
+        assert value is None
+    assert evaluate([*said, "meters"], "distance") == pytest.approx(-degrees if sign else degrees)
+    whole = [*sign.split(), *in_words([str(degrees)]), "degrees"]
+    assert evaluate(whole, "angle") == pytest.approx(math.copysign(degrees, -1 if sign else 1) * DEGREE)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "TEMPLATES", "number", "numbers_at", "ordinal"]
+__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "TEMPLATES", "leaves_hundred_out", "number", "numbers_at", "ordinal"]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
@@ -334,6 +334,13 @@ def number(words: Sequence[str]) -> float | None:
         if after == len(words):
             return value
     return None
+
+
+def leaves_hundred_out(words: Sequence[str]) -> bool:
+    """Whether words begin with a digit and tens, as in "one eighty", perhaps after a sign."""
+    signed = bool(words) and words[0] in ("minus", "negative")
+    first, second, *_ = (*words[signed : signed + 2], "", "")
+    return first in DIGITS and (second in TENS or second in TEENS)
 
 
 def ordinal(words: Sequence[str]) -> float | None:
