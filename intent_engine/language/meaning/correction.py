@@ -43,6 +43,17 @@ class Corrections:
             return length
         return 0
 
+    def leans(self, part: Utterance, state: Collection[str], *, first: bool) -> bool:
+        """Whether some of several commands is none by itself, since it is taken back, or takes back another: "park",
+        "no, go home", of which both would be done. What begins with a verb that corrects elsewhere is one: "wait ten
+        seconds"."""
+        words = part.words
+        if not self._correction.may_stand_in(words):
+            return False
+        length = 0 if first else self._correction.at(words, 0)
+        begins = length > 0 and not self._begins_a_sentence(part, length)
+        return (begins or self._correction.ends(words) > 0) and not self._commands.accepts(words, state)
+
     def may_stand_in(self, words: list[str]) -> bool:
         return self._correction.may_stand_in(words)
 
