@@ -5,7 +5,7 @@ A stop is done before anybody is told of it, since who is told may take its time
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import Any
 
 from intent_engine.actions import Action
@@ -32,16 +32,24 @@ class Acting:
         continuing: what goes on from the command before.
         holding: whether a stop word was heard while it was said.
         tell: is told of it.
+        states: those in which the robot is besides, which only the program knows.
     """
 
     def __init__(
-        self, executor: Executor, judgement: Judge, continuing: Continuing, holding: Holding, tell: Tell
+        self,
+        executor: Executor,
+        judgement: Judge,
+        continuing: Continuing,
+        holding: Holding,
+        tell: Tell,
+        states: Callable[[], Collection[str]] = tuple,
     ) -> None:
         self._executor = executor
         self._judgement = judgement
         self._continuing = continuing
         self._holding = holding
         self._tell = tell
+        self._states = states
         self._base = 0.0
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
@@ -60,10 +68,11 @@ class Acting:
         self._forget()
 
     def state(self) -> Collection[str]:
-        """Of the robot, as grammars ask for it: "moving" while it moves, is about to, or is held."""
+        """Of the robot, as grammars ask for it: "moving" while it moves, is about to, or is held, and what the program
+        says."""
         linear, angular = self._executor.snapshot().velocity
         moves = linear or angular or not self._executor.idle or self._holding.on
-        return ("moving",) if moves else ()
+        return {*self._states(), *(("moving",) if moves else ())}
 
     def carry_out(self, utterance: SpokenUtterance, time: float) -> None:
         """Do what an utterance means, if anything; it was decoded, and its result is there."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Collection, Generator
 from typing import Any, Literal
 
 from intent_engine.acting import Acting
@@ -62,6 +62,9 @@ class Runtime:
         settings: waits of the endpoint.
         noise_filter: takes noise out of what is recognised; "auto": RNNoise, where it is installed; None: nothing does.
         on_event: is told everything, in order; what it raises stops the robot and ends listening.
+        state: gives the states in which the robot is besides "moving", as the grammar's ``requires`` and ``excludes``
+            name them. Asked, in the thread of ``run``, whenever it matters what words mean, so it is to answer at once;
+            what it raises ends listening in the same way. None: the robot is in none of them.
         speculate: decode at the first silent frame already.
         patience: s after which a recogniser counts as hung.
     """
@@ -77,6 +80,7 @@ class Runtime:
         settings: Settings | None = None,
         noise_filter: NoiseFilter | Literal["auto"] | None = "auto",
         on_event: Callable[[Heard], object] | None = None,
+        state: Callable[[], Collection[str]] | None = None,
         speculate: bool = True,
         patience: float = 10.0,
     ) -> None:
@@ -94,7 +98,7 @@ class Runtime:
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
         self._holding = Holding(reflex, executor, self._tell)
-        self._acting = Acting(executor, self._judgement, self._continuing, self._holding, self._tell)
+        self._acting = Acting(executor, self._judgement, self._continuing, self._holding, self._tell, state or tuple)
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
@@ -143,7 +147,7 @@ class Runtime:
         Raises:
             AudioError: the source cannot be read; the robot is stopped.
             DeviceError: the device is missing; the robot is stopped.
-            BaseException: whatever ``on_event`` raised; the robot is stopped.
+            BaseException: whatever ``on_event`` or ``state`` raised; the robot is stopped.
         """
         self._source = source
         self._base = self.executor.clock.now()

@@ -148,3 +148,17 @@ def test_a_reader_that_goes_away(intent_engine):
     done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "141"
     assert "Traceback" not in done.stderr
+
+
+def test_states_that_the_robot_is_in(intent_engine, tmp_path, go_forward):
+    grammar = tmp_path / "dock.yaml"
+    grammar.write_text(
+        "language: en\nintents:\n  go: {action: {type: move, direction: forward}, excludes: [docked], "
+        "sentences: [go forward two meters]}\n"
+    )
+    soundfile.write(tmp_path / "speech.wav", go_forward, RATE)
+    options = ("run", "--grammar", grammar, "--state")
+    docked = intent_engine(*options, "docked", tmp_path / "speech.wav")
+    assert "go cannot be done while the robot is docked" in docked.stdout
+    assert "doing" not in docked.stdout
+    assert "did you mean 'docked'?" in intent_engine(*options, "dokced", tmp_path / "speech.wav").stderr

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, States, known_states, load_engine
 from intent_engine.cli.outputs import check_picture
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import AudioError, ConfigError, Problem
@@ -84,6 +84,7 @@ class Hearing:
 
     grammar: Grammars = None
     locations: Locations = None
+    state: States = None
     robot: Robots = "simulated"
     language: Language = None
     model: Model = None
@@ -161,8 +162,10 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
 
     if telling.plot is not None:
         check_picture(telling.plot, "--plot", "plot")
+    engine = load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word)
     return Session(
-        engine=load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word),
+        engine=engine,
+        states=known_states(engine, hearing.state),
         robot=load_robot(find("robots", hearing.robot)),
         clock=clock,
         model=hearing.model,

@@ -68,6 +68,8 @@ class Session:
     engine: IntentEngine
     robot: RobotFile
     clock: Clock
+    states: tuple[str, ...] = ()
+    """In which the robot is all the time, besides moving."""
     model: str | None = None
     """None: the usual one of the grammar's language."""
     second_model: str | None = None
@@ -150,6 +152,7 @@ class Session:
                 settings=self.settings,
                 noise_filter="auto" if self.noise_filter else None,
                 on_event=reporter.heard,
+                state=lambda: self.states,
             )
             if outbox is not None:
                 outbox.on_failure = runtime.close

@@ -31,6 +31,8 @@ class FreeText:
             *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
         )  # fmt: skip
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
+        self._joints = {words[0] for words in operators.sequence if len(words) == 1 and words not in operators.later}
+        """Words that join, and that a slot may allow: "salt and pepper". What they end joins another command."""
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
         self._articles = words.articles or ARTICLES
@@ -53,6 +55,8 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if not slot.dictation and self._parts_a_number(words, start, end):
             return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
+        if said and not slot.dictation:  # a title may begin with "and", no thing does
+            wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
         if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and slot.known and not wrong:

@@ -123,8 +123,12 @@ class Openers:
     language: str = "en"
     """Whose numbers."""
 
-    def misplaced(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+    def misplaced(
+        self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
+    ) -> bool:
         """Whether such a phrase stands here, and no command begins here, or a pause divides it.
+
+        ``paused``: a pause stands before it, with nothing but fillers between: "turn left, please go ahead and stop".
 
         After a joint "right then" is no filler either: "turn left then right then left". Nor is "go and" one where its
         joint goes on: "go and then turn left" are two.
@@ -138,7 +142,7 @@ class Openers:
         if self.listing.at(said.words, position) == length:
             begins = not before and self.listing.find(said.words[:position]) is None
         else:
-            begins = not before or said.breaks[position] or self.joints.ends(before) > 0
+            begins = not before or paused or said.breaks[position] or self.joints.ends(before) > 0
         return not begins or any(said.breaks[position + 1 : position + length])
 
     def _counts(self, word: str) -> bool:
@@ -223,7 +227,7 @@ class Utterance:
         while position < len(self.words):
             pause = pause or self.breaks[position]
             length = phrases.at(self.words, position)
-            if length and openers is not None and openers.misplaced(self, position, length, words):
+            if length and openers is not None and openers.misplaced(self, position, length, words, paused=pause):
                 length = 0
             if length == 1 and self.zero_between(position) and not self.paused_beside(position):
                 length = 0

@@ -110,3 +110,44 @@ def test_where_it_may_correct_it_does(engine_of) -> None:
     assert engine.parse("wait, open the drawer").intent == "open"
     assert not engine.parse("wait ten seconds, no").actions
     assert not engine.parse("wait no forty seconds").actions
+
+
+SETTING = """
+language: en
+slots:
+  thing: {type: text, max_words: 4, known: [cup, box, bottle]}
+  spot: [shelf, table]
+  guest: {type: text, max_words: 2}
+intents:
+  put: {action: custom, sentences: ["put {thing} on the {spot}", "(give|hand) the {thing} to {guest}"]}
+  sing: {action: custom, sentences: ["sing [for {guest}]"]}
+"""
+THINGS = st.sampled_from(["cup", "box", "bottle", "red cup", "big green bottle"])
+
+
+@given(
+    THINGS, THINGS, st.sampled_from([", no, ", " no ", ", I mean ", ", sorry, "]), st.sampled_from(["the", "my", "a"])
+)
+def test_of_two_things_that_a_slot_lists_the_last_is_meant(engine_of, said, meant, no, article):
+    engine = engine_of(SETTING)
+    found = engine.parse(f"put the {said}{no}{article} {meant} on the shelf")
+    assert found.actions == engine.parse(f"put the {meant} on the shelf").actions != ()
+
+
+@pytest.mark.parametrize(
+    ("said", "does"),
+    [
+        ("give the cup, no, the box to Anna", "give the box to Anna"),
+        ("hand the cup no the box to Anna and then sing", "hand the box to Anna and then sing"),
+        ("put the cup no box on the shelf", ""),  # a shelf with no box on it
+        ("put the cup, no, the lamp on the shelf", ""),  # any words might be a name
+        ("put the lamp, no, the cup on the shelf", ""),
+        ("put the cup, no, the box", ""),
+        ("put the cup, no, the box is on the shelf", ""),
+        ("don't put the cup, no, the box on the shelf", ""),
+        ("she put the cup, no, the box on the shelf", ""),
+    ],
+)
+def test_other_names_are_not_clear(engine_of, said, does):
+    engine = engine_of(SETTING)
+    assert engine.parse(said).actions == (engine.parse(does).actions if does else ())

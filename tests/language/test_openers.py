@@ -82,3 +82,29 @@ def test_what_is_counted_is_counted(engine: IntentEngine, said: str) -> None:
 @pytest.mark.parametrize("said", ["Zuerst klingle und dann geh hinaus", "Na ja, klingle und geh hinaus"])
 def test_in_german_too(german: IntentEngine, said: str) -> None:
     assert names(german, said) == ["klingeln", "klingeln"]
+
+
+GO_AHEAD = """
+language: en
+intents:
+  advance: {action: custom, sentences: [go ahead, next page, next]}
+  turn: {action: custom, sentences: [turn left]}
+  lift: {action: custom, sentences: [lift the box]}
+"""
+
+
+@given(st.sampled_from(["", "please ", "uh ", "okay now ", "um, "]), st.sampled_from(["lift the box", "turn left"]))
+def test_go_ahead_says_nothing_after_a_pause_whatever_stands_before_it(engine_of, filler: str, command: str) -> None:
+    engine = engine_of(GO_AHEAD)
+    plain = engine.parse(f"turn left, {command}").actions or engine.parse(f"turn left and {command}").actions
+    assert engine.parse(f"turn left, {filler}go ahead and {command}").actions == plain != ()
+    assert [one.name for one in engine.parse(f"turn left, {filler}go ahead").actions] == ["turn", "advance"]
+
+
+@given(
+    st.sampled_from(["stop", "halt", "please stop"]),
+    st.sampled_from(["next page", "next", "then next page", "lift the box"]),
+)
+def test_a_stop_before_a_command_that_begins_as_joints_do(engine_of, stop: str, command: str) -> None:
+    engine = engine_of(GO_AHEAD)
+    assert engine.parse(f"{stop}, {command}").stops

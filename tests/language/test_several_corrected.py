@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Status
 
@@ -63,3 +65,44 @@ def test_several_values_are_corrected_at_once(engine: IntentEngine, said: str, s
 )
 def test_what_is_not_clear_is_not_done(engine: IntentEngine, said: str) -> None:
     assert engine.parse(said).actions == ()
+
+
+FREE = """
+language: en
+slots:
+  thing: {type: text, max_words: 5, known: [cup, box, bottle]}
+  whom: {type: text, max_words: 2}
+intents:
+  give: {action: custom, sentences: ["(give|bring) {thing} (to|from) {whom}", "(give|bring) the {thing:gift} at once"]}
+"""
+NAMES = st.sampled_from(["cup", "box", "bottle", "red cup"])
+PEOPLE = st.sampled_from(["Anna", "Tom", "the nurse", "my boss"])
+
+
+@given(NAMES, PEOPLE, NAMES, PEOPLE, st.sampled_from(["to", "from"]), st.sampled_from([", no, ", " no ", ", sorry, "]))
+def test_what_is_said_again_as_it_was_takes_the_place_of_all(engine_of, one, who, other, whom, joint, no):
+    engine = engine_of(FREE)
+    found = engine.parse(f"bring the {one} {joint} {who}{no}the {other} {joint} {whom}")
+    meant = engine.parse(f"bring the {other} {joint} {whom}").actions
+    assert len(meant) == 1
+    assert found.actions == meant
+
+
+@given(NAMES, PEOPLE, NAMES, PEOPLE)
+def test_where_other_words_are_between_nobody_knows(engine_of, one, who, other, whom):
+    """It may be the box from Tom that is to be brought, to Anna."""
+    engine = engine_of(FREE)
+    assert not engine.parse(f"bring the {one} to {who}, no, the {other} from {whom}").actions
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("bring the cup to Anna, no, the box", "bring the box to Anna"),
+        ("bring the cup to Anna, no, to Tom", "bring the cup to Tom"),
+        ("bring the cup to Anna, no, the box on the table", "bring the box on the table to Anna"),
+    ],
+)
+def test_what_is_left_out_stays(engine_of, said, meant):
+    engine = engine_of(FREE)
+    assert engine.parse(said).actions == engine.parse(meant).actions != ()

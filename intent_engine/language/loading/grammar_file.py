@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -13,6 +13,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.as_written import as_written, texts_in
 from intent_engine.language.grammar import Grammar, Intent, Operators, Slot
+from intent_engine.language.loading.contracted import with_contractions
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
@@ -266,7 +267,7 @@ class _Builder:
 
     def finish(self) -> tuple[Grammar, list[Problem]]:
         """The grammar, and what is wrong with its meaning."""
-        operators = {key: tuple(plain_phrase(text) for text in texts) for key, texts in self.operators.items()}
+        operators = {key: self._said(texts) for key, texts in self.operators.items()}
         closed = {
             words[0]
             for key in ("negation", "closed", "sequence", "contrast", "stop", "correction")
@@ -275,8 +276,8 @@ class _Builder:
         }
         grammar = Grammar(
             language=self.language,
-            fillers=tuple(map(plain_phrase, default_fillers(self.language) if self.fillers is None else self.fillers)),
-            around=tuple(map(plain_phrase, default_around(self.language))) if self.fillers is None else (),
+            fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
+            around=self._said(default_around(self.language)) if self.fillers is None else (),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,
@@ -297,6 +298,10 @@ class _Builder:
             homophones=own_homophones(grammar),
             warnings=tuple(warnings),
         ), problems
+
+    def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+        """Plain phrases as normalised words, in every form in which they are said."""
+        return with_contractions(map(plain_phrase, phrases), self.language)
 
     def _as_written(self) -> dict[str, str]:
         """Words that are written with a capital or an apostrophe in values, sentences and examples."""

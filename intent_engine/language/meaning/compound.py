@@ -76,7 +76,10 @@ class Compounds:
             tried[start, before, joined] = None
             found: list[Clause] | None = None
             for end, after in self._boundaries(core, start):
-                clause = self._one(core.part(start, end), state, before, exactly)
+                part = core.part(start, end)
+                if self._corrections.leans(part, state, first=start == begin):
+                    continue
+                clause = self._one(part, state, before, exactly)
                 if clause is None or not clause.accepted:
                     continue
                 # "The kitchen, the bedroom and the dock" is a list: its last joint tells it from a correction.

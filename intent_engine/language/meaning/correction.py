@@ -43,6 +43,17 @@ class Corrections:
             return length
         return 0
 
+    def leans(self, part: Utterance, state: Collection[str], *, first: bool) -> bool:
+        """Whether some of several commands is none by itself, since it is taken back, or takes back another: "park",
+        "no, go home", of which both would be done. What begins with a verb that corrects elsewhere is one: "wait ten
+        seconds"."""
+        words = part.words
+        if not self._correction.may_stand_in(words):
+            return False
+        length = 0 if first else self._correction.at(words, 0)
+        begins = length > 0 and not self._begins_a_sentence(part, length)
+        return (begins or self._correction.ends(words) > 0) and not self._commands.accepts(words, state)
+
     def may_stand_in(self, words: list[str]) -> bool:
         return self._correction.may_stand_in(words)
 
@@ -161,13 +172,13 @@ class Corrections:
 
         ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
         words as possible are kept; two ways that keep as many and differ are not clear. Else it is a whole command.
-        Where free words would take it, a place or a number takes it first, then what begins with a word of the
-        sentence: "on the shelf" is no box, but where it is put.
+        Where free words would take it, a place or a number takes it first, then a slot that lists it ("the cup to Anna,
+        no, the box"), then what begins with a word of the sentence: "on the shelf" is no box, but where it is put.
         """
         whole = self._commands.accepts(meant, state)
         if not said:
             return meant if whole else None
-        kept: dict[tuple[bool, bool, int], dict[tuple[Any, ...], list[str]]] = {}
+        kept: dict[tuple[bool, bool, bool, int], dict[tuple[Any, ...], list[str]]] = {}
         first = next((reading for reading in self._matcher.read(said, after=before) if not reading.problem), None)
         if first is not None and before and self._says_all_again(first, meant, before):
             return meant
@@ -189,8 +200,9 @@ class Corrections:
                 meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
                 # A place takes the place of a place, though free words would take it as well.
                 known = not any(slot.slot.type in _FREE for slot in touched)
+                listed = any(meant[-1] in slot.slot.known for slot in touched)
                 introduced = not any(slot.start <= at for slot in touched)
-                kept.setdefault((known, introduced, count), {}).setdefault(meaning, words)
+                kept.setdefault((known, listed, introduced, count), {}).setdefault(meaning, words)
         if kept:
             best, known = kept[max(kept)], max(kept)[0]
             if not known and first is not None and not whole:
@@ -198,6 +210,8 @@ class Corrections:
                 several = self._replace_several(said, meant, first, before)
                 if several is not None:
                     return several
+                if self._says_the_rest(said, meant, first):
+                    return None
             return next(iter(best.values())) if len(best) == 1 else None
         if whole:
             # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
@@ -244,8 +258,8 @@ class Corrections:
         ``meant`` is how both go on: "follow the blue, no, the red line", "wait five, no, ten minutes". None if it is
         not clear.
 
-        What was broken off must be a command with that end, and differ in nothing but those slots. Free words are none
-        of them, since they take any others in.
+        What was broken off must be a command with that end, and differ in nothing but those slots. Free words take any
+        others in, and are none of them but for things that their slot lists: "put the cup, no, the box on the shelf".
         """
         found: dict[tuple[Any, ...], list[str]] = {}
         for length in range(1, len(meant)):
@@ -254,7 +268,9 @@ class Corrections:
                 continue
             spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
             for index, slot in enumerate(spoken):
-                if any(one.slot.type in _FREE for one in spoken[index:]):
+                if any(one.slot.type in _FREE for one in spoken[index:]) and not (
+                    slot is spoken[-1] and self._named_otherwise(slot, said, meant[:length])
+                ):
                     continue
                 for at in _beginnings(said, meant[:length], slot.start):
                     words = said[:at] + meant
@@ -267,6 +283,14 @@ class Corrections:
                     found[meaning] = min(found.get(meaning, words), words, key=len)
         return next(iter(found.values())) if len(found) == 1 else None
 
+    def _named_otherwise(self, slot: SlotReading, said: list[str], meant: list[str]) -> bool:
+        """Whether ``said`` ends with a thing that a slot lists, and ``meant`` is another one: "the cup", "the red box".
+
+        It begins with an article: "the cup, no spoon on the table" may be about a table without one.
+        """
+        known, articles = slot.slot.known, thing_words(self._matcher.grammar.language).articles
+        return slot.end == len(said) and said[-1] in known and meant[0] in articles and meant[-1] in known
+
     def _says_all_again(self, first: Reading, meant: list[str], before: str) -> bool:
         """Whether what is meant is such a part itself, and says a value for all that was said."""
         again = next(iter(self._matcher.read(meant, after=before)), None)
@@ -277,7 +301,8 @@ class Corrections:
         no, three sacks of plums"; at the end of the sentence it may say more than was said. None if it is not clear.
 
         Nothing that was said before may be lost, so what ``meant`` leaves out makes it unclear. Free words are replaced
-        only along with something else, since alone they take any others in.
+        only along with something else, since alone they take any others in, or where the same words are between them:
+        "the cup to Anna, no, the box to Tom".
         """
         old = first.values()
         spoken = sorted(first.slots, key=lambda slot: slot.start)
@@ -295,7 +320,7 @@ class Corrections:
                 touched = [slot for slot in reading.slots if slot.start < stop and slot.end > at]
                 if any(slot.start < at or slot.end > stop for slot in touched):
                     continue
-                if all(slot.slot.type in _FREE for slot in run):
+                if all(slot.slot.type in _FREE for slot in run) and not self._alike(said, run, words, touched):
                     continue
                 again, new = {slot.label for slot in touched}, reading.values()
                 same = all(new.get(label) == value for label, value in old.items() if label not in again)
@@ -307,6 +332,31 @@ class Corrections:
                 kept.setdefault(len(words) - len(meant), {}).setdefault(meaning, words)
         best = kept[max(kept)] if kept else {}
         return next(iter(best.values())) if len(best) == 1 else None
+
+    def _says_the_rest(self, said: list[str], meant: list[str], first: Reading) -> bool:
+        """Whether ``meant`` may say again all from some free words on, though these would take all of it in: "put the
+        cup on the table, no, the plate in the sink" names another place, or a plate that is in the sink."""
+        for slot in first.slots:
+            if slot.slot.type not in _FREE:
+                continue
+            reading = next(iter(self._matcher.read(said[: slot.start] + meant)), None)
+            if reading is None or reading.problem or reading.intent is not first.intent:
+                continue
+            again = [one for one in reading.slots if one.start >= slot.start]
+            if len(again) > 1 and set(reading.values()) == set(first.values()):
+                return True
+        return False
+
+    def _alike(self, said: list[str], run: list[SlotReading], words: list[str], again: list[SlotReading]) -> bool:
+        """Whether several slots are said again in their order, with the same words between them."""
+        articles = thing_words(self._matcher.grammar.language).articles
+
+        def outline(text: list[str], slots: list[SlotReading]) -> list[object]:
+            slots = sorted(slots, key=lambda slot: slot.start)
+            between = [text[one.end : other.start] for one, other in itertools.pairwise(slots)]
+            return [[slot.label for slot in slots], [[word for word in gap if word not in articles] for gap in between]]
+
+        return len(run) > 1 and outline(said, run) == outline(words, again)
 
     def _replacements(
         self, said: list[str], meant: list[str], reading: Reading, whole: bool

@@ -194,9 +194,16 @@ class Stops:
         )
 
     def _only_commands(self, part: Utterance, state: Collection[str]) -> bool:
-        """Whether a part between stop words is commands, or only fillers, and so no talk about something else."""
+        """Whether a part between stop words is commands, or only fillers, and so no talk about something else.
+
+        A joint with which it begins may be a word of the command: "stop, next page".
+        """
         phrases = self._phrases
-        part = part.part(phrases.sequence.at(part.words, 0), len(part))
+        if begun := phrases.sequence.at(part.words, 0):
+            whole = self._compounds.part(part, state)
+            if whole is not None and whole.accepted:
+                return True
+        part = part.part(begun, len(part))
         for joint in (phrases.correction, phrases.sequence):
             part = part.part(0, len(part) - joint.ends(part.words))
         core = phrases.without_fillers(part)

@@ -1,0 +1,64 @@
+"""What no hand can hold is nothing for a slot that lists things: "take your time", "get ready", "take me home"."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+
+GRAMMAR = """
+language: {language}
+slots:
+  thing: {{type: text, max_words: 4, known: [{known}]}}
+intents:
+  take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["{verbs} {{thing}} [(to|zur) (me|Theke)]"]}}
+"""
+VERBS = "(take|get|grab|look at)"
+NOTHING = [
+    "time", "your time", "care", "care of it", "a seat", "a look", "a look around", "a breath", "a deep breath",
+    "a nap", "a rest", "a break", "a moment", "a minute", "turns", "aim", "a walk", "some rest", "advice", "the idea",
+    "ready", "ready now", "going", "lost", "me home", "us there",
+]  # fmt: skip
+THINGS = {
+    "the seat cover plate": "seat cover plate",
+    "the day bed": "day bed",
+    "the news stand": "news stand",
+    "the seat cushion to me": "seat cushion",
+    "me": "me",
+    "the cover": "cover",
+    "the sticky notes": "sticky notes",
+    "the ready meal": "ready meal",
+}
+BITTE = ["rücksicht", "abschied", "abstand", "deine zeit", "eine pause", "eine auszeit"]
+
+
+@pytest.fixture(scope="module")
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR.format(language="en", known="cup, box", verbs=VERBS))
+
+
+@given(st.sampled_from(["take", "get", "grab", "look at"]), st.sampled_from(NOTHING), st.sampled_from(["", " to me"]))
+def test_nothing_is_taken(engine, verb, said, where):
+    assert not engine.parse(f"{verb} {said}{where}").actions
+
+
+@pytest.mark.parametrize(("said", "thing"), THINGS.items())
+def test_a_thing_may_be_called_by_such_a_word(engine, said, thing):
+    (action,) = engine.parse(f"take {said}").actions
+    assert action.object == thing
+
+
+@pytest.mark.parametrize("word", ["seat", "break", "time"])
+def test_what_a_slot_lists_is_a_thing(engine_of, word):
+    engine = engine_of(GRAMMAR.format(language="en", known=f"cup, {word}", verbs=VERBS))
+    (action,) = engine.parse(f"take the {word}").actions
+    assert action.object == word
+
+
+@pytest.mark.parametrize("said", BITTE)
+def test_german(engine_of, said):
+    engine = engine_of(GRAMMAR.format(language="de", known="Tasse, Kiste", verbs="(nimm|mach)"))
+    assert engine.parse("nimm die Kiste").actions
+    assert not engine.parse(f"nimm {said}").actions
