@@ -892,6 +892,10 @@ WHILE_MOVING = [
     *("you are going to hit the wall stop", "watch out halt", "damn it stop", "the bus stop", "no no no", "nope, no"),
 ]
 MOTION_FORBIDDEN = [
+    "don't go there",
+    "don't go to the moon",
+    "don't go to the kichen",
+    "don't my left turn",
     *("don't move", "don't go", "Robot, don't move!", "please don't go forward", "do not go to the kitchen"),
     *("don't turn left", "not forward", "never go back", "uh don't move"),
     *("don't follow me", "don't come here"),

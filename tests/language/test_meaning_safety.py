@@ -70,6 +70,7 @@ def test_a_negated_command_moves_nothing(command: str, negated: str) -> None:
 
 @quick
 @given(commands(), st.sampled_from(["don't {}", "do not {}", "please don't {}", "Robot, don't {}!"]))
+@example("my anti clockwise oh turn", "don't {}")
 def test_a_moving_robot_stops_where_a_motion_is_forbidden(command: str, negated: str) -> None:
     found = shipped().parse(command)
     assume(found.actions and all(isinstance(action, (Move, Turn, Navigate)) for action in found.actions))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from intent_engine.actions import Custom, Move, Navigate, Turn
+from intent_engine.actions import Custom
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
@@ -16,6 +16,7 @@ __all__ = ["Negations"]
 
 _BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
 """What may stand before "don't turn left, turn right"."""
+_MOTIONS = frozenset(("move", "turn", "navigate"))
 _BEHIND_THE_VERB = frozenset(("de",))
 """Languages in which "not" stands behind the verb: "dreh dich nicht nach links, dreh dich nach rechts"."""
 
@@ -51,7 +52,10 @@ class Negations:
         return None
 
     def forbids_motion(self, core: Utterance, state: Collection[str]) -> bool:
-        """Whether nothing is said but that a motion is not to be: "don't move", "don't go to the kitchen"."""
+        """Whether nothing is said but that a motion is not to be: "don't move", "don't go to the kitchen".
+
+        It need not be said as the grammar has it: "don't go to the kichen", "don't my left turn".
+        """
         found = self._first(core.words)
         if found is None:
             return False
@@ -60,10 +64,12 @@ class Negations:
         if before in _BEFORE or self._phrases.fillers.cover([word for word in before if [word] not in _BEFORE]):
             before = []
         rest = [*before, *core.words[position + length :]]
-        clause = self._commands.exact(rest, state) if rest and self._first(rest) is None else None
-        action = clause.action if clause is not None else None
-        person = isinstance(action, Custom) and not action.slots  # "don't follow me", "don't come here"
-        return person or isinstance(action, (Move, Turn, Navigate))
+        said = bool(rest) and self._first(rest) is None
+        clause = (self._commands.exact(rest, state) or self._commands.misheard(rest, state)) if said else None
+        if clause is None or clause.reading is None:
+            return False
+        person = isinstance(clause.action, Custom) and not clause.action.slots  # "don't follow me", "don't come here"
+        return person or clause.reading.intent.action.type in _MOTIONS  # also one that cannot be: "don't go there"
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
