@@ -80,6 +80,7 @@ def test_a_model_alone(intent_engine):
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),
         ([TEN, "--model", "enormous.xy", "--limit", "1"], 5, "enormous.xy"),
         ([TEN, "--second-model", "/no/such/folder", "--limit", "1"], 5, "no model folder at /no/such/folder"),
+        ([TEN, "--state", "flying"], 2, "flying"),
         ([TEN, "--limit", "0"], 2, "--limit"),
         ([TEN, "--csv", "."], 2, "--csv: . is a folder\n    give the name of a file"),
         ([TEN, "--csv", "/dev/full"], 2, "--csv: /dev/full cannot be written: No space left on device"),

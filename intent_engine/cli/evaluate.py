@@ -13,7 +13,7 @@ import typer
 
 from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, EXIT_TERMINATED, Terminated, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
-from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, load_engine
+from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, States, known_states, load_engine
 from intent_engine.cli.outputs import check_file, check_picture
 from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
 from intent_engine.errors import ConfigError, Problem
@@ -105,6 +105,7 @@ def evaluate(
     no_clean: Annotated[
         bool, typer.Option("--no-clean", help="Hear the recordings in noise alone, not as they are.")
     ] = False,
+    state: States = None,
     limit: Annotated[
         int | None, typer.Option("--limit", min=1, help="Hear only so many recordings, spread over the labels.")
     ] = None,
@@ -145,6 +146,7 @@ def evaluate(
     if plot is not None:
         check_picture(plot, "--plot", "evaluate")
     engine = load_engine(grammar, locations, language)
+    states = known_states(engine, state)
     labels = find_labels(folder)
     rows = evenly(read_labels(labels, engine), limit)
     check(rows, labels)
@@ -156,7 +158,7 @@ def evaluate(
             for name, recognizer in _recognizers(engine, models, second_model, language, free):
                 with contextlib.closing(recognizer):
                     reflex = None if no_reflex else _reflex(engine, language, recognizer)
-                    listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter)
+                    listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter, states)
                     avoid_pauses()
                     for found in trial.hear(rows, listener, name):
                         run.outcomes += found
@@ -242,6 +244,7 @@ def _listener(
     settings: Settings,
     reflex: Reflex | None,
     noise_filter: bool,
+    states: tuple[str, ...],
 ) -> Listener:
     from intent_engine.evaluation.hearing import Listener
     from intent_engine.execution.robots.robot_file import load_robot
@@ -253,6 +256,7 @@ def _listener(
         settings=settings,
         reflex=reflex,
         noise_filter="auto" if noise_filter else None,
+        states=states,
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -80,6 +80,7 @@ class Listener:
         speculate: decode at the first silent frame already.
         reflex: listens for stop words, in the thread that it is called from; None: no reflex.
         noise_filter: as for :class:`~intent_engine.runtime.Runtime`.
+        states: in which the robot is all the time, besides moving.
     """
 
     def __init__(
@@ -93,6 +94,7 @@ class Listener:
         speculate: bool = True,
         reflex: Reflex | None = None,
         noise_filter: NoiseFilter | Literal["auto"] | None = "auto",
+        states: Collection[str] = (),
     ) -> None:
         self._engine = engine
         self._recognizer = recognizer
@@ -102,6 +104,7 @@ class Listener:
         self._speculate = speculate
         self._reflex = _Timed(reflex) if reflex is not None else None
         self._noise_filter: NoiseFilter | Literal["auto"] | None = noise_filter
+        self._states = states
         self._places = {
             name: Pose(place.x, place.y, place.yaw, place.frame) for name, place in (engine.locations or {}).items()
         }
@@ -140,6 +143,7 @@ class Listener:
                 noise_filter=self._noise_filter,
                 speculate=self._speculate,
                 on_event=tell,
+                state=lambda: self._states,
             )
             runtime.run(source)
 

@@ -100,3 +100,10 @@ def test_conditions_go_from_quiet_to_loud_and_are_scored_apart(engine, rows, rob
         "6 dB",
     ]
     assert Trial(None, [6.0]).conditions("a") == [Condition("a")]
+
+
+@pytest.mark.parametrize(("states", "done"), [((), False), (("docked",), True)])
+def test_a_robot_may_be_in_a_state_all_the_time(engine_of, rows, robot, states, done):
+    dock = engine_of("intents: {leave: {action: stop, requires: [docked], sentences: [let us leave]}}")
+    listener = Listener(dock, Scripted("let us leave"), robot, states=states)
+    assert bool(listener.hear(SamplesSource(load(rows[2]))).acts) is done

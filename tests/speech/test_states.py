@@ -34,10 +34,8 @@ def done(engine: IntentEngine, said: str, **options: object) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def engine(tmp_path_factory) -> IntentEngine:
-    file = tmp_path_factory.mktemp("states") / "dock.yaml"
-    file.write_text(GRAMMAR, "utf-8")
-    return IntentEngine.from_files(file)
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
 
 
 @pytest.mark.parametrize(
