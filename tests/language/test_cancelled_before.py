@@ -68,3 +68,26 @@ def test_what_is_a_command_itself_cancels_nothing(engine: IntentEngine) -> None:
 )
 def test_words_that_join_may_stand_together(engine: IntentEngine, joint: str) -> None:
     assert names(engine, f"go to the lab {joint} open the drawer") == ["go", "open"]
+
+
+# -- where "never mind" is a sentence of the stop intent ---------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def shipped(root) -> IntentEngine:
+    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
+
+
+@pytest.mark.parametrize("cancelled", ["never mind", "Nevermind", "forget it", "oh forget that"])
+@pytest.mark.parametrize("state", [(), ("moving",)])
+@pytest.mark.parametrize("wanted", ["turn right", "go back", "go to the kitchen and pick up the cup"])
+def test_what_is_wanted_instead_is_done_instead(shipped, cancelled, state, wanted) -> None:
+    assert shipped.parse(f"{cancelled}, {wanted}", state=state).actions == shipped.parse(wanted).actions
+    assert shipped.parse(f"{cancelled}, stop", state=state).stops
+
+
+@pytest.mark.parametrize("behind", [", it rains", ", don't go there", " turn right", " the kitchen", ", "])
+def test_and_a_robot_that_moves_stops_whatever_is_behind_it(shipped, behind) -> None:
+    assert shipped.parse(f"never mind{behind}", state=["moving"]).stops
+    if behind != ", ":
+        assert not shipped.parse(f"never mind{behind}").actions

@@ -48,7 +48,7 @@ class Stops:
         start = phrases.after_opening(words)
         if phrases.only_stops(words, start):
             return True
-        if MOVING in state and self._stop.at(words, start) and not self._is_sentence(words, state):
+        if MOVING in state and self._stop.at(words, start) and not self._is_command(words, state):
             return True
         if self._corrected_after(words, start):
             return True
@@ -62,7 +62,7 @@ class Stops:
                 if self._corrected_after(words, position):
                     return True
                 ends = phrases.only_stops(words, position)
-                if ends and not phrases.joined_before(words, position) and not self._is_sentence(words, state):
+                if ends and not phrases.joined_before(words, position) and not self._is_command(words, state):
                     return True
         return False
 
@@ -80,11 +80,11 @@ class Stops:
         stops = False
         while position < len(words):
             ends = range(min(position + PROTEST, len(words)), position, -1)
-            stop = next((end for end in ends if self._is_stop_sentence(words[position:end])), None)
+            stop = next((end for end in ends if self.is_sentence(words[position:end])), None)
             taken_back = correction.at(words, position)
             if stop is None and not taken_back:
                 return False
-            stops = stops or stop is not None or any(map(self._is_stop_sentence, _ends(words, position, taken_back)))
+            stops = stops or stop is not None or any(map(self.is_sentence, _ends(words, position, taken_back)))
             protests += max(taken_back, 1)
             position = max(stop or 0, position + taken_back)
         return stops or (MOVING in state and protests > 1)
@@ -133,7 +133,7 @@ class Stops:
         words = core.words
         phrases = self._phrases
         for position in range(1, len(words)):
-            if not self._is_stop_sentence(words[position:]):
+            if not self.is_sentence(words[position:]):
                 continue
             apart = core.breaks[position] or self._clause_begins(words, 0, position)
             if apart and not phrases.negated_before(words, position) and not phrases.joined_before(words, position):
@@ -158,11 +158,12 @@ class Stops:
             start += lengths[0]
         return False
 
-    def _is_stop_sentence(self, words: list[str]) -> bool:
+    def is_sentence(self, words: list[str]) -> bool:
+        """Whether words are a sentence of the stop intent."""
         readings = self._commands.matcher.read(words)
         return any(reading.intent.action.type == "stop" and not reading.problem for reading in readings)
 
-    def _is_sentence(self, words: list[str], state: Collection[str]) -> bool:
+    def _is_command(self, words: list[str], state: Collection[str]) -> bool:
         """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place."""
         clause = self._commands.exact(words, state)
         return clause is not None and (clause.accepted or clause.ambiguous)
