@@ -26,9 +26,9 @@ from intent_engine.language_tag import language_of
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
-    from intent_engine.language.automaton import WordState
     from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
+    from intent_engine.language.word_state import WordState
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
 

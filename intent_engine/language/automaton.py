@@ -14,12 +14,25 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from typing import Any, TypeAlias
+from typing import Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.language.network import Edge, Networks, State
+from intent_engine.language.word_state import (
+    Entry,
+    Mark,
+    Member,
+    Passed,
+    Reached,
+    Stack,
+    Taken,
+    Trace,
+    Ways,
+    WordState,
+    traced,
+)
 
-__all__ = ["SOUND", "Automaton", "Trace", "WordState"]
+__all__ = ["SOUND", "Automaton"]
 
 MAX_MEMBERS = 20_000
 """Members of one set. Shipped grammars need hundreds; a grammar beyond this doubles at every optional."""
@@ -33,93 +46,6 @@ SOUND = ("sound",)
 """Mark of a call to sounds that may be made anywhere."""
 
 TOO_AMBIGUOUS = "the grammar is too ambiguous: more than 20,000 ways to go on after the same words"
-
-Mark = tuple[Any, ...]
-Trace = list[tuple[int, Mark]]
-"""What a reading passed, in order: (number of words read before, mark)."""
-
-
-class _Stack:
-    """The networks to return to, shared by all pairs that have the same way back."""
-
-    __slots__ = ("apart", "call_mark", "calls", "parent", "target")
-
-    def __init__(self, target: State | None, parent: _Stack | None, call_mark: Any, apart: bool = False) -> None:
-        self.target = target
-        self.parent = parent
-        self.call_mark = call_mark
-        self.apart = apart
-        self.calls: dict[tuple[int, bool], _Stack] = {}
-
-
-class _Ways:
-    """The members of a set that may be gone on from, by what they read, each with its stack and place in the set. A set
-    has dozens of members and is asked about many words, of which each is read by a few."""
-
-    __slots__ = ("arcs", "number", "numeral", "special", "wild")
-
-    def __init__(self, members: Iterable[_Member]) -> None:
-        self.arcs: list[tuple[Mapping[str, tuple[State, ...]], _Stack, int]] = []
-        self.numeral: list[tuple[State, _Stack, int]] = []
-        self.number: list[tuple[State, _Stack, int]] = []
-        self.wild: list[tuple[State, _Stack, int]] = []
-        special: set[str] = set()
-        for index, (place, stack) in enumerate(members):
-            if place.arcs:
-                self.arcs.append((place.arcs, stack, index))
-            if place.numeral:
-                self.numeral.append((place, stack, index))
-            if place.number:
-                self.number.append((place, stack, index))
-            if place.begun or place.wild:
-                self.wild.append((place, stack, index))
-                special.update(place.allowed, place.begins)
-        self.special = special
-        """Words of which free slots say something."""
-
-    def reading(self, word: str) -> list[_Entry]:
-        """Where those members lead that have an arc for a word."""
-        return [(target, stack, index, ()) for arcs, stack, index in self.arcs if word in arcs for target in arcs[word]]
-
-    def names(self, word: str) -> bool:
-        """Whether any member says something of this very word."""
-        named = word in self.special or any(word in arcs for arcs, _, _ in self.arcs)
-        return named or any(word in place.refused for place, _, _ in self.wild)
-
-
-class WordState:
-    """A set of pairs that the same words lead to. Opaque to callers; hashable by identity."""
-
-    __slots__ = ("_ways", "accepts", "came_from", "members", "numerals", "steps", "wild")
-
-    def __init__(self, members: tuple[_Member, ...], accepts: tuple[int, ...]) -> None:
-        self.members = members
-        self.accepts = accepts
-        """Places in ``members`` that end a sentence, most wanted first."""
-        self.steps: dict[str, _Taken | None] = {}
-        self.came_from: tuple[_Passed, ...] = ()
-        """For a start state: what each member passed before the first word."""
-        self.numerals = any(state.numeral for state, _ in members)
-        self.wild = any(state.wild for state, _ in members)
-        self._ways: _Ways | None = None
-
-    @property
-    def ways(self) -> _Ways:
-        """The members by what they read; of most sets nobody asks."""
-        if self._ways is None:
-            self._ways = _Ways(self.members)
-        return self._ways
-
-
-_Member: TypeAlias = tuple[State, _Stack]
-_Reached: TypeAlias = tuple[_Member, tuple[Mark, ...]]
-"""A member of a set with what is passed on the way to it."""
-_Passed: TypeAlias = tuple[int, tuple[Mark, ...]]
-"""Of a member of a set: which member of the set before it came from, and what was passed on the way."""
-_Taken: TypeAlias = tuple[WordState, tuple[_Passed, ...]]
-"""A step: the set it leads to, and how each of its members was come by."""
-_Entry: TypeAlias = tuple[State, _Stack, int, tuple[Mark, ...]]
-"""A place that a word leads to: with its stack, the member it comes from, and what was passed."""
 
 
 class Automaton:
@@ -162,19 +88,19 @@ class Automaton:
         self._closed = closed_words
         self._alikes = sound_alikes if sound_alikes and loose else {}
         self._lock = threading.RLock()
-        self._bottom = _Stack(None, None, None)
+        self._bottom = Stack(None, None, None)
         self._forget()
 
     def _forget(self) -> None:
         self._kept: dict[tuple[int, ...] | frozenset[int], WordState] = {}
         self._start: WordState | None = None
         # Of these there are few, in very many sets and steps: each is kept once.
-        self._members: dict[tuple[int, int], _Member] = {}
-        self._passed: dict[_Passed, _Passed] = {}
-        self._ways: dict[tuple[_Passed, ...], tuple[_Passed, ...]] = {}
-        self._meetings: dict[tuple[tuple[int, int], tuple[Mark, ...]], _Reached] = {}
-        self._closures: dict[tuple[int, int], tuple[_Reached, ...]] = {}
-        self._places: dict[tuple[int, int], dict[int, _Member]] = {}
+        self._members: dict[tuple[int, int], Member] = {}
+        self._passed: dict[Passed, Passed] = {}
+        self._ways: dict[tuple[Passed, ...], tuple[Passed, ...]] = {}
+        self._meetings: dict[tuple[tuple[int, int], tuple[Mark, ...]], Reached] = {}
+        self._closures: dict[tuple[int, int], tuple[Reached, ...]] = {}
+        self._places: dict[tuple[int, int], dict[int, Member]] = {}
 
     # -- walking ----------------------------------------------------------------------------------------------
 
@@ -209,20 +135,29 @@ class Automaton:
 
     def read(self, words: list[str]) -> list[Trace]:
         """Every way in which the words are a whole sentence, most wanted first; one for each sentence."""
+        walked = self._walked(words)
+        if walked is None:
+            return []
+        state, came_from = walked
+        if not state.accepts:
+            return []
+        backwards = list(enumerate(came_from))[::-1]
+        return [traced(backwards, at) for at in state.accepts]
+
+    def _walked(self, words: Iterable[str]) -> tuple[WordState, list[tuple[Passed, ...]]] | None:
+        """The state after some words, and how the members of each state on the way were come by; None: no sentence
+        begins so."""
         state = self.start()
         came_from = [state.came_from]
         for word in words:
             taken = state.steps.get(word) or self._taken(state, word)
             if taken is None:
-                return []
+                return None
             state, passed = taken
             came_from.append(passed)
-        if not state.accepts:
-            return []
-        backwards = list(enumerate(came_from))[::-1]
-        return [_trace(backwards, at) for at in state.accepts]
+        return state, came_from
 
-    def _taken(self, state: WordState, word: str) -> _Taken | None:
+    def _taken(self, state: WordState, word: str) -> Taken | None:
         steps = state.steps
         if word in steps:
             return steps[word]
@@ -245,7 +180,7 @@ class Automaton:
             steps[key] = taken
             return taken
 
-    def _advance(self, ways: _Ways, word: str, onward: list[_Entry]) -> _Taken | None:
+    def _advance(self, ways: Ways, word: str, onward: list[Entry]) -> Taken | None:
         """The step on a word, which some members read by an arc, ``onward``."""
         named = len(onward)
         if ways.numeral and self._is_numeral(word):
@@ -254,7 +189,7 @@ class Automaton:
             onward += [(target, stack, index, ()) for place, stack, index in ways.number for target in place.number]
         if len(onward) > named:
             onward.sort(key=lambda entry: entry[2])  # as they are preferred in the set
-        guessed: list[_Entry] = [
+        guessed: list[Entry] = [
             (target, stack, index, (("alike", meant),))
             for meant in self._alikes.get(word, ())
             for arcs, stack, index in ways.arcs
@@ -262,7 +197,7 @@ class Automaton:
         ]
         guessed.sort(key=lambda entry: entry[2])
         free = word not in self._closed
-        swallowed: list[_Entry] = [
+        swallowed: list[Entry] = [
             (target, stack, index, ())
             for place, stack, index in ways.wild
             if (free or word in place.allowed)
@@ -277,11 +212,11 @@ class Automaton:
         entries = onward + guessed + swallowed
         return self._close(entries) if self._traced else (self._merge(entries), ())
 
-    def _close(self, entries: Iterable[_Entry]) -> _Taken:
+    def _close(self, entries: Iterable[Entry]) -> Taken:
         """Follow every step that reads no word, in order of preference; keep the places where a word is read."""
         seen: set[int] = set()
-        members: list[_Member] = []
-        passed: list[_Passed] = []
+        members: list[Member] = []
+        passed: list[Passed] = []
         for place, stack, origin, marks in entries:
             for member, further in self._closure(place, stack):
                 if id(member) not in seen:
@@ -293,9 +228,9 @@ class Automaton:
         ways = tuple(passed)
         return state, self._ways.setdefault(ways, ways)
 
-    def _merge(self, entries: Iterable[_Entry]) -> WordState:
+    def _merge(self, entries: Iterable[Entry]) -> WordState:
         """The same without what is passed on the way, nor the order."""
-        members: dict[int, _Member] = {}
+        members: dict[int, Member] = {}
         for place, stack in {(id(place), id(stack)): (place, stack) for place, stack, *_ in entries}.values():
             reached = self._places.get((id(place), id(stack)))
             if reached is None:
@@ -304,7 +239,7 @@ class Automaton:
             members.update(reached)
         return self._state(frozenset(members), members.values())
 
-    def _state(self, key: tuple[int, ...] | frozenset[int], members: Collection[_Member]) -> WordState:
+    def _state(self, key: tuple[int, ...] | frozenset[int], members: Collection[Member]) -> WordState:
         if len(members) > MAX_MEMBERS:
             raise ConfigError(TOO_AMBIGUOUS)
         state = self._kept.get(key)
@@ -315,7 +250,7 @@ class Automaton:
             state = self._kept[key] = WordState(tuple(members), accepts)
         return state
 
-    def _closure(self, place: State, stack: _Stack) -> tuple[_Reached, ...]:
+    def _closure(self, place: State, stack: Stack) -> tuple[Reached, ...]:
         """The places where a word is read that are reached from one without reading any, most wanted first, with what
         is passed on the way. Many sets meet in the same few, so it is kept."""
         closure = self._closures.get((id(place), id(stack)))
@@ -323,9 +258,9 @@ class Automaton:
             closure = self._closures[id(place), id(stack)] = tuple(self._reached(place, stack))
         return closure
 
-    def _reached(self, place: State, stack: _Stack) -> Iterator[_Reached]:
+    def _reached(self, place: State, stack: Stack) -> Iterator[Reached]:
         seen: set[tuple[int, int]] = set()
-        pending: list[tuple[State, _Stack, tuple[Mark, ...]]] = [(place, stack, ())]
+        pending: list[tuple[State, Stack, tuple[Mark, ...]]] = [(place, stack, ())]
         while pending:
             place, stack, marks = pending.pop()
             identity = (id(place), id(stack))
@@ -349,9 +284,9 @@ class Automaton:
     def _follow(
         self,
         edge: Edge,
-        stack: _Stack,
+        stack: Stack,
         marks: tuple[Mark, ...],
-        pending: list[tuple[State, _Stack, tuple[Mark, ...]]],
+        pending: list[tuple[State, Stack, tuple[Mark, ...]]],
     ) -> None:
         if edge.mark is not None:
             marks = (*marks, edge.mark)
@@ -364,9 +299,7 @@ class Automaton:
                 continue
             inner = stack.calls.get((id(edge), loose))
             if inner is None:
-                inner = stack.calls[(id(edge), loose)] = _Stack(
-                    edge.target, stack, call.mark, stack.apart or call.apart
-                )
+                inner = stack.calls[(id(edge), loose)] = Stack(edge.target, stack, call.mark, stack.apart or call.apart)
             opened = marks if call.mark is None else (*marks, ("open", call.mark, loose))
             pending.append((self._networks[key].start, inner, opened))
 
@@ -407,14 +340,10 @@ class Automaton:
         it was entered through, innermost first: where they return to, their mark, and whether no word of them was said;
         and with what was passed on the way there.
         """
-        state = self.start()
-        came_from = [state.came_from]
-        for word in words:
-            taken = self._taken(state, word)
-            if taken is None:
-                return
-            state, passed = taken
-            came_from.append(passed)
+        walked = self._walked(words)
+        if walked is None:
+            return
+        state, came_from = walked
         backwards = list(enumerate(came_from))[::-1]
         for at, (place, stack) in enumerate(state.members):
             if stack.apart or stack.parent is None:
@@ -422,11 +351,11 @@ class Automaton:
             _, marks = came_from[-1][at]
             entered = {mark[1] for mark in marks if mark[0] == "open"}
             calls: list[tuple[State, Any, bool]] = []
-            within: _Stack | None = stack
+            within: Stack | None = stack
             while within is not None and within.target is not None:
                 calls.append((within.target, within.call_mark, within.call_mark in entered))
                 within = within.parent
-            yield place, calls, _trace(backwards, at)
+            yield place, calls, traced(backwards, at)
 
     def inside(self, state: WordState) -> bool:
         """Whether a sentence that was begun could go on (not only a further one begin)."""
@@ -434,19 +363,3 @@ class Automaton:
             stack.parent is not None and not stack.apart and (place.arcs or place.numeral or place.number or place.wild)
             for place, stack in state.members
         )
-
-
-def _trace(backwards: Iterable[tuple[int, tuple[_Passed, ...]]], at: int) -> Trace:
-    """What was passed on the way to a member of a set.
-
-    Args:
-        backwards: words read, and how each member of the set after them was come by, from the last set on.
-        at: the place of the member in the last set.
-    """
-    trace: Trace = []
-    for count, passed in backwards:
-        at, marks = passed[at]
-        if marks:
-            trace.extend([(count, mark) for mark in marks[::-1]])
-    trace.reverse()
-    return trace

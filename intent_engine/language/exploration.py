@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from intent_engine.language.automaton import Automaton, WordState
+from intent_engine.language.automaton import Automaton
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.network import NEVER
@@ -19,6 +19,7 @@ from intent_engine.language.reading import Reading
 from intent_engine.language.sentence_networks import spoken_trees
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 from intent_engine.language.vocabulary import vocabulary
+from intent_engine.language.word_state import WordState
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

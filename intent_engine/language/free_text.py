@@ -122,10 +122,8 @@ class FreeText:
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         last = said[-1]
-        unfinished = (
-            last in self._unfinished_things and last not in slot.known if slot.known else last in self.unfinished
-        )
-        return (alone or unfinished) and last not in slot.allow
+        never_last = self._unfinished_things if slot.known else self.unfinished
+        return (alone or (last in never_last and last not in slot.known)) and last not in slot.allow
 
     def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart
-from intent_engine.language.automaton import SOUND, Automaton, Trace, WordState
+from intent_engine.language.automaton import SOUND, Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
@@ -19,6 +19,7 @@ from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.slot_values import SlotValues
 from intent_engine.language.spacing import Spacing
+from intent_engine.language.word_state import Trace, WordState
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -91,19 +91,17 @@ def test_what_was_said_right_after_a_motion_puts_it_right(talk):
     assert json.loads(talk.commands[-1])["text"] == "turn left ninety degrees no sixty degrees"
 
 
-def test_what_was_said_right_after_a_motion_waits_its_turn(talk):
-    talk.say("turn left ten degrees")
-    until(talk.moving)
-    talk.amend("turn left ten degrees, and then go forward ten centimeters")
-    until(lambda: len(talk.goals("succeeded")) == 2)
-    assert not talk.goals("canceled")
-    assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
-
-
-def test_what_is_for_later_waits_for_what_is_being_done(talk):
+@pytest.mark.parametrize(
+    ("way", "then"),
+    [
+        ("amend", "turn left twenty degrees, and then go forward ten centimeters"),
+        ("say", "when you get there, go forward ten centimeters"),
+    ],
+)
+def test_what_is_for_later_waits_its_turn(talk, way, then):
     talk.say("turn left twenty degrees")
     until(talk.moving)
-    talk.say("when you get there, go forward ten centimeters")
+    getattr(talk, way)(then)
     until(lambda: len(talk.goals("succeeded")) == 2)
     assert not talk.goals("canceled")
     assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]

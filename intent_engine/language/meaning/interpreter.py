@@ -238,14 +238,13 @@ class Interpreter:
             return self._stopped(text)
         if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
             return self._stopped(text)
-        if after := self.phrases.after_cancelled(core):
-            stops = self._stops.is_sentence(words[:after])
-            if stops or not self._commands.accepts(words[:after], state):
-                found, told = self._meant(text, core.part(after, len(core)), state, spoken=False)
-                if found.status is Status.ACCEPTED:
-                    return replace(found, reason=found.reason or f"after {' '.join(words[:after])!r}"), told
-            if stops and MOVING in state:  # whatever follows, which was not understood
-                return self._stopped(text)
+        after = self.phrases.after_cancelled(core)
+        if after and (self._stops.is_sentence(words[:after]) or not self._commands.accepts(words[:after], state)):
+            found, told = self._meant(text, core.part(after, len(core)), state, spoken=False)
+            if found.status is Status.ACCEPTED:
+                return replace(found, reason=found.reason or f"after {' '.join(words[:after])!r}"), told
+        if MOVING in state and self._stops.is_sentence(words[: self.phrases.cancel.at(words, 0)]):
+            return self._stopped(text)  # whatever follows: "never mind turn right"
         if taken_back := self._corrections.taken_back(words):
             if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
@@ -257,8 +256,6 @@ class Interpreter:
                 ways = (core, self.phrases.without_idle_fillers(said), said)  # "oh" may be a zero
                 if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
                     return self._stopped(text)
-                if MOVING in state and self._stops.is_sentence(words[: self.phrases.cancel.at(words, 0)]):
-                    return self._stopped(text)  # "never mind turn right", without its pause
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
                 return self._rejected(text, reason)

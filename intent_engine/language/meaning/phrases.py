@@ -50,14 +50,13 @@ class Phrases:
         self._opener = PhraseSet(operators.opener)
         self._opening = PhraseSet(operators.opening)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
-        alone = cache(lambda word: lists is not None and lists([word]))
+        self._alone = cache(lambda word: lists is not None and lists([word]))
+        """Whether a word is a command by itself."""
         self._listing = SomePhrases(joining, lambda words: lists is not None and lists(list(self._before_joint(words))))
-        self._hidden: Callable[[Sequence[str]], str] = cache(lambda filler: next(filter(alone, filler), ""))
-        """The word of a filler that is a command; empty: none is."""
         several = (words for words in grammar.fillers if len(words) > 1 and words not in joining)
-        self._hides = SomePhrases(several, lambda filler: bool(self._hidden(filler)))
+        self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
-        self._agrees = frozenset(filter(alone, _AGREES.get(grammar.language, ())))
+        self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
         around = PhraseSet(grammar.around)
         self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
         self._closed = operators.closed
@@ -124,7 +123,7 @@ class Phrases:
             length = self._hides.at(said.words, position)
             end = position + length
             if length and (end == len(said) or not said.breaks[end]):
-                words.append(self._hidden(tuple(said.words[position:end])))
+                words.append(next(filter(self._alone, said.words[position:end])))
             else:
                 end = position + 1
                 words.append(said.words[position])
