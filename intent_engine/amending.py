@@ -53,6 +53,11 @@ class CarriedOut:
         words, begun = plain(whole.text), plain(self.meaning.text)
         return whole.status is Status.ACCEPTED and words[: len(begun)] == begun and len(words) > len(begun)
 
+    def says_no_more(self, whole: Interpretation) -> bool:
+        """Whether it is the beginning of a longer sentence that means the same: "too loud" of "too loud, turn it
+        down"."""
+        return self.begins(whole) and whole.actions == self.meaning.actions
+
     def step_to(self, whole: Interpretation) -> Step | None:
         """What is to be done if this was the beginning of a longer command; None: it was not, or it is too late."""
         if not self.begins(whole):

@@ -5,8 +5,9 @@ A motion that could go on is begun after a short silence, so that the robot answ
 command by itself, is heard once more together with it. If both are one command that begins with the words of the first,
 then that is what was meant, and the robot does what is left of it. What begins with "and then" waits its turn. Of what
 begins with "no", and is not understood, so much is clear that the motion was not meant: the robot stops. And a stop is
-done before its sentence is over: "going forward" after "stop" is the end of it. "And go to the kitchen" goes on from
-what was said before; if that was not understood, neither is done.
+done before its sentence is over: "going forward" after "stop" is the end of it. So is any command that makes one
+sentence of the grammar with the one before and means the same: "too loud", and "turn it down". "And go to the kitchen"
+goes on from what was said before; if that was not understood, neither is done.
 """
 
 from __future__ import annotations
@@ -33,8 +34,8 @@ __all__ = ["Continuing", "Understood"]
 
 LONGEST = 10.0
 """s of sound that is heard once more."""
-STILL_STOPPING = 1.5
-"""s from the last words of a stop to the onset of others that may be the end of its sentence."""
+ONE_SENTENCE = 1.5
+"""s from the last words of a command that was done to the onset of others that may be the end of its sentence."""
 ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
@@ -146,6 +147,8 @@ class Continuing:
         meaning = self._judge.meaning(heard, state, last)
         if (stop := self._still_stopping(utterance, heard, meaning, state)) is not None:
             return Understood(heard, stop, Step(stop.actions))
+        if (whole := self._done_already(utterance, alone or heard, state, last)) is not None:
+            return Understood(alone or heard, whole, Step((), goes_on=True))
         if alone is None:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
         by_itself = self._judge.meaning(alone, state, last)
@@ -176,9 +179,23 @@ class Continuing:
         if self._stopped is None or meaning.status is not Status.ACCEPTED or meaning.stops:
             return None
         stop, ended = self._stopped
-        if utterance.began - ended > STILL_STOPPING:
+        if utterance.began - ended > ONE_SENTENCE:
             return None
         return self._judge.stop_going_on(stop, heard, state)
+
+    def _done_already(
+        self, utterance: SpokenUtterance, heard: Transcript, state: Collection[str], last: Sequence[Action]
+    ) -> Interpretation | None:
+        """The sentence of the grammar that a command makes with the one before, if that was all of it: the volume is
+        turned down once for "too loud ... turn it down". None: it makes none, or there is more to do."""
+        said = self._said
+        if said is None or said.withdrawn or utterance.began - said.ended > ONE_SENTENCE:
+            return None
+        by_itself = self._judge.meaning(heard, state, last)
+        if by_itself.status is not Status.ACCEPTED or by_itself.stops:
+            return None
+        whole = self._judge.one_sentence(said.command.meaning.text, heard, state)
+        return whole if whole is not None and said.command.says_no_more(whole) else None
 
     def _belongs(
         self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation

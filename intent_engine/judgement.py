@@ -189,6 +189,16 @@ class Judge:
                 return self.text(f"{stop}, {transcript.text}", transcript, state)
         return None
 
+    def one_sentence(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """What the words of a command and those after it mean, if the grammar has both as one sentence: "too loud" and
+        "turn it down"; None: it has not."""
+        matcher = self.engine.matcher(self._language(transcript))
+        readings = matcher.read([*plain(before), *plain(transcript.text)])
+        if all(one.problem for one in readings):
+            return None
+        meaning = self.text(f"{before} {transcript.text}", transcript, state)
+        return meaning if meaning.status is Status.ACCEPTED else None
+
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
         sequence = PhraseSet(self._grammar(transcript).operators.sequence)

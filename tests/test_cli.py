@@ -28,6 +28,11 @@ def test_version(intent_engine):
     assert (done.returncode, done.stdout) == (0, f"intent-engine {version('intent-engine')}\n")
 
 
+def test_python_runs_the_package_as_the_same_program():
+    done = subprocess.run([sys.executable, "-m", "intent_engine", "--version"], capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, f"intent-engine {version('intent-engine')}\n")
+
+
 def test_without_a_verb_it_shows_the_help(intent_engine):
     done = intent_engine(COLUMNS="120")
     assert all(verb in done.stdout for verb in VERBS)
@@ -198,19 +203,21 @@ except BaseException as end:
 """
 
 
-@pytest.mark.parametrize(("number", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
-@pytest.mark.parametrize(
-    "meanwhile", ["pass", "signal.raise_signal(signal.SIGINT)", "signal.raise_signal(signal.SIGTERM)"]
-)
-def test_a_signal_in_a_destructor_is_not_lost(number, code, meanwhile):
+@pytest.mark.parametrize("number", ["SIGINT", "SIGTERM"])
+@pytest.mark.parametrize("meanwhile", ["", "SIGINT", "SIGTERM"])
+def test_a_signal_in_a_destructor_is_not_lost(number, meanwhile):
+    codes = {"SIGINT": 130, "SIGTERM": 143}
+    again = f"signal.raise_signal(signal.{meanwhile})" if meanwhile else "pass"
     done = subprocess.run(
-        [sys.executable, "-c", DESTROYED.format(signal=number, meanwhile=meanwhile)],
+        [sys.executable, "-c", DESTROYED.format(signal=number, meanwhile=again)],
         capture_output=True,
         text=True,
         timeout=100,
         check=False,
     )
-    assert (done.returncode, done.stdout) == (code, ""), done.stderr
+    # Of two signals that come one right after the other either may be the one that is told, on a busy machine.
+    assert done.returncode in {codes[one] for one in (number, meanwhile) if one}, done.stderr
+    assert done.stdout == ""
     assert done.stderr.endswith("the robot is stopped\n")
     assert "Traceback" not in done.stderr
 

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.cli.reporter import Reporter
+from intent_engine.continuing import ONE_SENTENCE
 from intent_engine.execution.goal import GoalState
 from intent_engine.runtime import Heard, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
@@ -69,6 +70,42 @@ def test_but_a_stop_is():
 def test_and_so_is_what_follows_later():
     said = Said(Script("learn left", "and go forward two meters", ""), pause=SOON + 0.3)
     assert said.pose.x == pytest.approx(2.0)
+
+
+VOLUME = """
+language: en
+intents:
+  down:
+    action: {type: custom, name: order_drink}
+    sentences: ["(too loud;turn it down)", "[that's] too loud", "turn [it] down"]
+  up:
+    action: {type: custom, name: order_drink, up: true}
+    sentences: [turn it up]
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "orders"),
+    [
+        ("too loud", "turn it down", 1),
+        ("turn it down", "too loud", 1),
+        ("that's too loud", "turn it down", 2),
+        ("too loud", "turn down", 2),
+        ("too loud", "too loud", 2),
+        ("turn it down", "turn it down", 2),
+        ("too loud", "turn it up", 2),
+    ],
+)
+def test_what_is_one_sentence_of_the_grammar_is_done_once(engine_of, first, second, orders):
+    """An order cannot be put right, but it need not be given twice."""
+    said = Said(Script(first, second, f"{first}, {second}"), engine=engine_of(VOLUME))
+    assert len(said.orders) == orders
+    assert [event.goes_on for event in said.done] == [False, orders == 1]
+
+
+def test_unless_it_is_said_later(engine_of):
+    said = Said(Script("too loud", "turn it down", ""), pause=ONE_SENTENCE + 0.1, engine=engine_of(VOLUME))
+    assert len(said.orders) == 2
 
 
 @pytest.mark.parametrize("begun", ["turn right", "don't turn left", "learn left"])

@@ -129,6 +129,8 @@ class VoiceCommands:
         if found.stops or found.status is not Status.ACCEPTED:
             return found
         done = self._done
+        if done is not None and done.says_no_more(found):
+            return found
         step = done.step_to(found) if done is not None else None
         if done is None or step is None:
             return Interpretation(found.text, Status.REJECTED, reason=_TOO_LATE)

@@ -128,7 +128,8 @@ class Corrections:
         leading = known.articles | known.having
         if meant[0] in leading or self._matcher.is_number(meant[0]):
             return False
-        at = next((at for at, (old, new) in enumerate(zip(said, words, strict=False)) if old != new), len(said))
+        both = enumerate(zip(said, words, strict=False))  # less may be left than was said: "move up", no, "move"
+        at = next((at for at, (old, new) in both if old != new), min(len(said), len(words)))
         while at and words[at - 1] in known.articles:
             at -= 1
         return at > 0 and words[at - 1] in known.having

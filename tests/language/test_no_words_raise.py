@@ -1,0 +1,73 @@
+"""Whatever is put together of the sentences of a grammar and of the words that change them means something, or nothing;
+it never is a fault of the program."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from functools import cache
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+from intent_engine.interpretation import Status
+from intent_engine.language.sampler import sample
+from intent_engine.language.thing_words import thing_words
+
+ROOT = Path(__file__).resolve().parents[2]
+GRAMMARS = ("grammars/en.yaml", "grammars/de.yaml", "examples/coffee/coffee.yaml")
+
+
+@cache
+def engine(grammar: str) -> IntentEngine:
+    return IntentEngine.from_files(ROOT / grammar, locations=ROOT / "locations" / "home.yaml")
+
+
+@cache
+def changing(grammar: str) -> list[str]:
+    """The words that change what a sentence does, and small ones that stand between others."""
+    known = engine(grammar).grammar
+    operators = (getattr(known.operators, field.name) for field in fields(known.operators))
+    phrases = {" ".join(one) if isinstance(one, tuple) else one for some in operators for one in some}
+    things = thing_words(known.language)
+    return sorted(phrases | {"two", "red"} | things.articles | things.having)
+
+
+@cache
+def parts(grammar: str) -> st.SearchStrategy[str]:
+    """Sentences, what stands anywhere in them, and words that change them."""
+    known = engine(grammar)
+    sentences = [one.text.split() for one in sample(known.grammar, known.locations, 300, seed=3)]
+    some = st.sampled_from(sentences)
+    cut = st.tuples(some, st.integers(0, 6), st.integers(1, 4)).map(lambda cut: cut[0][cut[1] :][: cut[2]])
+    return st.one_of(some.map(" ".join), cut.map(" ".join).filter(bool), st.sampled_from(changing(grammar)))
+
+
+@cache
+def corrections(grammar: str) -> st.SearchStrategy[str]:
+    return st.sampled_from([" ".join(one) for one in engine(grammar).grammar.operators.correction])
+
+
+@st.composite
+def said(draw: st.DrawFn, grammar: str) -> str:
+    """Such parts, and perhaps some of the same words once more after a "no"."""
+    some = draw(st.lists(parts(grammar), min_size=1, max_size=4))
+    if draw(st.booleans()):
+        words = " ".join(some).split()
+        start = draw(st.integers(0, len(words) - 1))
+        end = draw(st.integers(start + 1, min(start + 4, len(words))))
+        some += [draw(corrections(grammar)), *words[start:end]]
+    return draw(st.sampled_from([" ", " ", ", "])).join(some)
+
+
+@pytest.mark.parametrize("grammar", GRAMMARS)
+@settings(max_examples=1000)
+@given(data=st.data())
+def test_sentences_in_pieces_are_understood_or_not(grammar, data):
+    text = data.draw(said(grammar))
+    for state in ((), ("moving",)):
+        found = engine(grammar).parse(text, state=state)
+        assert bool(found.actions) == (found.status is Status.ACCEPTED)
+    engine(grammar).prefix(text)
