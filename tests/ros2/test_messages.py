@@ -90,6 +90,19 @@ def test_two_commands_are_one_text_where_that_means_both(engine, first, then, on
         assert both.actions == (*before.actions, *after.actions)
 
 
+def test_what_is_only_understood_in_a_state_is_said_as_that_state_has_it(engine_of):
+    engine = engine_of(
+        "language: en\nwake: [robot]\nintents:\n  undock:\n    action: custom\n    requires: [docked]\n"
+        '    sentences: ["leave now"]\n'
+    )
+    without_its_name = engine.parse("leave now", state=["docked"], spoken=True)
+    assert without_its_name.status is Status.REJECTED
+    assert not worth_saying(engine, without_its_name, ["docked"])
+    # Where it means nothing it can do no harm, and whoever is given the text can say why.
+    assert worth_saying(engine, without_its_name)
+    assert worth_saying(engine, engine.parse("robot leave now", state=["docked"], spoken=True), ["docked"])
+
+
 def test_what_lacks_the_wake_word_is_not_said(engine_of):
     engine = engine_of(
         'language: en\nwake: [robot]\nintents:\n  halt:\n    action: stop\n    sentences: ["freeze now"]\n'
