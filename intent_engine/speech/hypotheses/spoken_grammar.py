@@ -29,6 +29,7 @@ from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
+from intent_engine.states import meant_in_some_state
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -82,8 +83,8 @@ class SpokenGrammar:
         return self._engine.languages
 
     def parse(self, text: str, language: str | None = None) -> Interpretation:
-        """What a text means."""
-        return self._engine.parse(text, language=self._own(language))
+        """What a text means, to a robot in whichever state it may be."""
+        return meant_in_some_state(self._engine, text, self._own(language))
 
     def fits_pattern(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words are, as they are, a command of an intent that has patterns: of some it cannot be told what else
