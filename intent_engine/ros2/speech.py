@@ -23,19 +23,21 @@ from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
 from intent_engine.ros2.robot_states import in_one_line, state_names
+from intent_engine.states import meant_in_some_state
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.execution.runs import HandlerContext
     from intent_engine.runtime import Heard
     from intent_engine.speech.audio import AudioSource
-    from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.recognizer import Recognizer, Transcript
     from intent_engine.speech.reflex import Reflex
 
 __all__ = ["Speech", "main", "worth_saying"]
@@ -44,7 +46,12 @@ TASK = 3.0
 """s that what is not a drive or a turn is taken to last: longer than words are waited for that may put it right."""
 
 
-def worth_saying(engine: IntentEngine, found: Interpretation, state: Collection[str] = ()) -> bool:
+def worth_saying(
+    engine: IntentEngine,
+    found: Interpretation,
+    state: Collection[str] = (),
+    transcript: Transcript | None = None,
+) -> bool:
     """Whether an utterance may be passed on as text.
 
     What the runtime did not believe, because it sounded too different from its words or because the wake word was
@@ -53,11 +60,21 @@ def worth_saying(engine: IntentEngine, found: Interpretation, state: Collection[
     Args:
         engine: understands as whoever is given the text.
         found: what the runtime made of it.
-        state: states that the robot is in.
+        state: states that the robot is in, as far as they are known here.
+        transcript: what was heard; None: it was clear.
     """
     if not found.text.strip():
         return False
-    return found.status is Status.ACCEPTED or engine.parse(found.text, state=state).status is not Status.ACCEPTED
+    if found.status is Status.ACCEPTED:
+        return True
+    if engine.parse(found.text, state=state).status is Status.ACCEPTED:
+        return False
+    # Whoever is given it may know of a state that is not known here: that the robot moves, or one of a moment ago.
+    if meant_in_some_state(engine, found.text).status is not Status.ACCEPTED:
+        return True
+    meant = meant_in_some_state(engine, found.text, spoken=True)
+    heard = transcript is None or not Judge(engine).unsure(transcript, meant)
+    return meant.status is Status.ACCEPTED and heard
 
 
 class _Elsewhere:
@@ -224,7 +241,7 @@ class Speech:
         parse = partial(self._engine.parse, state=states)
         if event.goes_on:
             self._publish("amended_text", data=found.text)
-        elif not worth_saying(self._engine, found, states):
+        elif not worth_saying(self._engine, found, states, event.transcript):
             self._log.info(f"not passed on: {found.text!r}: {found.reason}")
         elif event.in_turn and said is not None and (both := in_a_row(parse, said, found)) is not None:
             self._said = both
