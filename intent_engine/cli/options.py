@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.grammar_states import unknown_states
 from intent_engine.language_tag import language_of
 from intent_engine.resources import default_grammar, default_locations, find, names
-from intent_engine.states import unknown_states
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine

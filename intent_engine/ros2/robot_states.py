@@ -7,7 +7,7 @@ import reprlib
 from dataclasses import dataclass, replace
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.states import unknown_states
+from intent_engine.grammar_states import unknown_states
 
 __all__ = ["MAX_TEXT", "PARAMETER", "TOPIC", "States", "in_one_line", "state_names", "states_text"]
 

@@ -22,6 +22,7 @@ from intent_engine.errors import ConfigError, IntentEngineError
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.pauses import avoid_pauses
@@ -30,7 +31,6 @@ from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
 from intent_engine.ros2.robot_states import in_one_line, state_names
-from intent_engine.states import meant_in_some_state
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from statistics import fmean
 from typing import TYPE_CHECKING
 
+from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
@@ -29,7 +30,6 @@ from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
-from intent_engine.states import meant_in_some_state
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine

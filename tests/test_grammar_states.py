@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from intent_engine.grammar_states import meant_in_some_state, unknown_states
 from intent_engine.interpretation import Status
-from intent_engine.states import meant_in_some_state, unknown_states
 
 
 def test_every_unknown_name_is_told_once_with_what_was_meant():
