@@ -141,8 +141,8 @@ class Judge:
                 alternatives=(transcript.text,),
             )
             return near if transcript.sureness >= WORTH_ASKING else self._with_reason(near, transcript, state, last)
-        turned = self._other_way(transcript, meaning)
-        if (other := turned or self._run_together(transcript, meaning)) is not None:
+        turned = self._other_way(transcript, meaning, state)
+        if (other := turned or self._run_together(transcript, meaning, state)) is not None:
             why = f"{transcript.text!r} or {other!r}{', the other way' if turned else ''}? say it again"
             either = (transcript.text, other)
             return Interpretation(transcript.free_text, Status.REJECTED, reason=why, alternatives=either)
@@ -289,19 +289,19 @@ class Judge:
         near = (other for other, nats in zip(transcript.alternatives, behind, strict=False) if nats < FAR_BEHIND)
         return any(self.engine.parse(other, language=language).stops for other in near)
 
-    def _other_way(self, transcript: Transcript, meaning: Interpretation) -> str | None:
+    def _other_way(self, transcript: Transcript, meaning: Interpretation, state: Collection[str]) -> str | None:
         """What may have been said as well and drives or turns the other way; None: nothing."""
         if meaning.status is not Status.ACCEPTED or transcript.word_by_word:
             return None
         language, ways = self._language(transcript), _ways(meaning)
         for other, nats in zip(transcript.alternatives, transcript.behind, strict=False):
             if nats < OTHER_WAY and any(ways):
-                others = _ways(self.engine.parse(other, language=language))
+                others = _ways(self.engine.parse(other, state=state, language=language))
                 if others != ways and list(map(abs, others)) == list(map(abs, ways)):
                     return other
         return None
 
-    def _run_together(self, transcript: Transcript, meaning: Interpretation) -> str | None:
+    def _run_together(self, transcript: Transcript, meaning: Interpretation, state: Collection[str]) -> str | None:
         """What may have been said as well, if a joint is the beginning of the word after it: "unload it", of which "and
         load it" is heard, or "turn anticlockwise", of which "turn and clockwise" is; None: nothing that does anything
         else. However sure the models are of an "and", little speaks for one that joins nothing, and less for two
@@ -317,7 +317,7 @@ class Judge:
             for word in self._words_after(words[:place], language):
                 if word.endswith(begun) and _sounds_like_begun(joint, word.removesuffix(begun)):
                     other = " ".join((*words[:place], word, *words[place + 2 :]))
-                    found = self.engine.parse(other, language=language)
+                    found = self.engine.parse(other, state=state, language=language)
                     fewer = len(found.actions) < len(meaning.actions)
                     if found.actions and (fewer if place else found.actions != meaning.actions):
                         return other

@@ -342,6 +342,19 @@ def test_what_may_as_well_have_been_the_other_way_is_asked_back(judge, text, oth
     assert judge.meaning(exactly, (), ()).actions, "word by word there is nothing to ask"
 
 
+def test_the_other_way_is_asked_back_in_a_state_that_both_need(engine_of):
+    judge = Judge(
+        engine_of(
+            "intents:\n  crawl:\n    action: {type: move, direction: '{way}'}\n    requires: [docked]\n"
+            "    sentences: ['crawl {way}']\nslots:\n  way: {type: choice, values: [forward, backward]}\n"
+        )
+    )
+    words, other = "crawl forward", "crawl backward"
+    transcript = Transcript(words, -0.9, "all forward", gap=0.4, confidence=0.95, alternatives=(other,), behind=(0.5,))
+    assert judge.meaning(transcript, ("docked",), ()).reason.endswith("the other way? say it again")
+    assert "docked" in judge.meaning(transcript, (), ()).reason
+
+
 BOX = """
 language: en
 intents:
@@ -366,8 +379,10 @@ intents:
         ("and lace it", None),  # both do the same
     ],
 )
-def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(engine_of, text, other):
-    found = Judge(engine_of(BOX)).meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
+@pytest.mark.parametrize("state", [(), ("docked",)])
+def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(engine_of, text, other, state):
+    grammar = BOX.replace("action: custom,", "action: custom, requires: [docked],") if state else BOX
+    found = Judge(engine_of(grammar)).meaning(Transcript(text, free_text=text, confidence=1.0), state, ())
     assert bool(found.actions) is (other is None)
     if other is not None:
         assert found.reason == f"{text!r} or {other!r}? say it again"

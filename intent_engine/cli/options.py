@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.hints import did_you_mean
+from intent_engine.grammar_states import unknown_states
 from intent_engine.language_tag import language_of
 from intent_engine.resources import default_grammar, default_locations, find, names
 
@@ -79,13 +79,10 @@ def known_states(engine: IntentEngine, given: list[str] | None) -> tuple[str, ..
     """The states of the option.
 
     Raises:
-        ConfigError: one changes nothing: it is misspelled, or of another grammar.
+        ConfigError: some change nothing: they are misspelled, or of another grammar.
     """
-    known = sorted(engine.states)
-    for name in given or ():
-        if name not in known:
-            hint = did_you_mean(name, known) or f"there is {', '.join(known)}"
-            raise ConfigError(Problem(f"--state: no intent of the grammar asks for a state {name!r}", hint=hint))
+    if problems := unknown_states(given or (), engine.states, "--state"):
+        raise ConfigError(problems)
     return tuple(given or ())
 
 

@@ -1,10 +1,10 @@
 """The node ``intent_engine``: text in, a moving robot out.
 
 In: ``voice_commands/text``, and ``voice_commands/amended_text`` for the last text with what belongs to it
-(std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop`` (std_msgs/Empty), the services
-``stop`` and ``~/reset`` (std_srvs/Trigger). Out: ``voice_commands/command``, ``voice_commands/action`` and
-``voice_commands/status`` (std_msgs/String), ``cmd_vel``, goals for the navigation. All names are relative and can be
-remapped.
+(std_msgs/String), ``voice_commands/hold`` (std_msgs/Bool), ``voice_commands/stop`` (std_msgs/Empty),
+``voice_commands/state`` (std_msgs/String), the services ``stop`` and ``~/reset`` (std_srvs/Trigger). Out:
+``voice_commands/command``, ``voice_commands/action``, ``voice_commands/status`` and ``voice_commands/current_state``
+(std_msgs/String), ``cmd_vel``, goals for the navigation. All names are relative and can be remapped.
 """
 
 from __future__ import annotations
@@ -28,11 +28,14 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.meaning.stops import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import leave, run_node
+from intent_engine.ros2.robot_states import States
+from intent_engine.ros2.state_keeper import StateKeeper
 
 __all__ = ["VoiceCommands", "main"]
 
@@ -63,6 +66,7 @@ class VoiceCommands:
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
         )
+        states = States(self.engine.states).with_parameter(parameters.states)
         self._warm_up()
         self._commands = node.create_publisher(String, "voice_commands/command", 10)
         self._actions = node.create_publisher(String, "voice_commands/action", 10)
@@ -83,6 +87,7 @@ class VoiceCommands:
         node.create_subscription(String, "voice_commands/amended_text", self._heard_more, 10)
         node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
         node.create_subscription(Empty, "voice_commands/stop", lambda message: self.executor.stop(), 10)
+        self._states = StateKeeper(node, states, self._say)
         self._offer_services()
         self._log.info(self._summary(parameters))
 
@@ -109,7 +114,7 @@ class VoiceCommands:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self.executor.stop()
             self._log.error(f"{text[:200]!r}: {type(error).__name__}: {error}; the robot is stopped")
-            self._tell(status_text("error", self._ros_time(now), detail=f"{type(error).__name__}: {error}"))
+            self._say("error", detail=f"{type(error).__name__}: {error}")
             return
         for command in command_texts(found, self._form):
             self._commands.publish(self._string(data=command))
@@ -185,6 +190,10 @@ class VoiceCommands:
         self._actions.publish(self._string(data=json.dumps(to_json(action))))
         return "handed over on voice_commands/action"
 
+    def _say(self, event: str, **data: Any) -> None:
+        """Something that is neither a text that came in nor an event of the executor."""
+        self._tell(status_text(event, self._ros_time(self.executor.clock.now()), **data))
+
     def _tell(self, text: str) -> None:
         self._status.publish(self._string(data=text))
 
@@ -233,8 +242,9 @@ class VoiceCommands:
                     self.engine.parse(example.text, language=grammar.language)
 
     def _state(self) -> Collection[str]:
+        """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
         linear, angular = self.executor.snapshot().velocity
-        return ("moving",) if linear or angular or not self.executor.idle else ()
+        return self._states.held | ({MOVING} if linear or angular or not self.executor.idle else set())
 
     def _summary(self, parameters: NodeParameters) -> str:
         kind = "TwistStamped" if self.robot.stamped else "Twist"

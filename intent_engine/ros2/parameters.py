@@ -17,6 +17,7 @@ from intent_engine.execution.robots.ros2_navigation import NavigationWay
 from intent_engine.execution.robots.ros2_velocity import Stamped
 from intent_engine.resources import find
 from intent_engine.ros2.messages import CommandForm
+from intent_engine.ros2.robot_states import PARAMETER, state_names
 
 __all__ = ["NodeParameters", "Parameters", "read_parameters"]
 
@@ -74,6 +75,16 @@ class Parameters:
             self.texts("locations", "home", "Map file, or the name of a shipped one"),
         )
 
+    def states(self) -> frozenset[str]:
+        """States that the robot is in, which may be set while the node runs; whether the grammar asks for them is not
+        known here."""
+        value = self._declare("states", [], "States that the robot is in, as the grammar names them", read_only=False)
+        try:
+            return state_names(value, PARAMETER)
+        except ConfigError as error:
+            self.problems += error.problems
+            return frozenset()
+
     def check(self) -> None:
         """Call when all are declared.
 
@@ -83,11 +94,11 @@ class Parameters:
         if self.problems:
             raise ConfigError(self.problems)
 
-    def _declare(self, name: str, default: Any, meaning: str) -> Any:
+    def _declare(self, name: str, default: Any, meaning: str, read_only: bool = True) -> Any:
         from rcl_interfaces.msg import ParameterDescriptor
 
         # Typed here and not by rclpy, which takes no 20 for a 20.0 and says so with a traceback.
-        descriptor = ParameterDescriptor(description=meaning, read_only=True, dynamic_typing=True)
+        descriptor = ParameterDescriptor(description=meaning, read_only=read_only, dynamic_typing=True)
         return self._node.declare_parameter(name, default, descriptor).value
 
     def _wrong(self, name: str, value: Any, wanted: str) -> None:
@@ -114,6 +125,8 @@ class NodeParameters:
     """Whether the velocity is written by a process of its own."""
     journal: str
     """File; empty: none."""
+    states: frozenset[str]
+    """That hold from the start."""
 
 
 DEFAULT = RobotFile(
@@ -178,6 +191,7 @@ def read_parameters(node: Any) -> NodeParameters:
             "guardian", True, "Write velocities from a process of its own, which outlives this one"
         ),
         journal=declared.text("journal", "", "File that every goal is written to, as JSON lines"),
+        states=declared.states(),
     )
     declared.check()
     return parameters

@@ -3,35 +3,41 @@
 Out: ``voice_commands/text`` (std_msgs/String), what was said; ``voice_commands/amended_text`` (std_msgs/String), the
 last text and what was said right after it, as one; ``voice_commands/hold`` (std_msgs/Bool), that a stop word may be
 being said, or was none; ``voice_commands/stop`` (std_msgs/Empty), that the robot must stand whatever is said, because
-hearing failed or ended. All names are relative and can be remapped.
+hearing failed or ended. In: ``voice_commands/current_state`` (std_msgs/String), the states that the node
+``intent_engine`` says the robot is in. All names are relative and can be remapped.
 """
 
 from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.amending import in_a_row
 from intent_engine.engine import IntentEngine
-from intent_engine.errors import IntentEngineError
+from intent_engine.errors import ConfigError, IntentEngineError
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
+from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
+from intent_engine.ros2.robot_states import in_one_line, state_names
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.execution.runs import HandlerContext
     from intent_engine.runtime import Heard
     from intent_engine.speech.audio import AudioSource
-    from intent_engine.speech.recognizer import Recognizer
+    from intent_engine.speech.recognizer import Recognizer, Transcript
     from intent_engine.speech.reflex import Reflex
 
 __all__ = ["Speech", "main", "worth_saying"]
@@ -40,15 +46,35 @@ TASK = 3.0
 """s that what is not a drive or a turn is taken to last: longer than words are waited for that may put it right."""
 
 
-def worth_saying(engine: IntentEngine, found: Interpretation) -> bool:
+def worth_saying(
+    engine: IntentEngine,
+    found: Interpretation,
+    state: Collection[str] = (),
+    transcript: Transcript | None = None,
+) -> bool:
     """Whether an utterance may be passed on as text.
 
     What the runtime did not believe, because it sounded too different from its words or because the wake word was
     missing, must not come back as a command: the text alone would be understood, and nobody after this could know.
+
+    Args:
+        engine: understands as whoever is given the text.
+        found: what the runtime made of it.
+        state: states that the robot is in, as far as they are known here.
+        transcript: what was heard; None: it was clear.
     """
     if not found.text.strip():
         return False
-    return found.status is Status.ACCEPTED or engine.parse(found.text).status is not Status.ACCEPTED
+    if found.status is Status.ACCEPTED:
+        return True
+    if engine.parse(found.text, state=state).status is Status.ACCEPTED:
+        return False
+    # Whoever is given it may know of a state that is not known here: that the robot moves, or one of a moment ago.
+    if meant_in_some_state(engine, found.text).status is not Status.ACCEPTED:
+        return True
+    meant = meant_in_some_state(engine, found.text, spoken=True)
+    heard = transcript is None or not Judge(engine).unsure(transcript, meant)
+    return meant.status is Status.ACCEPTED and heard
 
 
 class _Elsewhere:
@@ -146,6 +172,9 @@ class Speech:
         self._messages = {"hold": Bool, "stop": Empty, "text": String, "amended_text": String}
         self._said: Interpretation | None = None
         """The last command that was passed on, with all that belongs to it."""
+        self._states: frozenset[str] = frozenset()
+        """Of the robot. What is understood here must be what is understood there, or what is not believed here would be
+        done there."""
         parameters = read_parameters(node)
         self._engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
@@ -166,7 +195,9 @@ class Speech:
             recognizer,
             reflex=reflex,
             on_event=self._heard,
+            state=lambda: self._states,
         )
+        HearLatched(node, "voice_commands/current_state", self._robot_is)
         avoid_pauses()
         self._thread = threading.Thread(target=self._listen, args=(source,), name="listening", daemon=True)
         self._thread.start()
@@ -205,17 +236,25 @@ class Speech:
             self._log.error(f"{event.detail}; the robot is stopped")
 
     def _pass_on(self, found: Interpretation, event: Heard) -> None:
-        said = self._said
+        said, states = self._said, self._states
         self._said = found if found.status is Status.ACCEPTED else None
+        parse = partial(self._engine.parse, state=states)
         if event.goes_on:
             self._publish("amended_text", data=found.text)
-        elif not worth_saying(self._engine, found):
+        elif not worth_saying(self._engine, found, states, event.transcript):
             self._log.info(f"not passed on: {found.text!r}: {found.reason}")
-        elif event.in_turn and said is not None and (both := in_a_row(self._engine.parse, said, found)) is not None:
+        elif event.in_turn and said is not None and (both := in_a_row(parse, said, found)) is not None:
             self._said = both
             self._publish("amended_text", data=both.text)
         else:
             self._publish("text", data=found.text)
+
+    def _robot_is(self, text: str) -> None:
+        """The states of the robot came, in the thread that spins the node."""
+        try:
+            self._states = state_names(text, "voice_commands/current_state")
+        except ConfigError as error:
+            self._log.error(in_one_line(error))
 
     def _executed(self, event: Event) -> None:
         if event.kind in (EventKind.HOLD, EventKind.RELEASE):

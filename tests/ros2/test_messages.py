@@ -13,8 +13,10 @@ from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge
 from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
 from intent_engine.ros2.speech import worth_saying
+from intent_engine.speech.recognizer import Transcript
 
 
 @pytest.fixture(scope="module")
@@ -88,6 +90,34 @@ def test_two_commands_are_one_text_where_that_means_both(engine, first, then, on
     assert (both is not None) is one
     if both is not None:
         assert both.actions == (*before.actions, *after.actions)
+
+
+@pytest.mark.parametrize(
+    ("heard", "confidence", "said"),
+    [
+        ("undock", 0.95, False),  # not by its name
+        ("robot undock", 0.95, True),
+        ("robot undock", 0.6, False),
+        ("robot charge", 0.8, False),  # costs more to be wrong about
+        ("robot charge", 0.95, True),
+        ("robot fly away", 0.1, True),  # no command, in whichever state
+        ("undock slowly", 0.95, True),
+    ],
+)
+def test_what_means_something_in_another_state_is_said_if_it_would_be_believed_there(
+    engine_of, heard, confidence, said
+):
+    """Whoever is given the text may know better in which state the robot is, or why it is not done."""
+    engine = engine_of(
+        "language: en\nwake: [robot]\nintents:\n  undock: {action: custom, requires: [docked], sentences: [undock]}\n"
+        "  charge: {action: custom, requires: [docked], min_confidence: 0.9, sentences: [charge]}\n"
+    )
+    found = engine.parse(heard, spoken=True)
+    assert found.status is not Status.ACCEPTED
+    transcript = Transcript(heard, free_text=heard, confidence=confidence)
+    assert worth_saying(engine, found, (), transcript) is said
+    there = Judge(engine).meaning(transcript, ("docked",), ())
+    assert worth_saying(engine, there, ("docked",), transcript) is said
 
 
 def test_what_lacks_the_wake_word_is_not_said(engine_of):

@@ -102,6 +102,30 @@ def test_where_texts_are_only_taken_one_by_one_each_is_by_itself(peer, paused):
     assert not texts[1].lower().startswith("turn left")
 
 
+def test_what_is_said_is_understood_in_the_states_of_the_robot(peer, paused, tmp_path, root):
+    """A turn that goes on from another is one, only if the turn itself was understood."""
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from ros_stage import NodeProcess, until
+    from std_msgs.msg import String
+
+    grammar = tmp_path / "dock.yaml"
+    english = (root / "grammars/en.yaml").read_text()
+    assert english.count("\n  turn:\n") == 1
+    grammar.write_text(english.replace("\n  turn:\n", "\n  turn:\n    requires: [docked]\n"))
+    texts: list[str] = []
+    amended: list[str] = []
+    listen(peer, "text", texts)
+    listen(peer, "amended_text", amended)
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    states = peer.node.create_publisher(String, "voice_commands/current_state", latched)
+    states.publish(String(data='["docked"]'))
+    with NodeProcess(peer, module="intent_engine.ros2.speech", file=paused, grammar=grammar) as speech:
+        until(lambda: texts and amended, "what was said right after comes as one text with it")
+        assert speech.end() == 0
+    assert [text.lower().rstrip(".") for text in texts] == ["turn left"]
+    assert [text.lower().rstrip(".") for text in amended] == ["turn left ninety degrees"]
+
+
 @pytest.mark.parametrize(
     ("parameters", "code", "said"),
     [

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from statistics import fmean
 from typing import TYPE_CHECKING
 
+from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
@@ -82,8 +83,8 @@ class SpokenGrammar:
         return self._engine.languages
 
     def parse(self, text: str, language: str | None = None) -> Interpretation:
-        """What a text means."""
-        return self._engine.parse(text, language=self._own(language))
+        """What a text means, to a robot in whichever state it may be."""
+        return meant_in_some_state(self._engine, text, self._own(language))
 
     def fits_pattern(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words are, as they are, a command of an intent that has patterns: of some it cannot be told what else

@@ -472,3 +472,9 @@ DOCK, BOTH, LOUNGE = (
 def test_what_both_heard_taken_back_is_not_all_done(grammar, heard, left):
     assert grammar.taking_back([DOCK, BOTH, LOUNGE], [one.split() for one in heard]) == left
     assert grammar.taking_back([BOTH, LOUNGE], [one.split() for one in heard]) == [BOTH, LOUNGE]
+
+
+def test_what_only_means_something_in_a_state_may_have_been_said(engine_of):
+    """A recogniser does not know in which state the robot is, and a sentence sounds the same in each."""
+    docks = SpokenGrammar(engine_of("intents: {undock: {action: custom, requires: [docked], sentences: [leave now]}}"))
+    assert docks.parse("leave now").actions
