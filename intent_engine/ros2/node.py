@@ -39,6 +39,7 @@ from intent_engine.ros2.state_keeper import StateKeeper
 
 __all__ = ["VoiceCommands", "main"]
 
+_DONE_ALREADY = "it goes on from a command that is carried out already, and means the same"
 _TOO_LATE = "it does not go on from what is being done; say all of it again"
 
 
@@ -134,8 +135,8 @@ class VoiceCommands:
         if found.stops or found.status is not Status.ACCEPTED:
             return found
         done = self._done
-        if done is not None and done.says_no_more(found):
-            return found
+        if done is not None and done.says_no_more(found):  # whoever carries commands out must not be given it twice
+            return Interpretation(found.text, Status.REJECTED, reason=_DONE_ALREADY)
         step = done.step_to(found) if done is not None else None
         if done is None or step is None:
             return Interpretation(found.text, Status.REJECTED, reason=_TOO_LATE)

@@ -128,6 +128,16 @@ def test_what_does_not_go_on_from_what_is_done_is_not_done(talk, first):
     assert (0.0, 0.5) not in talk.twists
 
 
+def test_what_goes_on_and_means_the_same_is_not_done_twice(talk):
+    talk.say("turn left twenty degrees")
+    until(talk.moving)
+    talk.amend("turn left twenty degrees please")
+    until(lambda: talk.goals("succeeded") and "turn left twenty degrees please" in talk.heard_texts())
+    reason = [e["interpretation"]["reason"] for e in talk.status if e["event"] == "interpretation"][-1]
+    assert "means the same" in reason
+    assert len(talk.goals("succeeded")) == len(talk.commands) == 1
+
+
 def test_a_stop_after_a_motion_stops_it(talk):
     talk.say("go forward five meters")
     until(talk.moving)
