@@ -1,5 +1,6 @@
 """Words that are written together or apart: "takeoff" of a grammar that has "take off", "way point" of one that has
-"waypoint". Recognisers and people write them as they like; they sound the same.
+"waypoint". Recognisers and people write them as they like; they sound the same. So they do with "what is" and "what's",
+which hardly sound otherwise.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from functools import cached_property
 from itertools import permutations
 from typing import TypeAlias
 
+from intent_engine.language.contractions import apart, together
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.utterance import Utterance
@@ -40,30 +42,45 @@ class Spacing:
         """
         words, breaks = list(said.words), list(said.breaks)
         for place in range(len(words) - 1, -1, -1):
-            if (parts := self._parted(words[place])) is not None:
+            if (parts := self._parted(words[place], words[place + 1 :])) is not None:
                 words[place : place + 1] = parts
                 breaks.insert(place + 1, False)
         for place in range(len(words) - 2, -1, -1):
-            if not breaks[place + 1] and self._one(words[place], words[place + 1]):
-                words[place : place + 2] = [words[place] + words[place + 1]]
+            if not breaks[place + 1] and (one := self._one(*words[place : place + 2], words[place + 2 :])) is not None:
+                words[place : place + 2] = [one]
                 del breaks[place + 1]
         return Utterance(words, breaks) if words != said.words else None
 
-    def _parted(self, word: str) -> tuple[str, str] | None:
+    def _parted(self, word: str, after: list[str]) -> tuple[str, str] | None:
         """The two words that a word is in the grammar."""
-        if word in self._words or word in self._closed or len(word) > self._longest:
-            return None
-        for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
-            first, second = word[:place], word[place:]
-            known = self._words.issuperset((first, second)) and self._closed.isdisjoint((first, second))
-            if known and any(first in ends and second in begins for ends, begins in self._following):
-                return first, second
+        if word not in self._words and word not in self._closed and len(word) <= self._longest:
+            for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
+                first, second = word[:place], word[place:]
+                if self._closed.isdisjoint((first, second)) and self._follow(first, second):
+                    return first, second
+        if self._grammar.language == "en":
+            for first, second in apart(word):
+                if self._follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
+                    return first, second
         return None
 
-    def _one(self, first: str, second: str) -> bool:
-        """Whether two words are one of the grammar."""
+    def _one(self, first: str, second: str, after: list[str]) -> str | None:
+        """The word of the grammar that two words are."""
         whole = first + second
-        return (whole in self._words or whole in self._things) and self._closed.isdisjoint((first, second, whole))
+        if (whole in self._words or whole in self._things) and self._closed.isdisjoint((first, second, whole)):
+            return whole
+        short = together(first, second) if self._grammar.language == "en" else None
+        if short is None or short not in self._words:
+            return None
+        return short if not self._follow(first, second) or self._goes_on(short, second, after) else None
+
+    def _goes_on(self, one: str, other: str, after: list[str]) -> bool:
+        """Whether what comes next follows one word in the grammar, and not the other."""
+        return bool(after) and self._follow(one, after[0]) and not self._follow(other, after[0])
+
+    def _follow(self, first: str, second: str) -> bool:
+        """Whether one word may follow another in the grammar."""
+        return any(first in ends and second in begins for ends, begins in self._following)
 
     @cached_property
     def _words(self) -> _Words:
