@@ -46,7 +46,8 @@ class Spacing:
                 words[place : place + 1] = parts
                 breaks.insert(place + 1, False)
         for place in range(len(words) - 2, -1, -1):
-            if not breaks[place + 1] and (one := self._one(*words[place : place + 2], words[place + 2 :])) is not None:
+            one = self._one(words[place], words[place + 1], words[place + 2 :]) if not breaks[place + 1] else None
+            if one is not None:
                 words[place : place + 2] = [one]
                 del breaks[place + 1]
         return Utterance(words, breaks) if words != said.words else None
