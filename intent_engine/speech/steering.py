@@ -9,10 +9,9 @@ against the sound, in one pass each; and where none of them is sure, the model i
 
 from __future__ import annotations
 
-import itertools
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -21,19 +20,16 @@ import numpy.typing as npt
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.speech.acoustic.loops import stutters
-from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.writing import written
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
-from intent_engine.speech.hypotheses.clearness import CLEAR, Clearness
+from intent_engine.speech.hypotheses.clearness import CLEAR
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, begin_of, hardly_begun
-from intent_engine.speech.hypotheses.guide import Guide
 from intent_engine.speech.hypotheses.guided import DEEP, USUAL, Effort
-from intent_engine.speech.hypotheses.left_out import goes_on
 from intent_engine.speech.hypotheses.narration import NARRATING
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, read_alone
+from intent_engine.speech.hypotheses.other_commands import OtherCommands
 from intent_engine.speech.hypotheses.pace import too_few, too_many
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
-from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.weighing import doubted
 from intent_engine.speech.recognizer import Encoded, Transcript
 
@@ -54,12 +50,6 @@ FEW_WORDS = 2
 """where no more words were heard than these."""
 DRAFTS = 3
 """Utterances from which the model is led along the automaton."""
-MOST_RIVALS = 6
-"""Commands that are scored because they differ in one word from the likeliest."""
-NEAR = 4.0
-"""nats by which the first piece of a word may be less likely than that of the word in whose place it may stand,"""
-CLOSE = 1.5
-"""and where a sentence was heard word by word; by so many nats the other must be less likely as a whole."""
 SURE = 0.9
 """Confidence from which no other sentence is looked for,"""
 CLOSE_GAP = 0.3
@@ -79,25 +69,19 @@ RETRY_SCORE = -1.0
 """Mean log probability of the free words below which a longer encoder input is tried, if nothing sure was found."""
 
 
-class Steering(Clearness):
+class Steering(OtherCommands):
     """What a model that can be asked what it thinks of words becomes with a grammar: a recogniser for one engine."""
 
     def steer(self, engine: IntentEngine) -> None:
         """By the grammar of an engine; it may be reloaded at any time."""
-        self.grammar = SpokenGrammar(engine)
-        self._guides: dict[str | None, Guide] = {}
-        self._besides: tuple[Encoded | None, dict[tuple[tuple[str, ...], bool], tuple[tuple[str, ...], ...]]] = (
-            None,
-            {},
-        )
-        """What may have been said in place of some sentences, given the sound that was asked about last."""
+        self.know(engine)
         self.opinion: Opinion | None = None
         """What it made of the sound that it heard last."""
 
     def prepare(self) -> None:
         """Make ready what the first words would wait for, if their language is known: a third of a second."""
         if self.language is not None:
-            self._guide(self.language)
+            self.guide(self.language)
 
     def glance(self, samples: Samples) -> Transcript:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""
@@ -151,7 +135,7 @@ class Steering(Clearness):
             return Opinion(self, samples, encoded, sure, sentences, settled=True, dictated=dictated)
         # Whatever is odd about a stop, it is done at once.
         if exact and (meaning.stops or (in_time and self._plain(encoded, free, words, meaning, language))):
-            close = self._close(encoded, words, language)
+            close = self.close_to(encoded, words, language)
             unclear = dict.fromkeys((*close.values(), *_below(self.clearness(encoded, words, language, heard=True))))
             sure = replace(heard, gap=0.0, unclear=tuple(unclear), confidence=1.0)
             return Opinion(self, samples, encoded, sure, (tuple(words), *close), settled=True)
@@ -275,7 +259,7 @@ class Steering(Clearness):
         self.check()
         encoded, free, language = heard.encoded, heard.transcript.free_text, heard.transcript.language
         words = heard.heard
-        possible = self._possible(heard)
+        possible = self.possible(heard)
         dictated = [one for one in self.grammar.openings(words, language) if possible(as_heard(one, words))]
         texts = {sentence: (view,) for sentence, view in zip(dictated, heard.views(dictated), strict=True)}
 
@@ -295,7 +279,7 @@ class Steering(Clearness):
         if effort is None:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
-        guided = self._guide(language).guided.likeliest(
+        guided = self.guide(language).guided.likeliest(
             lambda beginnings, length: self.next_pieces(encoded, beginnings, length, language),
             words,
             free,
@@ -308,116 +292,6 @@ class Steering(Clearness):
                 found[sentence] = max(score, found.get(sentence, score))
         return ranked()
 
-    def _possible(self, heard: Opinion) -> Callable[[Sequence[str]], bool]:
-        """Whether a sentence may have been said."""
-        free, language = heard.transcript.free_text, heard.transcript.language
-        words = heard.heard
-        story = self.story(heard.encoded, free, language)
-
-        def possible(sentence: Sequence[str]) -> bool:
-            if goes_on(sentence, [words]) or too_many(sentence, heard.samples):
-                return False
-            return self.grammar.possible(sentence, story, language, heard=words)
-
-        return possible
-
-    def beside(self, heard: Opinion, words: tuple[str, ...], *, far: bool = False) -> tuple[tuple[str, ...], ...]:
-        """Other commands that may have been said in place of one, and differ in one word, or if ``far`` in a few; the
-        likeliest first."""
-        if begin_of(words):
-            return ()
-        encoded, language = heard.encoded, heard.transcript.language
-        if self._besides[0] is not encoded:
-            self._besides = encoded, {}
-        found = self._besides[1]
-        if (words, far) not in found:
-            rivals = self._rivals(encoded, words, language, NEAR, self._possible(heard), widely=True, far=far)
-            found[words, far] = tuple(rivals)
-        return found[words, far]
-
-    def begun(self, heard: Opinion, words: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
-        """Sentences that mean what one means, and may have begun otherwise ("make me a ..."), the likeliest first."""
-        language = heard.transcript.language
-        meaning = self.grammar.parse(" ".join(words), language)
-        lead = self.grammar.lead(words, language)
-        possible = self._possible(heard)
-
-        def wanted(sentence: tuple[str, ...]) -> bool:
-            begins_otherwise = sentence[:lead] == words[:lead] and sentence[lead:][:1] != words[lead:][:1]
-            # "Can you" is no beginning of a command by itself.
-            if not begins_otherwise or self.grammar.lead(sentence, language) != lead:
-                return False
-            return possible(sentence) and not self.grammar.means_else(sentence, meaning, language)
-
-        return tuple(self._others(heard.encoded, words, language, NEAR, wanted, widely=True, far=True))
-
-    def _rivals(
-        self,
-        encoded: Encoded,
-        words: Sequence[str],
-        language: str | None,
-        near: float,
-        possible: Callable[[Sequence[str]], bool],
-        *,
-        widely: bool = False,
-        far: bool = False,
-    ) -> dict[tuple[str, ...], str]:
-        """Other commands that differ in one word from one that may have been said, each with that word; the likeliest
-        first.
-
-        Args:
-            encoded: the sound.
-            words: of the sentence.
-            language: of the speech.
-            near: nats by which the first piece of another word may be less likely.
-            possible: whether a sentence may have been said.
-            widely, far: as for :meth:`~intent_engine.speech.hypotheses.rivals.Rivals.beside`.
-        """
-        meaning = self.grammar.parse(" ".join(words), language)
-        if len(words) == 1 or meaning.stops:
-            return {}
-
-        def wanted(sentence: tuple[str, ...]) -> bool:
-            return possible(sentence) and self.grammar.means_else(sentence, meaning, language)
-
-        return self._others(encoded, words, language, near, wanted, widely=widely, far=far)
-
-    def _others(
-        self,
-        encoded: Encoded,
-        words: Sequence[str],
-        language: str | None,
-        near: float,
-        wanted: Callable[[tuple[str, ...]], bool],
-        *,
-        widely: bool,
-        far: bool,
-    ) -> dict[tuple[str, ...], str]:
-        """Of the sentences beside one those that are wanted, as :meth:`_rivals` gives them."""
-        rows = self._along(encoded, words, language, widely=widely)
-        beside = self._guide(language).rivals.beside(words, rows, near, widely=widely, far=far)
-        return {one: beside[one] for one in itertools.islice(filter(wanted, beside), MOST_RIVALS)}
-
-    def _close(self, encoded: Encoded, words: Sequence[str], language: str | None) -> dict[tuple[str, ...], str]:
-        """Other commands that may have been said where one was heard word by word, each with the word in question."""
-        rivals = self._rivals(
-            encoded, words, language, CLOSE, lambda sentence: self.grammar.possible(sentence, (), language)
-        )
-        if not rivals:
-            return {}
-        said, *others = self.score_words(encoded, [words, *rivals], language)
-        return {one: word for (one, word), score in zip(rivals.items(), others, strict=True) if said - score < CLOSE}
-
-    def _along(self, encoded: Encoded, words: Sequence[str], language: str | None, *, widely: bool) -> Rows:
-        """What the model makes of each place of a sentence: as it heard it freely, or asked anew."""
-        rivals = self._guide(language).rivals
-        rows = self.decoded(encoded)
-        if any(row is None for row in rivals.before(words, rows, widely=widely).values()):
-            rows = dict(self.next_pieces(encoded, [rivals.pieces(words)], 1, language))
-        while widely and (wanted := rivals.digits(words, rows)):
-            rows = {**rows, **dict(self.next_pieces(encoded, wanted, 1, language))}
-        return rows
-
     def _beginning(self, encoded: Encoded, language: str | None) -> npt.NDArray[np.float32]:
         """How likely every piece is to be the first: as it was heard freely, or asked anew."""
         rows = self.decoded(encoded) or dict(self.next_pieces(encoded, [()], 1, language))
@@ -426,18 +300,11 @@ class Steering(Clearness):
     def _short(self, encoded: Encoded, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         """Single words of the grammar that the sound may be, where hardly more was heard, however unlike they are
         written: a short word is soon taken for another, and nothing in a single word tells that it was."""
-        if len(heard) > FEW_WORDS or not (singles := self._guide(language).singles):
+        if len(heard) > FEW_WORDS or not (singles := self.guide(language).singles):
             return []
         row = self._beginning(encoded, language)
         likely = sorted(singles, key=lambda word: (-row[singles[word]], word))
         return [(word,) for word in likely[:SINGLES]]
-
-    def _guide(self, language: str | None) -> Guide:
-        """How the model is led along the grammar of a language; what it learns of it is kept until it is reloaded."""
-        guide = self._guides.get(language)
-        if guide is None or guide.near is not self.grammar.search(language):
-            guide = self._guides[language] = Guide.of(self, self.grammar, language)
-        return guide
 
 
 def _below(clearness: Mapping[str, float]) -> tuple[str, ...]:

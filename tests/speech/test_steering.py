@@ -93,7 +93,7 @@ def test_what_was_heard_word_by_word_is_as_likely_as_it_was_written(hears, spoke
 def test_nothing_more_is_looked_for_in_clear_talk(hears, spoken, monkeypatch, score, looked):
     whisper = hears("The orchestra played a waltz by an unknown composer", score)
     asked = []
-    monkeypatch.setattr(type(whisper._guide("en").guided), "likeliest", lambda *_: asked.append(1) or [], raising=True)
+    monkeypatch.setattr(type(whisper.guide("en").guided), "likeliest", lambda *_: asked.append(1) or [], raising=True)
     whisper.transcribe(spoken)
     assert bool(asked) is looked
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from intent_engine.judgement import SURE_ENOUGH
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.approximate import FreeWord, UtteranceSearch
+from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.reading import SlotReading
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.usual import UsualNumbers
@@ -73,3 +75,28 @@ class KnownGrammar:
             usual=UsualNumbers(grammar),
             least=min([SURE_ENOUGH, *(one for one in asked if one is not None)]),
         )
+
+    def free_slots(self, words: Sequence[str]) -> list[SlotReading] | None:
+        """The slots that take any words, of a sentence with nothing before its first word; None: it is no sentence."""
+        readings = self.matcher.read(list(words))
+        if not readings or readings[0].problem:
+            return None
+        return [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS]
+
+    def joined_slots(self, words: Sequence[str], start: int = 0) -> list[tuple[int, list[SlotReading]]] | None:
+        """Where each of several sentences that are joined begins, and its slots that take any words: "wait until the
+        bell rings and then go back". None: they are no such sentences."""
+        if (whole := self.free_slots(words[start:])) is not None:
+            return [(start, whole)]
+        for end in range(start + 1, len(words) - 1):
+            for length in self.sequence.lengths_at(words, end):
+                first = self.free_slots(words[start:end])
+                rest = self.joined_slots(words, end + length) if first is not None else None
+                if first is not None and rest is not None:
+                    return [(start, first), *rest]
+        return None
+
+    def telling(self, words: Sequence[str]) -> int:
+        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
+        fillers = self.matcher.grammar.fillers
+        return sum(not isinstance(word, FreeWord) and (word,) not in fillers for word in words)

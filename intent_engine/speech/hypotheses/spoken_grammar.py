@@ -14,10 +14,8 @@ from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
-from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.reading import SlotReading
 from intent_engine.language.sentence_networks import NOT_AFTER_THE_VERB
 from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
@@ -309,7 +307,7 @@ class SpokenGrammar:
         that the grammar does not have: whoever may be called can be called anything."""
         matcher, known = self._known(language).matcher, self._known(language).words
         said = list(words[self.lead(words, language) :])
-        joined = self._joined_slots(said, language) or []
+        joined = self._known(language).joined_slots(said) or []
         if len(joined) > 1 and not self.parse(" ".join(said), language).actions:
             return False
         taken = {
@@ -325,34 +323,8 @@ class SpokenGrammar:
     def holds_any_words(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words are a sentence with a slot that could hold any others as well, with a list or without; or are
         none that is known."""
-        return self._free_slots(words, language) != []
-
-    def _joined_slots(
-        self, words: Sequence[str], language: str | None, start: int = 0
-    ) -> list[tuple[int, list[SlotReading]]] | None:
-        """Where each of several sentences that are joined begins, and its slots that take any words: "wait until the
-        bell rings and then go back". None: they are no such sentences."""
-        if (whole := self._free_slots_of(words[start:], language)) is not None:
-            return [(start, whole)]
-        sequence = self._known(language).sequence
-        for end in range(start + 1, len(words) - 1):
-            for length in sequence.lengths_at(words, end):
-                first = self._free_slots_of(words[start:end], language)
-                rest = self._joined_slots(words, language, end + length) if first is not None else None
-                if first is not None and rest is not None:
-                    return [(start, first), *rest]
-        return None
-
-    def _free_slots(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
-        """The slots of a sentence that take any words; None: it is no sentence."""
-        return self._free_slots_of(words[self.lead(words, language) :], language)
-
-    def _free_slots_of(self, words: Sequence[str], language: str | None) -> list[SlotReading] | None:
-        """The same of one in which nothing comes before its first word."""
-        readings = self._known(language).matcher.read(list(words))
-        if not readings or readings[0].problem:
-            return None
-        return [slot for slot in readings[0].slots if slot.slot.type in FREE_KINDS]
+        said = words[self.lead(words, language) :]
+        return self._known(language).free_slots(said) != []
 
     def share_known(self, words: Sequence[str], language: str | None = None) -> float:
         """Share of some words that the grammar has, anywhere; 1 of none."""
@@ -399,7 +371,7 @@ class SpokenGrammar:
         readings = []
         for place, (rank, words, seen, unknown, actions) in enumerate(rows):
             other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
-            telling = 1 + self._telling(words, language)
+            telling = 1 + self._known(language).telling(words)
             gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
             evidence = Evidence(
                 # As the gap is weighed.
@@ -434,12 +406,7 @@ class SpokenGrammar:
             found = known.found[heard] = known.search.nearest(heard, CANDIDATES, known.narrating)
         return found
 
-    def _telling(self, words: Sequence[str], language: str | None) -> int:
-        """Words that show that the grammar was spoken: neither a free slot's, nor such as people put anywhere."""
-        fillers = self._known(language).matcher.grammar.fillers
-        return sum(not isinstance(word, FreeWord) and (word,) not in fillers for word in words)
-
     def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
         heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
-        return 2 * self._telling(words, language) < heard_anywhere
+        return 2 * self._known(language).telling(words) < heard_anywhere

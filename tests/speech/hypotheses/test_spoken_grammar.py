@@ -219,11 +219,20 @@ def test_a_word_with_which_nothing_is_done(language, words, negated):
     assert spoken.negated(words.split(), language) is negated
 
 
-def test_a_stop_of_words_that_may_stand_anywhere(grammar, monkeypatch):
-    """German "halt an": both are said anywhere too."""
-    monkeypatch.setattr(grammar, "_telling", lambda _words, _language: 0)
-    assert grammar.possible(("stop", "now"), (), "en")
-    assert not grammar.possible(("go", "now"), (), "en")
+def test_a_stop_of_words_that_may_stand_anywhere(engine_of):
+    spoken = SpokenGrammar(
+        engine_of("""
+language: en
+fillers: [now, so]
+operators: {stop: [so now]}
+intents:
+  go: {action: move, sentences: ["go [now]", "now so"], defaults: {direction: forward, distance: 1 m}}
+""")
+    )
+    assert spoken.parse("now so").actions
+    assert not spoken.possible(("now", "so"))
+    assert spoken.possible(("go", "now"))
+    assert spoken.possible(("so", "now"))
 
 
 def test_sentences_like_the_words_heard_are_near(grammar):
