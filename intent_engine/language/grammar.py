@@ -40,6 +40,8 @@ _WRITTEN: Mapping[str, tuple[float, str]] = {
     "percent": (100.0, " %"),
 }
 """How people write a value in SI units: what it is multiplied by, and the unit."""
+_POINTING = _WRITTEN.keys() - {"duration"}
+"""Quantities that have a size and point one of two ways."""
 
 SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
 
@@ -129,12 +131,23 @@ class Slot:
     """Choice and location: whether misspelled and misheard values are resolved."""
     place: Place | None = None
 
+    @property
+    def smallest(self) -> float | None:
+        """The lower bound in SI, inclusive. Where the file names none, a ``max`` bounds the size both ways, so that nobody
+        drives twenty meters back by "forward minus twenty meters"; and no time is less than none."""
+        if self.minimum is not None:
+            return self.minimum
+        if self.type == "duration":
+            return 0.0
+        return -self.maximum if self.maximum is not None and self.maximum > 0 and self.type in _POINTING else None
+
     def beyond(self, value: float) -> tuple[str, str] | None:
         """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""
         if self.whole and not float(value).is_integer():
             return "whole", BEYOND_LIMITS["whole"]
-        if self.minimum is not None and value < self.minimum:
-            return "min", f"{BEYOND_LIMITS['min']}, {self.written(self.minimum)}"
+        if self.smallest is not None and value < self.smallest:
+            key = "min" if self.maximum is None or self.minimum is not None or self.type == "duration" else "max"
+            return key, f"{BEYOND_LIMITS['min']}, {self.written(self.smallest)}"
         if self.least is not None and abs(value) < self.least:
             return "least", f"{BEYOND_LIMITS['min']}, {self.written(self.least)}"
         if self.maximum is not None and value > self.maximum:

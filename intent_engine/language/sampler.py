@@ -303,7 +303,7 @@ class Sampler:
         ways = self._said.get(slot.name)
         if ways is None:
             if slot.type in QUANTITY_KINDS:
-                smallest = [limit for limit in (slot.minimum, slot.least) if limit is not None]
+                smallest = [limit for limit in (slot.smallest, slot.least) if limit is not None]
                 limits = max(smallest, default=None), slot.maximum
                 phrases, language = self.grammar.phrases, self.grammar.language
                 own = tuple((size, tuple(map(" ".join, names))) for size, names in units_called(slot, phrases))
