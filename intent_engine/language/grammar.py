@@ -279,6 +279,8 @@ class Grammar:
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()
     """Fillers before a number, and nowhere else: "about ten seconds"."""
+    greetings: tuple[tuple[str, ...], ...] = ()
+    """What may be dictated though it is nothing but fillers: "say hello"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

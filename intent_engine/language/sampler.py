@@ -364,13 +364,17 @@ def _joined(pieces: Sequence[Piece]) -> str:
 
 
 def _one_article(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    """ "give me the" + "the cup": one of them is enough."""
+    """ "give me the" + "the cup": one of them is enough. What is dictated is kept: "write that" + "the cup leaks"."""
     return tuple(
         replace(piece, text=piece.text.removeprefix("the "))
-        if piece.label and number and pieces[number - 1].text in _DETERMINERS
+        if piece.label and number and pieces[number - 1].text in _DETERMINERS and not _dictated(piece)
         else piece
         for number, piece in enumerate(pieces)
     )
+
+
+def _dictated(piece: Piece) -> bool:
+    return piece.slot is not None and piece.slot.dictation
 
 
 def _run_together(piece: Piece, after: Piece) -> bool:

@@ -72,6 +72,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
         place = 0 if opens else choices.below(places)
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
+        if _dictated(said) and place > len(said) - 2:
+            continue  # "print a", "label" + what is dictated
         longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"

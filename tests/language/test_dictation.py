@@ -98,10 +98,59 @@ def test_a_sentence_may_begin_with_a_slot_or_a_phrase_in_a_phrase(tmp_path):
     assert engine.parse("cry and then go").slots == {"note": "and then go"}
 
 
-def test_after_another_command_a_note_is_a_few_words(notes):
-    found = notes.parse("go back two meters and then take a note the door is closed")
+@pytest.mark.parametrize(
+    ("said", "text"),
+    [
+        ("go back two meters and then take a note the door is closed", "the door is closed"),
+        ("Go back two meters, and write down that I don't know Dr. Miller.", "I don't know Dr. Miller"),
+        ("please go back two meters and could you write down uh 1.500 euros", "uh 1.500 euros"),
+        ("go back two meters. Note: turn left and then go to the kitchen", "turn left and then go to the kitchen"),
+        ("go back two meters, note it turns and write down that it stopped", "it turns and write down that it stopped"),
+        ("go back two meters and note thanks", "thanks"),
+    ],
+)
+def test_after_another_command_a_text_is_kept_as_it_was_said(notes, said, text):
+    found = notes.parse(said)
     assert [step["intent"] for step in found.slots["steps"]] == ["move", "note"]
-    assert found.slots["steps"][1]["slots"] == {"note": "the door is closed"}
+    assert found.slots["steps"][1]["slots"] == {"note": text}
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "don't go back two meters and write down that it is late",
+        "if you go back two meters, write down that it is late",
+        "he went back two meters and wrote down that it is late",
+        "go back two meters and don't write down that it is late",
+        "go back two meters, never mind, and write down that it is late",
+    ],
+)
+def test_of_what_is_no_command_before_a_text_nothing_is_done(notes, said):
+    assert not any(action.type == "move" for action in notes.parse(said).actions)
+
+
+def test_a_stop_behind_a_text_stops_all(notes):
+    assert notes.parse("go back two meters and write down that it is late. Stop!").stops
+
+
+@given(st.integers(2, 90), st.lists(st.sampled_from(("A.", "don't", "I", "Mr. Brown", "2", "fell,", "x")), min_size=1))
+def test_a_text_is_the_same_alone_and_behind_a_command(notes, count, words):
+    text = f"x {' '.join(words)} x"
+    before, alone = notes.parse(f"go back {count} cm"), notes.parse(f"write down that {text}")
+    assert notes.parse(f"go back {count} cm and write down that {text}").actions == before.actions + alone.actions
+
+
+@pytest.mark.parametrize(
+    ("said", "text"),
+    [("note hello", "hello"), ("please note thank you", "thank you"), ("write down: hi", "hi")],
+)
+def test_a_greeting_may_be_dictated(notes, said, text):
+    assert notes.parse(said).slots == {"note": text}
+
+
+@pytest.mark.parametrize("said", ["note, thanks", "take a note please", "take a note, thank you", "note now", "note uh"])
+def test_what_goes_with_a_command_is_nothing_to_dictate(notes, said):
+    assert not notes.parse(said).actions
 
 
 def test_it_is_told_what_was_dictated(notes):

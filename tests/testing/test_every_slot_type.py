@@ -50,7 +50,7 @@ intents:
     sentences: ["meet {who} at {where}", "describe {what} [to {who}]", "from {where:start} to {where:finish}"]
   remember:
     action: {type: custom, name: remember}
-    sentences: ["jot [down] {memo}"]
+    sentences: ["jot [down] {memo}", "note a memo [that] {memo}"]
   arrange:
     action: {type: custom, name: arrange}
     sentences: ["sing {tone}", "{put} ({n} times;{tone};[at {where}])", "mix {n:first} with {n:second} (now|soon)"]

@@ -46,7 +46,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER, AROUND = "filler", "around"
+FILLER, AROUND, GREETING = "filler", "around", "greeting"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -60,7 +60,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    return {key: words for key, words in _language_words(language).items() if key not in (FILLER, AROUND)}
+    return {key: words for key, words in _language_words(language).items() if key not in (FILLER, AROUND, GREETING)}
 
 
 @cache
@@ -81,6 +81,11 @@ def default_fillers(language: str) -> tuple[str, ...]:
 def default_around(language: str) -> tuple[str, ...]:
     """What people put before a number ("about"), for the same grammars."""
     return _language_words(language).get(AROUND, ())
+
+
+def default_greetings(language: str) -> tuple[str, ...]:
+    """What people say to each other, and have said ("say hello"), though around a command it says nothing."""
+    return _language_words(language).get(GREETING, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -278,6 +283,7 @@ class _Builder:
             language=self.language,
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
+            greetings=self._said(default_greetings(self.language)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

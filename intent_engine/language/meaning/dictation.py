@@ -14,18 +14,22 @@ from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import PhraseSet, Utterance
 
 __all__ = ["Dictated", "Dictation"]
 
 LONGEST = 16
 """Words before a dictated text, with all that says nothing: "hey robot, could you please write down for me that"."""
+MOST_JOINTS = 5
+"""Words of a joint: "and once you are there"."""
 ANYTHING = "\0anything"
 """Stands for the text, as a word that no grammar has."""
 AROUND = " \t\n,;:-.\u2026"
 """What is written around the text and not said."""
 PAUSES = ",;:.!?\u2026"
 """What is written at the end of a word where a pause follows."""
+ANNOUNCES = ":"
+"""The one of these behind which the text comes: "say: hello"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +49,7 @@ class Dictation:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         self._phrases = phrases
         self._commands = commands
+        self._greetings = PhraseSet(commands.matcher.grammar.greetings)
         self._language = commands.matcher.grammar.language
         self._possible = commands.matcher.grammar.dictates
 
@@ -70,10 +75,26 @@ class Dictation:
             return found
         return None
 
+    def behind(self, text: str, state: Collection[str] = ()) -> Iterator[tuple[str, Dictated]]:
+        """What is said before a command in which something is dictated, and that command: "turn left, and write down
+        that". The first of such commands comes first: another may be part of what it dictates."""
+        written = text.split()
+        for place in range(1, len(written) - 1):
+            longest = next((n for n in range(MOST_JOINTS, 0, -1) if self._joins(written[place : place + n])), 0)
+            if longest or written[place - 1][-1] in PAUSES:
+                found = self.taken(" ".join(written[place + longest :]), state)
+                if found is not None and found.clause.accepted:
+                    yield " ".join(written[:place]), found
+
+    def _joins(self, written: list[str]) -> bool:
+        """Whether words are one joint, and nothing else: "and then"."""
+        words = Utterance.of(" ".join(written), self._language).words
+        return bool(words) and self._phrases.sequence.at(words, 0) == len(words)
+
     def _parted(self, written: list[str], count: int, state: Collection[str], spoken: bool) -> Dictated | None:
         """The command with a text that begins after so many words, if it is one."""
         rest = " ".join(written[count:]).strip(AROUND)
-        if self._says_nothing(rest):
+        if self._says_nothing(rest) and not self._greets(rest, written[count - 1]):
             return None
         for begin in self._begins(" ".join(written[:count]), spoken):
             clause = self._commands.exact([*begin.words, ANYTHING], state)
@@ -92,6 +113,12 @@ class Dictation:
     def _says_nothing(self, text: str) -> bool:
         """Whether there is nothing in it to dictate: "write down, please"."""
         return self._phrases.fillers.cover(Utterance.of(text, self._language).words)
+
+    def _greets(self, text: str, before: str) -> bool:
+        """Whether what says nothing around a command is meant to be said: "say hello". After a pause it thanks whoever is
+        to write, and in "take a note please" there is nothing to write."""
+        paused = before[-1] in PAUSES and before[-1] not in ANNOUNCES
+        return not paused and self._greetings.find(Utterance.of(text, self._language).words) is not None
 
     def _begins(self, text: str, spoken: bool) -> Iterator[Utterance]:
         """A beginning of a text, without the wake word, as it is and without what says nothing."""

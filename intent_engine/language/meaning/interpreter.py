@@ -143,9 +143,9 @@ class Interpreter:
             return self._stopped(text)
         if phrases.stop_by_sound.may_stand_in(words) and self._stops.by_sound(said):
             return self._stopped(text)
-        if self._dictation and (dictated := self._dictation.taken(text, state, spoken)) is not None:
-            core = phrases.without_fillers(said)
-            return self._stopped(text) if self._stops_beside(said, core, state) else _told(text, dictated.clause)
+        if self._dictation and (dictated := self._dictated(text, state, spoken)) is not None:
+            stops = self._stops_beside(said, phrases.without_fillers(said), state)
+            return self._stopped(text) if stops else dictated
         if said.unclear:
             return self._unclear(text, said, state)
         if phrases.wake:
@@ -182,6 +182,17 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
+
+    def _dictated(self, text: str, state: Collection[str], spoken: bool) -> Understood | None:
+        """A command in which something is dictated, alone or behind others: "turn left, and write down that ...". What is
+        before it must be commands by itself: "don't turn left, and say hello" is understood as any other text."""
+        if (alone := self._dictation.taken(text, state, spoken)) is not None:
+            return _told(text, alone.clause)
+        for before, dictated in self._dictation.behind(text, state):
+            found, parts = self._meant(before, Utterance.of(before, self._language), state, spoken)
+            if found.status is Status.ACCEPTED and parts and not found.stops:
+                return self._joined(text, [*parts, dictated.clause])
+        return None
 
     def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
         """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
