@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 
 from intent_engine.actions import Stop
 from intent_engine.language.action_builder import names_taken
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.command import Clause, Commands, described
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
@@ -96,7 +97,11 @@ class Compounds:
                     if onward is None and after == end:
                         onward = rest(after, depth + 1, "")
                     later = onward is not None and _goes_on(onward[0])
-                    if onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
+                    if onward is not None and not later and not self._phrases.says_later(words[end:after]):
+                        onward = self._unless_for_both(clause, onward)
+                    if onward is not None and onward[0].ambiguous:
+                        found = onward
+                    elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
                         found = [clause, *onward]
                         if after > end and len(onward) == 1 and isinstance(onward[0].action, Stop):
                             found = [clause]  # "... and wait there"
@@ -129,6 +134,22 @@ class Compounds:
         if not (clause is not None and clause.accepted) and not self._phrases.change_meaning(words):
             return self._commands.misheard(words, state, before) or clause
         return clause
+
+    def _unless_for_both(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
+        """What goes on from a command, unless it ends with what may be meant for both: "left and right ninety degrees".
+        Then the one clause that says so. "A coffee and two teas" are one coffee, and "left and then right ninety degrees"
+        one turn after the other."""
+        one, other = clause.reading, onward[0].reading
+        if one is None or other is None or one.intent is not other.intent or not other.slots:
+            return onward
+        last, said = other.slots[-1], one.values()
+        alike = said.keys() & other.values().keys() - {last.label}
+        if last.label in said or not alike or last.end < len(other.words) or self._commands.opens_with_a_verb(other):
+            return onward
+        both = replace(one, slots=(*one.slots, last))
+        meanings = tuple(f"{described(first)}, then {described(other)}" for first in (one, both))
+        reason = f"{' '.join(other.words[last.start :])!r} may be meant for both; say each command in full"
+        return [Clause(one, reason=reason, alternatives=meanings, ambiguous=True)]
 
     def _goes_on_from(self, clause: Clause) -> str:
         """The intent of a command, if there are parts that go on from it; else nothing."""

@@ -181,6 +181,10 @@ class Phrases:
             position += length
         return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
 
+    def says_later(self, joint: Sequence[str]) -> bool:
+        """Whether a joint says that something else is done first: "and then", but not "and"."""
+        return len(joint) > 0 and self._later.at(joint, 0) == len(joint)
+
     def after_opening(self, words: list[str]) -> int:
         """Where an utterance begins, past fillers, wake words, openers and words of correction ("no stop", "hey robot
         stop", "oh stop")."""
