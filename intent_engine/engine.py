@@ -274,10 +274,9 @@ class IntentEngine:
         except ConfigError:  # see parse
             count, reached = 0, None
         if reached is None:
-            dictated = self.dictated(text, language=language) is not None
             return (
                 Prefix(PrefixStatus.EXTENDABLE, (), len(words))
-                if dictated
+                if self._interpreter(language).dictates(text)
                 else Prefix(PrefixStatus.IMPOSSIBLE, (), count)
             )
         status = _status(matcher, reached)

@@ -133,8 +133,8 @@ class Slot:
 
     @property
     def smallest(self) -> float | None:
-        """The lower bound in SI, inclusive. Where the file names none, a ``max`` bounds the size both ways, so that nobody
-        drives twenty meters back by "forward minus twenty meters"; and no time is less than none."""
+        """The lower bound in SI, inclusive. Where the file names none, a ``max`` bounds the size both ways, so that
+        nobody drives twenty meters back by "forward minus twenty meters"; and no time is less than none."""
         if self.minimum is not None:
             return self.minimum
         if self.type == "duration":

@@ -113,6 +113,7 @@ def test_after_another_command_a_text_is_kept_as_it_was_said(notes, said, text):
     found = notes.parse(said)
     assert [step["intent"] for step in found.slots["steps"]] == ["move", "note"]
     assert found.slots["steps"][1]["slots"] == {"note": text}
+    assert notes.prefix(said).status is PrefixStatus.EXTENDABLE
 
 
 @pytest.mark.parametrize(
@@ -148,7 +149,9 @@ def test_a_greeting_may_be_dictated(notes, said, text):
     assert notes.parse(said).slots == {"note": text}
 
 
-@pytest.mark.parametrize("said", ["note, thanks", "take a note please", "take a note, thank you", "note now", "note uh"])
+@pytest.mark.parametrize(
+    "said", ["note, thanks", "take a note please", "take a note, thank you", "note now", "note uh"]
+)
 def test_what_goes_with_a_command_is_nothing_to_dictate(notes, said):
     assert not notes.parse(said).actions
 

@@ -28,7 +28,7 @@ intents:
         "dim the desk lamp and the spot to ten percent",
         "dim the desk lamp, the spot to ten percent",
         "please dim the desk lamp and also the spot to about ten percent",
-        "dim the ceiling light to ten percent, the desk lamp to ten percent and then dim the desk lamp and the spot to 5%",
+        "dim the ceiling light to ten percent and then dim the desk lamp and the spot to 5%",
         "turn left and right ninety degrees",
         "go forward and back two meters",
         "forward, left and right ninety degrees",

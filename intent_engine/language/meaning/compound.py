@@ -137,8 +137,8 @@ class Compounds:
 
     def _unless_for_both(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
         """What goes on from a command, unless it ends with what may be meant for both: "left and right ninety degrees".
-        Then the one clause that says so. "A coffee and two teas" are one coffee, and "left and then right ninety degrees"
-        one turn after the other."""
+        Then the one clause that says so. "A coffee and two teas" are one coffee, and "left and then right ninety
+        degrees" one turn after the other."""
         one, other = clause.reading, onward[0].reading
         if one is None or other is None or one.intent is not other.intent or not other.slots:
             return onward

@@ -115,8 +115,8 @@ class Dictation:
         return self._phrases.fillers.cover(Utterance.of(text, self._language).words)
 
     def _greets(self, text: str, before: str) -> bool:
-        """Whether what says nothing around a command is meant to be said: "say hello". After a pause it thanks whoever is
-        to write, and in "take a note please" there is nothing to write."""
+        """Whether what says nothing around a command is meant to be said: "say hello". After a pause it thanks whoever
+        is to write, and in "take a note please" there is nothing to write."""
         paused = before[-1] in PAUSES and before[-1] not in ANNOUNCES
         return not paused and self._greetings.find(Utterance.of(text, self._language).words) is not None
 

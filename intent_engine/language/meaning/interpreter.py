@@ -11,7 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.command import Clause, Commands, described, more_telling, slot_values
+from intent_engine.language.meaning.command import Clause, Commands, as_told, described, more_telling, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -76,6 +76,10 @@ class Interpreter:
     def dictated(self, text: str) -> Dictated | None:
         """The command in which a text is dictated, whatever the robot does; None: nothing is."""
         return self._dictation.taken(text) if self._dictation else None
+
+    def dictates(self, text: str) -> bool:
+        """Whether something is dictated in a text, also behind other commands."""
+        return bool(self._dictation) and self._dictated(text, (), spoken=False) is not None
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -143,7 +147,7 @@ class Interpreter:
             return self._stopped(text)
         if phrases.stop_by_sound.may_stand_in(words) and self._stops.by_sound(said):
             return self._stopped(text)
-        if self._dictation and (dictated := self._dictated(text, state, spoken)) is not None:
+        if self._dictation and (dictated := self._dictated(text, state, spoken=spoken)) is not None:
             stops = self._stops_beside(said, phrases.without_fillers(said), state)
             return self._stopped(text) if stops else dictated
         if said.unclear:
@@ -160,10 +164,10 @@ class Interpreter:
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
-                return _told(text, clause)  # else fillers may stand in the free words: "the cup please"
+                return as_told(text, clause)  # else fillers may stand in the free words: "the cup please"
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
-            return _told(text, clause)
+            return as_told(text, clause)
         listed = phrases.as_a_list(said)
         if listed is not None and (either := self._listed(text, *listed, state)) is not None:
             return either
@@ -172,22 +176,22 @@ class Interpreter:
             if again is not None and (again.accepted or clause is None):
                 clause = again
             if clause is not None and clause.accepted:
-                return _told(text, clause)
+                return as_told(text, clause)
         if not core.words:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
-            return _told(text, clause)
+            return as_told(text, clause)
         if self._number_restarted(core):
             if self._stops_beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
 
-    def _dictated(self, text: str, state: Collection[str], spoken: bool) -> Understood | None:
-        """A command in which something is dictated, alone or behind others: "turn left, and write down that ...". What is
-        before it must be commands by itself: "don't turn left, and say hello" is understood as any other text."""
+    def _dictated(self, text: str, state: Collection[str], *, spoken: bool) -> Understood | None:
+        """A command in which something is dictated, alone or behind others: "turn left, and write down that ...". What
+        is before it must be commands by itself: "don't turn left, and say hello" is understood as any other text."""
         if (alone := self._dictation.taken(text, state, spoken)) is not None:
-            return _told(text, alone.clause)
+            return as_told(text, alone.clause)
         for before, dictated in self._dictation.behind(text, state):
             found, parts = self._meant(before, Utterance.of(before, self._language), state, spoken)
             if found.status is Status.ACCEPTED and parts and not found.stops:
@@ -279,7 +283,7 @@ class Interpreter:
             return self._joined(text, parts)
         single = self._compounds.part(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
-            return _told(text, single)
+            return as_told(text, single)
         if not negated and self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
             return self._stopped(text)
         if not negated and (commands := self._run_ons.split(core, state)) is not None:
@@ -384,7 +388,7 @@ class Interpreter:
 
     def _joined(self, text: str, parts: list[Clause]) -> Understood:
         if len(parts) == 1:
-            return _told(text, parts[0])
+            return as_told(text, parts[0])
         actions = tuple(part.action for part in parts if part.action is not None)
         if any(isinstance(action, Stop) for action in actions):
             return self._stopped(text)[0], tuple(parts)
@@ -416,7 +420,7 @@ class Interpreter:
                 reason = "the sentence is not finished"
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:
-            return _told(text, clause)
+            return as_told(text, clause)
         if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
             reason = f"it is not clear what {' '.join(meant)!r} takes the place of; say the whole command again"
             return self._rejected(text, reason)
@@ -434,16 +438,3 @@ class Interpreter:
         else:
             near, reason = self._nearest.sentences(part.words), f"{said!r} is {NO_COMMAND}"
         return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near), ()
-
-
-def _told(text: str, clause: Clause) -> Understood:
-    """One command as it is told: accepted, ambiguous, or rejected."""
-    reading = clause.reading
-    intent = reading.intent.name if reading is not None else None
-    slots = slot_values(reading) if reading is not None else {}
-    if clause.action is not None and reading is not None:
-        found = Interpretation(text, Status.ACCEPTED, intent, slots, (clause.action,), reading.score, (), clause.reason)
-    else:
-        status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
-        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
-    return found, (clause,)
