@@ -65,6 +65,20 @@ def test_any_time_of_day_in_figures(engine, hour, minute, figures):
     assert {"minute": 0, **found.slots} == {"hour": hour, "minute": minute}  # "1.00" is an hour alone
 
 
+@given(st.integers(1, 12), st.integers(1, 9), st.sampled_from(("oh", "o", "zero")), st.booleans())
+def test_any_minute_below_ten_is_said_with_its_zero(engine, hour, minute, zero, figures):
+    said = [str(hour), str(minute)] if figures else in_words([str(hour), str(minute)])
+    assert dict(engine.parse(f"wake me at {said[0]} {zero} {said[1]}").slots) == {"hour": hour, "minute": minute}
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["wake me at six, oh, five", "wake me at thirteen oh five", "point at six oh five", "wake me at six oh twelve"],
+)
+def test_a_zero_that_parts_nothing_parts_no_number(engine, said):
+    assert not engine.parse(said).actions
+
+
 @pytest.mark.parametrize(
     "said", ["wake me at 6.75", "wake me at 1365", "point at 630", "count to 6.30", "wake me at 25.30"]
 )

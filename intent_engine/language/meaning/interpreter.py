@@ -316,7 +316,7 @@ class Interpreter:
         if written is None:
             written = self._begun_twice(text, core, state)
         if written is None:
-            written = self._understood_as(text, core, figures_apart(core), state)
+            written = self._understood_as(text, core, figures_apart(core, self._language), state)
             readings = [part.reading for part in written[1] if part.reading is not None] if written is not None else []
             if not are_apart(core, readings, self._language):
                 return None
