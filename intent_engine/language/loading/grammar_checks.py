@@ -119,6 +119,8 @@ def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                 yield written.problem(message, hint, reference.column)
             elif name not in known:
                 near = did_you_mean(name, known)
+                if reference.label in grammar.slots:  # {far:distance}, the other way round
+                    near = f"the slot comes first: {{{reference.label}:{name}}}"
                 hint = near or (f"known: {_listed(known)}" if known else "define it under slots: or phrases:")
                 yield written.problem(f"there is no slot or phrase {name!r}", hint, reference.column)
             elif reference.label != name and name in grammar.phrases:

@@ -19,8 +19,8 @@ __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max")),
-    "number": ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "whole"),
-    "ordinal": ("unit", "min", "max", "least", "usual_step", "usual_max"),
+    "number": ("units", "min", "max", "least", "usual_step", "usual_max", "whole"),
+    "ordinal": ("min", "max", "least", "usual_step", "usual_max"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),
@@ -38,6 +38,8 @@ _UNITS: Mapping[str, str] = {
 }
 USUAL_WORDS, MOST_WORDS = 4, 12
 """Words of a text, where its slot says no number; and of one that is dictated, in a sentence of several commands."""
+MANY = 10
+"""From here on a plain number for a percentage is hardly meant as it is written: 80 would be 8,000 percent."""
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
@@ -268,6 +270,10 @@ class PartReader:
         if not self.finite(path, raw):
             return None
         if isinstance(raw, (int, float)) and not isinstance(raw, bool) and unit is None:
+            if kind == "percent" and abs(raw) >= MANY:
+                message = f"{raw} is {raw * 100:,.0f} percent: a plain number is a part of one"
+                self.source.problem(path, message, f"write {raw} %", key=key)
+                return None
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
         if value is None:

@@ -138,6 +138,8 @@ def parse_yaml(text: str, source: YamlSource, shortest: str = "") -> YamlSource:
             source.problems.append(Problem("is empty", source.file, hint=shortest))
             return source
         source.data = _Reader(source).plain(node, (), frozenset())
+        if source.data is None and not source.problems:
+            source.problems.append(Problem("is empty", source.file, hint=shortest))
     except yaml.MarkedYAMLError as error:
         source.problems.append(_syntax_problem(error, source))
     except yaml.reader.ReaderError as error:
