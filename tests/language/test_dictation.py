@@ -130,6 +130,17 @@ def test_of_what_is_no_command_before_a_text_nothing_is_done(notes, said):
     assert not any(action.type == "move" for action in notes.parse(said).actions)
 
 
+@pytest.mark.parametrize("said", ["tell Anna and Tom that I am late", "tell Anna or Tom that it is late"])
+def test_who_else_is_to_be_told_is_no_part_of_a_text(engine_of, said):
+    told = engine_of(
+        "language: en\nslots: {who: [Anna, Tom], note: {type: text, dictation: true}}\n"
+        "intents: {tell: {action: custom, sentences: ['tell {who} [that] {note}']}}\n"
+    )
+    assert not told.parse(said).actions
+    assert told.parse("tell Anna that Tom and I are late").slots == {"who": "Anna", "note": "Tom and I are late"}
+    assert told.parse("tell Anna, and then it rained").slots == {"who": "Anna", "note": "and then it rained"}
+
+
 def test_a_stop_behind_a_text_stops_all(notes):
     assert notes.parse("go back two meters and write down that it is late. Stop!").stops
 

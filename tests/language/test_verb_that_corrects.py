@@ -60,3 +60,26 @@ def test_the_last_number_counts(engine: IntentEngine, old: int, new: int, correc
     first, second = (" ".join(in_words([str(number)])) for number in (old, new))
     found = engine.parse(f"wait for {first}, {corrects}, {second} seconds")
     assert [action.slots for action in found.actions] == [{"time": new}]
+
+
+HELD = """
+language: en
+slots: {time: duration}
+intents:
+  wait: {action: custom, sentences: ["wait [here] [for {time}]"]}
+  again: {action: {type: custom, name: again}, sentences: ["[do that] again", "a little more"]}
+  greet: {action: custom, sentences: [greet the visitors]}
+"""
+
+
+@pytest.mark.parametrize("said", ["wait a little more", "wait do that again", "please wait greet the visitors"])
+def test_in_one_breath_a_command_to_wait_corrects_nothing(engine_of, said):
+    """Whether one is to wait, or to do what follows, or both, nobody knows."""
+    assert not engine_of(HELD).parse(said).actions
+
+
+@pytest.mark.parametrize(
+    "said", ["wait, greet the visitors", "no wait, greet the visitors", "sorry greet the visitors"]
+)
+def test_after_a_pause_it_corrects(engine_of, said):
+    assert [action.name for action in engine_of(HELD).parse(said).actions] == ["greet"]

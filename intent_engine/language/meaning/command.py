@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.continuation import MANNER
@@ -74,6 +74,11 @@ class Commands:
         """Whether the words are a command by themselves, exactly."""
         clause = self.exact(words, state)
         return clause is not None and clause.accepted
+
+    def moves(self, words: list[str], state: Collection[str]) -> bool:
+        """Whether the words are a command by themselves, and no stop."""
+        clause = self.exact(words, state)
+        return clause is not None and clause.accepted and not isinstance(clause.action, Stop)
 
     def may_go_on(self, words: Sequence[str], before: str) -> bool:
         """A quick look: whether words may be what goes on from a command of an intent."""

@@ -106,13 +106,16 @@ class Corrections:
     def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
         """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
 
-        Not "sorry, right": one word is as likely talk. Nor "no turn left" in one breath, which may forbid.
+        Not "sorry, right": one word is as likely talk. Nor, in one breath, "no turn left", which may forbid, and "wait
+        a little more" where one may be told to wait.
         """
         start = 0
         while length := self._correction.at(part.words, start):
             start += length
         forbids = _MAY_FORBID.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
+            return None
+        if not self._pause_after(part, start) and self._commands.moves(part.words[:start], state):
             return None
         clause = self._commands.exact(part.words[start:], state)
         if clause is None or not clause.accepted:

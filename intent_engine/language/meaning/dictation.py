@@ -6,7 +6,7 @@ all of these. So only the words before it are understood, and it is kept as it i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from intent_engine.language.action_builder import CannotActError, build_action
@@ -28,6 +28,8 @@ AROUND = " \t\n,;:-.\u2026"
 """What is written around the text and not said."""
 PAUSES = ",;:.!?\u2026"
 """What is written at the end of a word where a pause follows."""
+OR: Mapping[str, str] = {"en": "or", "de": "oder", "es": "o", "fr": "ou", "it": "o"}
+"""Between two of which one is meant."""
 ANNOUNCES = ":"
 """The one of these behind which the text comes: "say: hello"."""
 
@@ -99,6 +101,9 @@ class Dictation:
         for begin in self._begins(" ".join(written[:count]), spoken):
             clause = self._commands.exact([*begin.words, ANYTHING], state)
             if clause is not None and (slot := _dictated(clause.reading)) is not None:
+                if self._lists(clause.reading, slot, rest, written[count - 1]):
+                    reason = f"whether {rest!r} is what is told, or whom to tell, is not clear; pause before it"
+                    return Dictated(Clause(clause.reading, reason=reason), tuple(begin.words), rest)
                 return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
         return None
 
@@ -119,6 +124,14 @@ class Dictation:
         is to write, and in "take a note please" there is nothing to write."""
         paused = before[-1] in PAUSES and before[-1] not in ANNOUNCES
         return not paused and self._greetings.find(Utterance.of(text, self._language).words) is not None
+
+    def _lists(self, reading: Reading | None, slot: SlotReading, text: str, before: str) -> bool:
+        """Whether a text goes on from the value before it: "tell Anna [and Tom that I'm late]". Who else is to be told
+        is no part of what they are told."""
+        assert reading is not None
+        listed = len(reading.slots) > 1 and reading.slots[-2].end == slot.start and before[-1] not in PAUSES
+        words = Utterance.of(text, self._language).words
+        return listed and (self._phrases.sequence.at(words, 0) > 0 or words[:1] == [OR.get(self._language)])
 
     def _begins(self, text: str, spoken: bool) -> Iterator[Utterance]:
         """A beginning of a text, without the wake word, as it is and without what says nothing."""
