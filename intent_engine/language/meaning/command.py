@@ -63,12 +63,15 @@ class Commands:
 
         ``after`` names an intent whose command they go on from: "to the bedroom".
         """
-        readings = self.matcher.read(words, after=after)
-        if self._patterns and not after:
-            readings = [*readings, *self._patterns.read(words, self.matcher)]
+        readings = self.readings(words, after)
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
         return self._choose(readings, state) if readings else None
+
+    def readings(self, words: list[str], after: str = "") -> list[Reading]:
+        """All ways to understand words as a sentence or a pattern, the best first; ``after`` as in :meth:`exact`."""
+        readings = self.matcher.read(words, after=after)
+        return [*readings, *self._patterns.read(words, self.matcher)] if self._patterns and not after else readings
 
     def accepts(self, words: list[str], state: Collection[str]) -> bool:
         """Whether the words are a command by themselves, exactly."""

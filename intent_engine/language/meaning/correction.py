@@ -183,13 +183,13 @@ class Corrections:
         if not said:
             return meant if whole else None
         kept: dict[tuple[bool, bool, bool, int], dict[tuple[Any, ...], list[str]]] = {}
-        first = next((reading for reading in self._matcher.read(said, after=before) if not reading.problem), None)
+        first = next((reading for reading in self._commands.readings(said, before) if not reading.problem), None)
         if first is not None and before and self._says_all_again(first, meant, before):
             return meant
         for words, count, at, label in self._replacements(said, meant, first, whole) if first is not None else ():
             assert first is not None
             old = first.values()
-            for reading in self._matcher.read(words, after=before)[:1]:
+            for reading in self._commands.readings(words, before)[:1]:
                 if reading.problem or reading.intent is not first.intent:
                     continue
                 touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
@@ -221,7 +221,7 @@ class Corrections:
             # One sentence, whole or begun: of two commands joined by "and", only the last is corrected.
             automaton = self._matcher.later[before][0] if before else self._matcher.strict
             _, reached = automaton.walk(said)
-            return meant if reached is not None else None
+            return meant if reached is not None or first is not None else None  # a pattern is in no automaton
         several = self._replace_several(said, meant, first, before) if first is not None else None
         if several is not None or before:
             return several

@@ -94,7 +94,7 @@ def does(engine: IntentEngine) -> Callable[[str], str]:
         ("uh dance wildly please", "loose"),
         ("fetch the red cup and walk forward", "pick red cup, forward 1"),
         ("walk forward then visit the hall", "forward 1, to hall"),
-        ("walk forward no backward", "rejected"),  # which part of a pattern is corrected is not known
+        ("walk forward no backward", "back 1"),
         ("do not disturb", "quiet"),
         ("do not disturb the cat", "quiet"),
     ],

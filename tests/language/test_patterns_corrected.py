@@ -1,0 +1,73 @@
+"""A command of a pattern is corrected as any other: a value of it, its end, or all of it."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+
+GRAMMAR = """
+language: en
+slots:
+  shelf: [A, B, C]
+  bin: {type: number, min: 1, max: 40, whole: true}
+  fruit: [apples, pears]
+  code: {type: text, max_words: 2}
+intents:
+  refill:
+    action: custom
+    regex: "refill (?:bin )?(?P<shelf>[a-c]) ?(?P<bin>\\\\d+)(?: with (?P<fruit>.+))?"
+  scan:
+    action: custom
+    lark: |
+      start: "scan code " code
+      code: /[a-z] \\d+/
+  wave: {action: custom, sentences: ["wave [twice]"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("refill b 12, no, 13", "refill b 13"),
+        ("refill b 12 I mean c", "refill c 12"),
+        ("refill bin b 12 with apples, no, pears", "refill bin b 12 with pears"),
+        ("refill bin b 12 with apples, sorry, with pears", "refill bin b 12 with pears"),
+        ("scan code a 12, no, b 13", "scan code b 13"),
+        ("refill b 12, no, scan code b 13", "scan code b 13"),
+        ("refill b 12, no, wave twice", "wave twice"),
+        ("wave twice, no, refill b 12", "refill b 12"),
+        ("wave and refill b 12, no, 13", "wave and refill b 13"),
+    ],
+)
+def test_what_is_said_again_counts(engine, said, meant):
+    assert engine.parse(said).actions == engine.parse(meant).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "refill b 12, no",
+        "refill b 12, no, d 13",
+        "refill b 12, no, 13 with",
+        "refill b 12, no, 50",
+        "refill b 12 with apples, no, plums",
+    ],
+)
+def test_what_is_no_value_corrects_nothing(engine, said):
+    assert not engine.parse(said).actions
+
+
+@given(st.integers(1, 40), st.integers(1, 40), st.sampled_from("abc"), st.sampled_from(("no", "I mean", "sorry")))
+def test_the_last_number_counts(engine, old, new, shelf, corrects):
+    assert (
+        engine.parse(f"refill {shelf} {old}, {corrects}, {new}").actions
+        == engine.parse(f"refill {shelf} {new}").actions
+    )
