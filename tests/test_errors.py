@@ -70,6 +70,7 @@ CASES: dict[str, Callable[[], object]] = {
     "grammar: several mistakes at once": _grammar(
         WAVE + "      - 'wave {who}'\n      - 'wave [at {whom}'\n      - 'look [at me'\n"
     ),
+    "grammar: a map": _grammar("frame: map\nlocations:\n  kitchen: {x: 5, y: 2.0, yaw: 0.0}\n"),
     "grammar: the same sentence twice": _grammar(
         WAVE + "      - wave\n  greet: {action: {type: custom, name: greet}, sentences: [wave]}\n"
     ),
@@ -78,6 +79,7 @@ CASES: dict[str, Callable[[], object]] = {
         IntentEngine.from_files("grammar.yaml", locations="no.yaml"),
     ),
     "map: no number": _map("frame: map\nlocations:\n  kitchen: {x: five, y: 2.0, yaw: 0.0}\n"),
+    "map: a grammar": _map("language: en\nintents:\n  wave: {action: custom, sentences: [wave]}\n"),
     "map: said alike": _map(
         "frame: map\nlocations:\n  bay 3: {x: 1, y: 2, yaw: 0}\n  bay three: {x: 1, y: 3, yaw: 0}\n"
     ),

@@ -217,6 +217,8 @@ def _negation(answer: tuple[Utterance | None, str]) -> str:
 def _compound(answer: list[Clause] | None) -> str:
     if answer is None:
         return NO_SPLIT
+    if len(answer) == 1 and answer[0].ambiguous:
+        return answer[0].reason
     return f"{len(answer)} commands" if len(answer) > 1 else "one command"
 
 

@@ -175,6 +175,8 @@ def _draft(source: YamlSource) -> Draft:
     if source.data is None:
         empty = Problem("is empty", source.file, hint="the shortest map: 'locations: {kitchen: {x: 5.0, y: 2.0}}'")
         return Draft(problems=[empty if problem.message == "is empty" else problem for problem in source.problems])
+    if isinstance(source.data, dict) and "intents" in source.data and "locations" not in source.data:
+        return Draft(problems=[Problem("is a grammar, not a map", source.file, hint="give it as grammar")])
     source.problems.extend(schema_problems(source, _schema()))
     if not isinstance(source.data, dict) or not isinstance(source.data.get("locations"), dict):
         return Draft(problems=source.problems)

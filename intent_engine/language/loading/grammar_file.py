@@ -139,6 +139,9 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
         if resolved in done:
             return
         source = read_yaml(path)
+        if isinstance(source.data, dict) and "locations" in source.data and "intents" not in source.data:
+            source.problems.append(Problem("is a map, not a grammar", source.file, hint="give it as locations"))
+            source.data = None
         if source.data is not None:
             source.problems.extend(schema_problems(source, schema()))
         if isinstance(source.data, dict):
