@@ -9,9 +9,9 @@ from itertools import pairwise
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
-from intent_engine.language.reading import SlotReading
+from intent_engine.language.reading import Reading, SlotReading
 
-__all__ = ["is_number", "may_hold", "numbers_apart"]
+__all__ = ["is_number", "leaves_one_of_two", "may_hold", "numbers_apart"]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
 
@@ -34,6 +34,33 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
             problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
             found[place] = replace(slot, value=None, status="unknown", problem=problem)
     return found
+
+
+def leaves_one_of_two(old: Reading, new: Reading, meant: Sequence[str]) -> bool:
+    """Whether a correction says one again of two numbers that belong together, and it is not clear which, or whether
+    the other one stays: "seven thirty, no, eight" may be eight, half past eight or eight past seven.
+
+    Args:
+        old: what was said.
+        new: the same, corrected.
+        meant: the words of the correction.
+    """
+    before = {slot.label: slot.value for slot in old.slots}
+    for one, other in pairwise(new.slots):
+        between = new.words[one.end : other.start]
+        together = one.slot.type == other.slot.type == "number" and len(between) < 2
+        if not together or not {one.label, other.label} <= before.keys():
+            continue
+        if f" {' '.join(new.words[one.start : other.end])} " in f" {' '.join(meant)} ":
+            continue  # both are said again
+        first, second = (before[slot.label] != slot.value for slot in (one, other))
+        kept = not between or meant[-1] == between[0]  # "seven o'clock thirty, no, eight o'clock"
+        if not second and kept and (first or old.values() == new.values()):
+            return True
+        bare = not between or len(meant) == other.end - other.start
+        if second and not first and bare and one.slot.beyond(other.value or 0.0) is None:
+            return True
+    return False
 
 
 def is_number(word: str, language: str) -> bool:
