@@ -53,7 +53,7 @@ USE = "'see {thing}', 'visit {place}', 'paint it {colour}'"
 
 def test_a_slot_of_every_kind_of_quantity_can_be_said(tmp_path):
     kinds = ["number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent"]
-    slots = ", ".join(f"{kind}: {{type: {kind}, max: 30}}" for kind in kinds)
+    slots = ", ".join(f"{kind}: {{type: {kind}, max: 9}}" for kind in kinds)
     rows = "".join(
         f"  {kind}: {{action: custom, sentences: ['see {kind.replace('_', ' ')} {{{kind}}} now']}}\n" for kind in kinds
     )
