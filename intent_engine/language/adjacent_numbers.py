@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -36,15 +36,21 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
     return found
 
 
-def leaves_one_of_two(old: Reading, new: Reading, meant: Sequence[str]) -> bool:
+def leaves_one_of_two(
+    said: list[str], corrected: list[str], meant: Sequence[str], read: Callable[[list[str]], Sequence[Reading]]
+) -> bool:
     """Whether a correction says one again of two numbers that belong together, and it is not clear which, or whether
     the other one stays: "seven thirty, no, eight" may be eight, half past eight or eight past seven.
 
     Args:
-        old: what was said.
-        new: the same, corrected.
+        said: the words.
+        corrected: the same, corrected.
         meant: the words of the correction.
+        read: all ways to understand words, the best first.
     """
+    old, new = (next(iter(read(words)), None) for words in (said, corrected))
+    if old is None or new is None:
+        return False
     before = {slot.label: slot.value for slot in old.slots}
     for one, other in pairwise(new.slots):
         between = new.words[one.end : other.start]

@@ -34,7 +34,6 @@ MISTAKES: dict[str, str | bytes] = {
     "an empty alternative": says("wave (at||to)"),
     "a slot and its second name the other way round": says("wave {far:way}", "slots:\n  way: distance\n"),
     "a percentage as a plain number": slot("{type: percent, min: 0, max: 80}"),
-    "a unit of plain numbers": slot("{type: number, unit: deg}"),
     "a file that holds nothing": "null\n",
     "an alternative without brackets that is empty": says("|wave"),
     "an empty optional": says("wave []"),

@@ -19,8 +19,8 @@ __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max")),
-    "number": ("units", "min", "max", "least", "usual_step", "usual_max", "whole"),
-    "ordinal": ("min", "max", "least", "usual_step", "usual_max"),
+    "number": ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "whole"),
+    "ordinal": ("unit", "min", "max", "least", "usual_step", "usual_max"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
     "location": ("tags", "fuzzy"),

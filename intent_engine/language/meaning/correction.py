@@ -72,7 +72,9 @@ class Corrections:
             if not piece.words:
                 continue
             replaced = self._replace(current, piece.words, state, before)
-            if replaced is None or self._leaves_one_of_two(current, replaced, piece.words, before):
+            if replaced is None:
+                return None
+            if leaves_one_of_two(current, replaced, piece.words, lambda words: self._commands.readings(words, before)):
                 return None
             if denies and self._is_what_is_had(current, replaced, piece.words):
                 either = (" ".join(replaced), " ".join(current))
@@ -85,10 +87,6 @@ class Corrections:
         if clause is None or not clause.accepted:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
-
-    def _leaves_one_of_two(self, said: list[str], words: list[str], meant: list[str], before: str) -> bool:
-        old, new = (next(iter(self._commands.readings(some, before)), None) for some in (said, words))
-        return old is not None and new is not None and leaves_one_of_two(old, new, meant)
 
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
