@@ -156,7 +156,7 @@ class Interpreter:
                     return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        clause = self._commands.exact(said.words, state) if not self._number_in_pieces(said) else None
+        clause = self._as_said(said, state) if not self._number_in_pieces(said) else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
@@ -183,6 +183,9 @@ class Interpreter:
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
 
+    def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
+        return self._commands.exact(said.words, state, breaks=said.breaks)
+
     def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
         """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
         says nothing. Nobody knows, so nothing is done. None: no command follows, or a stop."""
@@ -206,14 +209,14 @@ class Interpreter:
 
     def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
         """What an utterance says besides its fillers."""
-        exact, phrases = self._commands.exact, self.phrases
-        clause = exact(core.words, state)
+        phrases = self.phrases
+        clause = self._as_said(core, state)
         if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
-            clause = exact(phrases.without_idle_fillers(said).words, state)
+            clause = self._as_said(phrases.without_idle_fillers(said), state)
         less = phrases.without_whole_fillers(said)
         if not core.words or len(less) == len(core):
             return clause
-        other = exact(less.words, state)
+        other = self._as_said(less, state)
         if other is None or not other.accepted:
             return clause
         if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
