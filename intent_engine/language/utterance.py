@@ -120,6 +120,8 @@ class Openers:
     """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
     around: PhraseSet
     """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
+    again: PhraseSet
+    """Phrases after which a command begins again: "no, I mean go ahead and turn right"."""
     language: str = "en"
     """Whose numbers."""
 
@@ -142,8 +144,11 @@ class Openers:
         if self.listing.at(said.words, position) == length:
             begins = not before and self.listing.find(said.words[:position]) is None
         else:
-            begins = not before or paused or said.breaks[position] or self.joints.ends(before) > 0
+            begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])
+
+    def _begins_after(self, before: Sequence[str]) -> bool:
+        return self.joints.ends(before) > 0 or self.again.ends(before) > 0
 
     def _counts(self, word: str) -> bool:
         """Whether a word begins a number, or is one."""

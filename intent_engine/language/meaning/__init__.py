@@ -10,6 +10,7 @@ Each rule has its module, and knows only those above it:
 - ``dictation``: "write down ...", and then anything;
 - ``correction``: "turn left no right";
 - ``compound``: "go forward and turn left";
+- ``cancelled``: "turn left, never mind, go back";
 - ``run_on``: "go forward turn left";
 - ``negation``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;

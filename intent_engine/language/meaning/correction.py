@@ -71,6 +71,10 @@ class Corrections:
             if not piece.words:
                 continue
             replaced = self._replace(current, piece.words, state, before)
+            if opens := self._phrases.opens(piece.words):  # "no, well, the ball": not a thing called "well"
+                once_more = self._replace(current, piece.words[opens:], state, before)
+                ways = filter(None, (replaced, once_more))
+                replaced = min(ways, key=lambda way: self._free_words(way, before), default=None)
             if replaced is None:
                 return None
             if denies and self._is_what_is_had(current, replaced, piece.words):
@@ -84,6 +88,9 @@ class Corrections:
         if clause is None or not clause.accepted:
             return clause
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
+
+    def _free_words(self, words: list[str], before: str) -> int:
+        return next((reading.free_words for reading in self._matcher.read(words, after=before)), 0)
 
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""

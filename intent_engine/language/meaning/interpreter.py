@@ -11,6 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
@@ -69,6 +70,7 @@ class Interpreter:
         self._commands = made(commands)
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
+        self._cancelled = Cancelled(phrases, self._commands, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
@@ -241,8 +243,7 @@ class Interpreter:
             return self._stopped(text)
         if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
             return self._stopped(text)
-        after = self.phrases.after_cancelled(core)
-        if after and (self._stops.is_sentence(words[:after]) or not self._commands.accepts(words[:after], state)):
+        if after := self._cancelled.after(core, state):
             found, told = self._meant(text, core.part(after, len(core)), state, spoken=False)
             if found.status is Status.ACCEPTED:
                 return replace(found, reason=found.reason or f"after {' '.join(words[:after])!r}"), told
