@@ -48,6 +48,12 @@ class Clause:
             return False
         return not any_articles().issuperset(self.reading.words[slot.start : slot.end])
 
+    @property
+    def no_name(self) -> bool:
+        """Whether it would be a command, were some free words the name of anything: "take your time"."""
+        slot = _wrong_slot(self.reading)
+        return slot is not None and slot.slot.type in FREE_KINDS
+
 
 class Commands:
     """Words to one command of a grammar, for a robot in given states."""
@@ -301,8 +307,7 @@ def more_telling(exact: Clause | None, loose: Clause | None) -> Clause | None:
     "take me to the library" than that "me" is nothing to take."""
     if exact is None or loose is None:
         return exact or loose
-    wrong = _wrong_slot(exact.reading)
-    return loose if wrong is not None and wrong.slot.type in FREE_KINDS and loose.unknown_place else exact
+    return loose if exact.no_name and loose.unknown_place else exact
 
 
 def _wrong_slot(reading: Reading | None) -> SlotReading | None:

@@ -171,8 +171,8 @@ class Interpreter:
             return either
         if core is not said and not self._number_restarted(core):
             again = self._without_fillers(said, core, state)
-            if again is not None and (again.accepted or clause is None):
-                clause = again
+            if again is not None and (again.accepted or clause is None or again.no_name):
+                clause = again  # "take your time please" takes no "time please"
             if clause is not None and clause.accepted:
                 return _told(text, clause)
         if not core.words:
