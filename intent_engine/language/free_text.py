@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
-from intent_engine.language.action_builder import slot_of_parameter
 from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Slot
+from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral

@@ -76,3 +76,22 @@ def test_a_part_that_is_put_right_may_begin_so(engine: IntentEngine, said: str, 
 def test_what_is_a_command_stays_one(engine: IntentEngine) -> None:
     assert [one.name for one in engine.parse("visit the lab, no, go ahead").actions] == ["ahead"]
     assert engine.parse("visit the lab, no, then visit the kitchen").actions == ()
+
+
+@pytest.mark.parametrize(
+    ("language", "tools", "said", "told"),
+    [
+        ("en", "the hammer, saw", "take the saw, no, the hammer", "corrected to 'take the hammer'"),
+        ("en", "a long rope, saw", "take a saw, no, a long rope", "corrected to 'take a long rope'"),
+        ("de", "den Hammer, Pinsel", "take den Pinsel, nein, den Hammer", "corrected to 'take den hammer'"),
+    ],
+)
+def test_no_article_is_told_twice(engine_of, language: str, tools: str, said: str, told: str) -> None:
+    article = said.split()[1]
+    engine = engine_of(f"""
+    language: {language}
+    slots: {{tool: [{tools}]}}
+    intents:
+      take: {{action: custom, sentences: ["take {article} {{tool}}"]}}
+    """)
+    assert engine.parse(said).reason == told

@@ -87,7 +87,11 @@ class Corrections:
             clause = self._commands.exact(current, state, before)
         if clause is None or not clause.accepted:
             return clause
-        return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
+        articles = thing_words(self._matcher.grammar.language).articles
+        told = [
+            word for word, after in itertools.zip_longest(current, current[1:]) if word != after or word not in articles
+        ]
+        return Clause(clause.reading, clause.action, f"corrected to {' '.join(told)!r}")
 
     def _free_words(self, words: list[str], before: str) -> int:
         return next((reading.free_words for reading in self._matcher.read(words, after=before)), 0)
