@@ -129,6 +129,12 @@ class Slot:
     """Choice and location: whether misspelled and misheard values are resolved."""
     place: Place | None = None
 
+    @property
+    def bare(self) -> bool:
+        """Whether a number alone may be a value of a number's slot: where a unit of its own is as large as one ("gram"
+        beside "kilo"), a person who leaves it out may mean another, unless the slot has a ``unit``."""
+        return self.unit is not None or all(size != 1 for size, _ in self.units)
+
     def beyond(self, value: float) -> tuple[str, str] | None:
         """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""
         if self.whole and not float(value).is_integer():

@@ -108,7 +108,8 @@ class SentenceNetworks:
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
             if slot.units:
-                kind = Choice((kind, self._own_units(slot, spoken)))
+                own_units = self._own_units(slot, spoken)
+                kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
             own = {f"{OWN_UNIT}{place}": Call(f"units:{slot.name}:{place}") for place in range(len(slot.units))}
             self._networks.add_template(key, kind, scope | own)

@@ -71,7 +71,7 @@ class SlotValues:
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
-        if value is None:
+        if value is None and (slot.type != "number" or slot.bare):
             value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
         problem = ""
         status = "exact"

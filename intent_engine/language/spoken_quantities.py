@@ -64,6 +64,7 @@ def spoken_forms(
     *,
     whole: bool = False,
     own: tuple[tuple[float, tuple[str, ...]], ...] = (),
+    bare: bool = True,
 ) -> tuple[tuple[Spoken, ...], ...]:
     """The ways to say a quantity, by form (whole numbers, decimals, fractions, ...), the shortest form first.
 
@@ -75,9 +76,11 @@ def spoken_forms(
         maximum: SI, inclusive; None: no limit.
         whole: only whole numbers.
         own: units of the slot itself: the size of each, and what it is called, singular and plural first.
+        bare: whether a number is said without these, where it can be.
     """
     limits = (-math.inf if minimum is None else minimum, math.inf if maximum is None else maximum)
-    forms = (_within(form, limits, whole) for form in (*_forms(kind, language, unit), *_in_own(language, own)))
+    usual = _forms(kind, language, unit) if bare or kind != "number" else ()
+    forms = (_within(form, limits, whole) for form in (*usual, *_in_own(language, own)))
     return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
 
 

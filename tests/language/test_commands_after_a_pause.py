@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from meanings import does, german
 
 from intent_engine import IntentEngine, Status
-from tests.language.meanings import does, german
 
 GRAMMAR = """
 language: en
