@@ -13,10 +13,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 from intent_engine.language.numbers import foreign, said
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
+from intent_engine.language.numbers.units import FACTORS, RATES, SIGNS, Units, units
 from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, tidy
 
-__all__ = ["Spoken", "spoken_forms"]
+__all__ = ["Spoken", "spoken_forms", "usual_units"]
 
 
 class Spoken(NamedTuple):
@@ -82,6 +82,21 @@ def spoken_forms(
     usual = _forms(kind, language, unit) if bare or kind != "number" else ()
     forms = (_within(form, limits, whole) for form in (*usual, *_in_own(language, own)))
     return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
+
+
+def usual_units(kind: str, language: str, *, single: bool) -> Iterator[str]:
+    """The first words of the units that people say for a kind, the most usual first; of rates there are none.
+
+    Args:
+        kind: one of ``QUANTITY_KINDS``.
+        language: whose words.
+        single: behind "one".
+    """
+    table = units(language)
+    for key in _USUAL.get(kind, ()) if table is not None else ():
+        assert table is not None
+        if names := [name for name in _names(key, table) if language == "en" or name not in SIGNS]:
+            yield (names[0] if single else _plural(names)).split()[0]
 
 
 def _within(form: Iterable[_Said], limits: _Limits, whole: bool) -> tuple[Spoken, ...]:

@@ -34,6 +34,8 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
+MOST_FOLLOWING = 8
+"""Words that are told of those with which an unfinished sentence may go on."""
 _ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
 """The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
 NO_COMMAND = "not a command of this grammar"
@@ -405,7 +407,9 @@ class Interpreter:
             # A place that is not on the map is not the beginning of a thing: "bring me to the library".
             a_place = clause is not None and clause.unknown_place and reached is not None and automaton.free(reached)
             if reached is not None and not automaton.accepting(reached) and not a_place:
-                following = tuple(sorted(automaton.next_words(reached))[:8])
+                from intent_engine.language.likely_words import likely_words
+
+                following = likely_words(self.matcher, words, most=MOST_FOLLOWING)
                 reason = "the sentence is not finished"
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:
