@@ -111,6 +111,8 @@ class Slot:
     """SI: people hardly say more. Of two numbers that sound alike the other is likelier; None: any."""
     whole: bool = False
     """Number: whether it counts something, so that nothing between two whole numbers is one."""
+    digits: bool = False
+    """Quantity: whether its digits may be said one by one: "one eight zero"."""
     values: tuple[tuple[Any, Node], ...] = ()
     """Choice: value and the template that spells it."""
     max_words: int = 4

@@ -124,6 +124,8 @@ class Openers:
     """Phrases after which a command begins again: "no, I mean go ahead and turn right"."""
     language: str = "en"
     """Whose numbers."""
+    digits: bool = False
+    """Whether digits are said one by one, so that an "oh" behind one is a zero: "heading one eight oh"."""
 
     def misplaced(
         self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
@@ -203,6 +205,12 @@ class Utterance:
             return False
         return all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2])
 
+    def _zero_after(self, position: int) -> bool:
+        """Whether an "oh" stands right behind a digit."""
+        before = "".join(self.words[position - 1 : position]) if position else ""
+        single = before in DIGITS or before in ZERO or (len(before) == 1 and before.isdigit())
+        return single and self.words[position] in ZERO and not self.breaks[position]
+
     def paused_in_number(self) -> bool:
         """Whether a pause stands where a number would go on: "turn twenty, five degrees", "five, ten degrees". Larger
         numbers have such pauses: "two thousand, five hundred"."""
@@ -235,6 +243,8 @@ class Utterance:
             if length and openers is not None and openers.misplaced(self, position, length, words, paused=pause):
                 length = 0
             if length == 1 and self.zero_between(position) and not self.paused_beside(position):
+                length = 0
+            if length == 1 and openers is not None and openers.digits and self._zero_after(position):
                 length = 0
             whole = but.at(self.words, position) if but is not None else 0
             if whole > max(length, 1):

@@ -192,8 +192,8 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                 sizes.update(dict.fromkeys(names, size))
         if slot.type == "number" and slot.units and slot.unit and sizes.get(plain_phrase(slot.unit)) != 1:
             message = f"slot {slot.name!r}: a number alone is no number of {slot.unit!r}"
-            names = " or ".join(" ".join(words) for words, size in sizes.items() if size == 1)
-            yield problem_at(slot.place, message, f"write unit: {names}" if names else "leave unit out: it counts ones")
+            ones = " or ".join(" ".join(words) for words, size in sizes.items() if size == 1)
+            yield problem_at(slot.place, message, f"write unit: {ones}" if ones else "leave unit out: it counts ones")
 
 
 def _known_size(words: tuple[str, ...], slot: Slot, sizes: Mapping[tuple[str, ...], float], language: str) -> float:

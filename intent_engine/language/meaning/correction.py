@@ -73,8 +73,8 @@ class Corrections:
             replaced = self._replace(current, piece.words, state, before)
             if opens := self._phrases.opens(piece.words):  # "no, well, the ball": not a thing called "well"
                 once_more = self._replace(current, piece.words[opens:], state, before)
-                ways = filter(None, (replaced, once_more))
-                replaced = min(ways, key=lambda way: self._free_words(way, before), default=None)
+                ways = [(self._matcher.read(way, after=before), way) for way in (replaced, once_more) if way]
+                replaced = min(ways, key=lambda way: way[0][0].free_words if way[0] else 0, default=(None, None))[1]
             if replaced is None:
                 return None
             if denies and self._is_what_is_had(current, replaced, piece.words):
@@ -92,9 +92,6 @@ class Corrections:
             word for word, after in itertools.zip_longest(current, current[1:]) if word != after or word not in articles
         ]
         return Clause(clause.reading, clause.action, f"corrected to {' '.join(told)!r}")
-
-    def _free_words(self, words: list[str], before: str) -> int:
-        return next((reading.free_words for reading in self._matcher.read(words, after=before)), 0)
 
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""

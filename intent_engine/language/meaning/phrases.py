@@ -59,8 +59,11 @@ class Phrases:
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
         around = PhraseSet(grammar.around)
+        digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
-        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language)
+        self._openers = Openers(
+            PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language, digits
+        )
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:
