@@ -38,6 +38,7 @@ class FreeText:
         """Words that join, and that a slot may allow: "salt and pepper". What they end joins another command."""
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
+        self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self._articles = words.articles or ARTICLES
         self.no_beginning = words.joining - words.may_begin
         """Words with which no thing begins, though a song may: "for", "at"."""
@@ -83,7 +84,7 @@ class FreeText:
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
         if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
-        if said and not wrong and self._is_no_thing(slot, said):
+        if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
         if said and slot.known and not wrong:
             wrong = self._no_name(slot, said)
@@ -127,10 +128,9 @@ class FreeText:
     def _is_no_thing(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
         ("grab me", "get me the cup", but "the us flag"), or say nothing ("grab, please")."""
-        person = said[0] in self._words.persons
-        if not (person or self._fillers.at(said, 0)) or slot.name not in self._taken or _meant(slot, said[0]):
+        if slot.name not in self._taken or _meant(slot, said[0]):
             return False
-        if not person:
+        if said[0] not in self._words.persons:
             return self._fillers.cover(said)
         return len(said) == 1 or said[1] in self._articles or said[1] in self._words.joining
 

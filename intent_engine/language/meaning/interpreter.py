@@ -160,7 +160,8 @@ class Interpreter:
                     return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        clause = self._as_said(said, state) if not self._number_in_pieces(said) else None
+        in_pieces = self._number_in_pieces(said)
+        clause = self._commands.exact(said.words, state, "", said.breaks) if not in_pieces else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
