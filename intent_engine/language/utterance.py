@@ -13,7 +13,7 @@ from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, 
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
+__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "pauses_of", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -265,6 +265,17 @@ class Utterance:
             pause = removed = False
             position += 1
         return Utterance(words, breaks, frozenset(joined))
+
+
+def pauses_of(words: Sequence[str], parts: Iterable[Utterance]) -> list[bool]:
+    """Where a pause stands before a word of those that were put together from parts of an utterance."""
+    breaks = [False] * len(words)
+    for part in parts:
+        for start in range(len(words) - len(part) + 1) if True in part.breaks[1:] else ():
+            if list(words[start : start + len(part)]) == part.words:
+                for place in range(1, len(part)):
+                    breaks[start + place] = breaks[start + place] or part.breaks[place]
+    return breaks
 
 
 def _stutter(tokens: Sequence[Token], place: int) -> bool:

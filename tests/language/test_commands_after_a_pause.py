@@ -94,3 +94,15 @@ def test_in_german(engine_of, pause: str, command: str) -> None:
 @pytest.mark.parametrize("said", ["nimm den Becher, schneller", "nimm den Becher, ganz langsam"])
 def test_no_manner_is_a_thing_in_german(said: str) -> None:
     assert german().parse(said).status is Status.REJECTED
+
+
+@given(NAMES, NAMES, st.sampled_from(sorted(COMMANDS)), st.sampled_from(["no", "I mean", "sorry"]))
+def test_nor_is_it_part_of_a_name_that_was_corrected(
+    engine: IntentEngine, first: str, name: str, command: str, correction: str
+) -> None:
+    for said in (f"fetch the {first}, {correction}, the {name}, {command}", f"fetch {first}, {command}, no, {name}"):
+        for action in engine.parse(said).actions:
+            assert not any(command in str(value) for value in action.slots.values()) or action.name == "room"
+    assert [one.name for one in engine.parse(f"fetch {first}, {command}, no, go home").actions][-1:] == ["home"]
+    found = engine.parse(f"fetch the {first}, {correction}, the shiny, {name}")
+    assert found.slots == {"thing": f"shiny {name}"}
