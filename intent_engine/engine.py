@@ -23,6 +23,7 @@ from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import resolve
 from intent_engine.language.utterance import Utterance, plain
 from intent_engine.language_tag import language_of
+from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -81,8 +82,8 @@ class IntentEngine:
 
     def __init__(self, grammars: Sequence[Grammar], locations: LocationMap | None = None) -> None:
         self._lock = threading.Lock()
-        self._grammar_paths: tuple[StrPath, ...] = ()
-        self._location_paths: tuple[StrPath, ...] = ()
+        self._grammar_paths: tuple[Path, ...] = ()
+        self._location_paths: tuple[Path, ...] = ()
         self._wake: tuple[tuple[str, ...], ...] = ()
         self._use(_build(tuple(grammars), locations))
 
@@ -97,9 +98,10 @@ class IntentEngine:
         """Load grammar files and a map.
 
         Args:
-            grammar: one path or several; files of one language make one grammar.
-            locations: a map file or several, a map already loaded, or a dictionary of places
-                (``{"kitchen": (5.0, 2.0, 0.0)}``).
+            grammar: one path or several, or bare names of shipped grammars (``"en"``); files of one language make one
+                grammar.
+            locations: a map file or several, or names of shipped ones (``"home"``); a map already loaded; or a
+                dictionary of places (``{"kitchen": (5.0, 2.0, 0.0)}``).
             wake: with one of these a spoken command must begin, beside the ``wake`` of the files. A stop never must.
 
         Raises:
@@ -107,34 +109,41 @@ class IntentEngine:
         """
         engine = cls.__new__(cls)
         engine._lock = threading.Lock()
-        engine._grammar_paths = _paths(grammar)
+        problems: list[Problem] = []
+        engine._grammar_paths = _found("grammars", grammar, problems)
         engine._location_paths = ()
         engine._wake = tuple(plain_phrase(text) for text in wake)
         given: LocationMap | None = None
         if isinstance(locations, (str, os.PathLike)) or (
             isinstance(locations, Sequence) and not isinstance(locations, Mapping)
         ):
-            engine._location_paths = _paths(locations)
+            engine._location_paths = _found("locations", locations, problems)
         elif locations is not None:
             from intent_engine.language.locations import LocationMap
 
             given = locations if isinstance(locations, LocationMap) else LocationMap.from_mapping(locations)
-        engine._use(engine._load(given))
+        engine._use(engine._load(given, problems))
         return engine
 
-    def _load(self, given: LocationMap | None) -> _Loaded:
-        problems: list[Problem] = []
+    def _load(self, given: LocationMap | None, missing: Sequence[Problem] = ()) -> _Loaded:
+        """Everything in the files, but for those that are ``missing``.
+
+        Raises:
+            ConfigError: with these, and with everything that is wrong in the others.
+        """
+        problems = list(missing)
         grammars: tuple[Grammar, ...] = ()
         places = given
-        try:
-            grammars = load_grammars([Path(path) for path in self._grammar_paths])
-        except ConfigError as error:
-            problems.extend(error.problems)
+        if self._grammar_paths or not missing:
+            try:
+                grammars = load_grammars(self._grammar_paths)
+            except ConfigError as error:
+                problems.extend(error.problems)
         if self._location_paths:
             from intent_engine.language.locations import load
 
             try:
-                places = load([Path(path) for path in self._location_paths])
+                places = load(self._location_paths)
             except ConfigError as error:
                 problems.extend(error.problems)
         if problems:
@@ -186,7 +195,7 @@ class IntentEngine:
     def files(self) -> tuple[Path, ...]:
         """Every file that was read, for watching."""
         found = [Path(name) for grammar in self._loaded.grammars for name in grammar.files]
-        return (*found, *(Path(path) for path in self._location_paths))
+        return (*found, *self._location_paths)
 
     def matcher(self, language: str | None = None) -> Matcher:
         """The automaton of a language, for looking ahead, sampling and checking."""
@@ -351,8 +360,15 @@ def next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _paths(value: Any) -> tuple[StrPath, ...]:
-    return (value,) if isinstance(value, (str, os.PathLike)) else tuple(value)
+def _found(kind: str, value: StrPath | Sequence[StrPath], problems: list[Problem]) -> tuple[Path, ...]:
+    """The files of a kind that paths and names of shipped ones stand for; what there is not is told."""
+    paths: list[Path] = []
+    for one in (value,) if isinstance(value, (str, os.PathLike)) else value:
+        try:
+            paths.append(find(kind, os.fspath(one)))
+        except ConfigError as error:
+            problems.extend(error.problems)
+    return tuple(paths)
 
 
 def _build(grammars: tuple[Grammar, ...], locations: LocationMap | None) -> _Loaded:

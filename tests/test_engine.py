@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.engine import IntentEngine
+from intent_engine.errors import ConfigError
 from intent_engine.language.slot_values import NamesOf
+from intent_engine.resources import find
 
 
 @pytest.fixture(scope="module")
@@ -31,3 +33,34 @@ def test_places_are_listed_when_one_is_asked_for_and_not_while_the_files_load(ro
     assert not listed, "a map may have ten thousand places"
     assert engine.parse("go to the kitchen").actions
     assert listed
+
+
+def test_names_of_shipped_files_are_found_as_the_command_line_finds_them(root, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    engine = IntentEngine.from_files("en", locations="home")
+    assert engine.parse("go to the kitchen").actions
+    assert all(path.is_file() for path in engine.files)
+    assert IntentEngine.from_files(["en", "de"], locations=["home", "zuhause"]).languages == ("en", "de")
+    (tmp_path / "grammars").mkdir()
+    own = tmp_path / "grammars" / "en.yaml"
+    own.write_text("language: en\nintents: {beep: {action: custom, sentences: [beep]}}\n", "utf-8")
+    assert IntentEngine.from_files("en").parse("beep").actions, "a user's own copy wins"
+    assert engine.parse("go to the kitchen").actions
+    engine.reload()
+    assert engine.parse("go to the kitchen").actions, "it reads again what it has read"
+
+
+def test_all_names_that_are_missing_are_told_at_once_as_the_command_line_tells_them(root, tmp_path):
+    broken = tmp_path / "broken.yaml"
+    broken.write_text("language: en\nintents: 5\n", "utf-8")
+    with pytest.raises(ConfigError) as told:
+        IntentEngine.from_files(["nowhere", broken], locations="nohome")
+    messages = [problem.message for problem in told.value.problems]
+    assert messages[:2] == ["no file nowhere.yaml in grammars/", "no file nohome.yaml in locations/"]
+    assert len(messages) > 2, "what is wrong in the others is told, too"
+    with pytest.raises(ConfigError) as found:
+        find("grammars", "nowhere")
+    assert told.value.problems[0] == found.value.problems[0]
+    with pytest.raises(ConfigError, match=r"^no file nowhere\.yaml in grammars/") as alone:
+        IntentEngine.from_files("nowhere")
+    assert len(alone.value.problems) == 1

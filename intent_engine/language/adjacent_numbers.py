@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.reading import Reading, SlotReading
 
@@ -104,5 +105,6 @@ def _surely_two(slot: SlotReading, after: SlotReading, words: Sequence[str], lan
 
 def may_hold(slot: SlotReading, words: Sequence[str], language: str) -> bool:
     """Whether words are one number, of which a slot that has no unit can be as much."""
-    value = quantities.evaluate(words, "number", language)
+    said = said_together(words, language) if slot.slot.digits else words
+    value = quantities.evaluate(said, "number", language)
     return isinstance(value, float) and (slot.slot.type != "number" or slot.slot.beyond(value) is None)

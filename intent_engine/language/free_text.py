@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
-from intent_engine.language.grammar import Grammar, Slot
+from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Slot
+from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.template_tree import Node, Reference, references
 from intent_engine.language.thing_words import ARTICLES, thing_words
 from intent_engine.language.utterance import PhraseSet
 
@@ -24,6 +26,7 @@ class FreeText:
     """The free words of one grammar's slots."""
 
     def __init__(self, grammar: Grammar) -> None:
+        self._grammar = grammar
         # Single words of these are closed to free slots already; phrases are only seen whole.
         self._language = grammar.language
         operators = grammar.operators
@@ -35,6 +38,7 @@ class FreeText:
         """Words that join, and that a slot may allow: "salt and pepper". What they end joins another command."""
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
+        self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self._articles = words.articles or ARTICLES
         self.no_beginning = words.joining - words.may_begin
         """Words with which no thing begins, though a song may: "for", "at"."""
@@ -44,6 +48,27 @@ class FreeText:
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone
         """Words that are never the only one."""
+
+    @cached_property
+    def _taken(self) -> frozenset[str]:
+        """Slots that hold a thing that is picked up or put somewhere, and those of type ``object``."""
+        slots = self._grammar.slots
+        found = {name for name, slot in slots.items() if slot.type == "object"}
+        for intent in self._grammar.intents.values():
+            if "object" not in ACTION_PARAMETERS[intent.action.type]:
+                continue
+            label = slot_of_parameter(intent.action, "object")
+            for sentence in intent.all_sentences:
+                named = self._references(sentence.template)
+                found.update(one.name for one in named if one.label == label and one.name in slots)
+        return frozenset(found)
+
+    def _references(self, node: Node) -> Iterator[Reference]:
+        """The slots that a template names, also in its phrases."""
+        for reference in references(node):
+            yield reference
+            if (phrase := self._grammar.phrases.get(reference.name)) is not None:
+                yield from self._references(phrase)
 
     def unfinished_in(self, slot: Slot) -> frozenset[str]:
         """Words that are never the last in a slot."""
@@ -58,6 +83,8 @@ class FreeText:
         if said and not slot.dictation:  # a title may begin with "and", no thing does
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
         if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
+            wrong = frozenset((said[0],))
+        if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
         if said and slot.known and not wrong:
             wrong = self._no_name(slot, said)
@@ -97,6 +124,15 @@ class FreeText:
             for end in range(2, len(said) + 1)
             for kind in _AMOUNTS
         )
+
+    def _is_no_thing(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
+        ("grab me", "get me the cup", but "the us flag"), or say nothing ("grab, please")."""
+        if slot.name not in self._taken or _meant(slot, said[0]):
+            return False
+        if said[0] not in self._words.persons:
+            return self._fillers.cover(said)
+        return len(said) == 1 or said[1] in self._articles or said[1] in self._words.joining
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
         """The word that shows that words are not the name of one thing, in a slot that lists things."""

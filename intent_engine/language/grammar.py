@@ -113,6 +113,8 @@ class Slot:
     """SI: people hardly say more. Of two numbers that sound alike the other is likelier; None: any."""
     whole: bool = False
     """Number: whether it counts something, so that nothing between two whole numbers is one."""
+    digits: bool = False
+    """Quantity: whether its digits may be said one by one: "one eight zero"."""
     values: tuple[tuple[Any, Node], ...] = ()
     """Choice: value and the template that spells it."""
     max_words: int = 4
@@ -140,6 +142,12 @@ class Slot:
         if self.type == "duration":
             return 0.0
         return -self.maximum if self.maximum is not None and self.maximum > 0 and self.type in _POINTING else None
+
+    @property
+    def bare(self) -> bool:
+        """Whether a number alone may be a value of a number's slot: where a unit of its own is as large as one ("gram"
+        beside "kilo"), a person who leaves it out may mean another, unless the slot has a ``unit``."""
+        return self.unit is not None or all(size != 1 for size, _ in self.units)
 
     def beyond(self, value: float) -> tuple[str, str] | None:
         """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""

@@ -7,17 +7,23 @@ different names, however alike they are written.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers import english
 
-__all__ = ["compared_as_written", "heard_otherwise", "is_identifier", "name_words", "raw_words", "without_article"]
+__all__ = [
+    "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
+    "without_article",
+]  # fmt: skip
 
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
 """Dropped before a name if the name is not known with it. "the" carries nothing and is dropped everywhere."""
+OWNERS = {"my": "us", "our": "us", "your": "you"}
+"""Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
+office"."""
 NUMBER_WORDS = frozenset((*english.SMALL, *english.ZERO, *english.SCALES, "hundred", "hundreds"))
 ORDINALS = frozenset((
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
@@ -94,6 +100,12 @@ def without_article(words: tuple[str, ...]) -> tuple[str, ...]:
     while at < len(words) - 1 and words[at] in ARTICLES:
         at += 1
     return words[at:]
+
+
+def owner(words: Sequence[str]) -> str:
+    """Whose a name is by the article in front; empty: none tells."""
+    articles = itertools.takewhile(ARTICLES.__contains__, words[:-1])
+    return next((OWNERS[word] for word in articles if word in OWNERS), "")
 
 
 def _numbered(words: list[str]) -> list[str]:
@@ -184,5 +196,5 @@ def heard_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
     """The same words with one or two of them taken for a number or letter that sounds alike, the first never."""
     places = [place for place, word in enumerate(words) if place and word in ALIKES][-4:]
     for count in (1, 2):
-        for chosen in combinations(places, count):
+        for chosen in itertools.combinations(places, count):
             yield name_words([ALIKES[word] if place in chosen else word for place, word in enumerate(words)])

@@ -15,9 +15,11 @@ from typing import Literal
 
 from intent_engine.language.name_words import (
     ARTICLES,
+    OWNERS,
     heard_otherwise,
     is_identifier,
     name_words,
+    owner,
     raw_words,
     without_article,
 )
@@ -124,12 +126,12 @@ class NameIndex:
             if other is None or (found.score, found.passes) > (other.score, other.passes):
                 best[found.name] = found
 
-        for found in tables.near(without_article(said)):
+        for found in tables.near(said):
             offer(found)
         for alike in heard_otherwise(heard):
             for name in tables.names_of(alike):
                 offer(_Found(name, ALIKE_WEIGHT, True, "sound"))
-            for found in tables.near(without_article(alike)):
+            for found in tables.near(alike):
                 offer(_Found(found.name, found.score * ALIKE_WEIGHT, found.passes, found.how))
         return sorted(best.values(), key=lambda found: (-found.score, found.name))
 
@@ -182,8 +184,8 @@ class _Tables:
                 elif name not in names:
                     exact[words] = tuple(sorted((*names, name)))
         self._exact = exact
-        self._bare: dict[Words, tuple[str, ...]] = {}
-        """Names without the article in front."""
+        self._bare: dict[tuple[str, Words], tuple[str, ...]] = {}
+        """Names without the article in front, by whose they are said to be."""
         self._by_identifiers: dict[tuple[str, ...], list[Words]] = {}
         self._by_letters: dict[str, list[Words]] = {}
         self._groups: dict[tuple[str, ...], _Group] = {}
@@ -194,7 +196,9 @@ class _Tables:
             if words[0] in ARTICLES:
                 bare = without_article(words)
                 if bare != words:
-                    self._bare[bare] = tuple(sorted({*self._bare.get(bare, ()), *exact[words]}))
+                    owned = owner(words)
+                    for said in ("", owned) if owned else ("", *OWNERS.values()):
+                        self._bare[said, bare] = tuple(sorted({*self._bare.get((said, bare), ()), *exact[words]}))
             identifiers, letters = _split(words)
             self._by_identifiers.setdefault(identifiers, []).append(words)
             self._by_letters.setdefault(letters, []).append(words)
@@ -205,18 +209,21 @@ class _Tables:
         found = self._exact.get(words)
         if found is None:
             bare = without_article(words)
-            found = self._exact.get(bare) or self._bare.get(bare) or ()
+            found = self._exact.get(bare) or self._bare.get((owner(words), bare)) or ()
         return found
 
     def near(self, said: Words) -> list[_Found]:
         """Names with the same identifiers whose words are alike."""
         from intent_engine.language.likeness import compare, sound
 
+        said, owned = without_article(said), owner(said)
         identifiers, letters = _split(said)
         if not letters:
             return []
         found: list[_Found] = []
         for words in self.arrange(identifiers).shortlist(letters):
+            if owned and owner(words) not in ("", owned):
+                continue
             like = compare(said, words)
             same = len(said) == len(words) and all(sound(a) == sound(b) for a, b in zip(said, words, strict=True))
             how: Literal["sound", "spelling"] = "sound" if same else "spelling"

@@ -307,7 +307,16 @@ class Sampler:
                 limits = max(smallest, default=None), slot.maximum
                 phrases, language = self.grammar.phrases, self.grammar.language
                 own = tuple((size, tuple(map(" ".join, names))) for size, names in units_called(slot, phrases))
-                ways = spoken_forms(slot.type, language, slot.unit, *limits, whole=slot.whole, own=own)
+                ways = spoken_forms(
+                    slot.type,
+                    language,
+                    slot.unit,
+                    *limits,
+                    whole=slot.whole,
+                    own=own,
+                    bare=slot.bare,
+                    digits=slot.digits,
+                )
             else:
                 said = sorted(
                     self._places(slot) if slot.type == "location" else self._things(slot),

@@ -12,6 +12,7 @@ from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Sentence, Slot
 from intent_engine.language.network import NEVER, Call, Networks
 from intent_engine.language.numbered import numbers_either_way
+from intent_engine.language.numbers.digit_by_digit import template_of
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.numbers.units import units
 from intent_engine.language.slot_values import NamesOf
@@ -108,7 +109,10 @@ class SentenceNetworks:
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
             if slot.units:
-                kind = Choice((kind, self._own_units(slot, spoken)))
+                own_units = self._own_units(slot, spoken)
+                kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units
+            if slot.digits and slot.type in spoken:
+                kind = Choice((kind, self._digit_by_digit(slot, spoken)))
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(kind)}
             own = {f"{OWN_UNIT}{place}": Call(f"units:{slot.name}:{place}") for place in range(len(slot.units))}
             self._networks.add_template(key, kind, scope | own)
@@ -138,6 +142,19 @@ class SentenceNetworks:
             ways.append(TemplateSequence((count, unit, Choice((part, *less)))))
             smaller.append(unit)
         return Choice(tuple(ways))
+
+    def _digit_by_digit(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
+        """Digits said one by one, with what stands behind the numbers of a slot: "one eight zero degrees"."""
+        names = [f"{OWN_UNIT}{place}" for place in range(len(slot.units))]
+        if (usual := f"{slot.type}_unit") in spoken:
+            names.append(usual)
+        ends = tuple(Reference(name, name, 0) for name in names)
+        digits = template_of(self._grammar.language)
+        if not ends:
+            return digits
+        bare = slot.bare if slot.type == "number" else slot.unit is not None
+        unit = Choice(ends)
+        return TemplateSequence((digits, Optional(unit) if bare else unit))
 
     def _spoken(self, node: Node) -> Node:
         """A template of the file with its numbers in digits and in words, where those are known."""

@@ -14,6 +14,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
 from intent_engine.language.numbers import foreign
+from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.own_units import OwnUnits
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
@@ -70,8 +71,10 @@ class SlotValues:
         return SlotReading(label, slot, start, end, elided(thing, self._grammar.language))
 
     def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+        if slot.digits:
+            said = list(said_together(said, self._grammar.language))
         value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
-        if value is None:
+        if value is None and (slot.type != "number" or slot.bare):
             value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
         problem = ""
         status = "exact"

@@ -12,11 +12,12 @@ from functools import cache
 from typing import Any, NamedTuple, TypeAlias
 
 from intent_engine.language.numbers import foreign, said
+from intent_engine.language.numbers.digit_by_digit import digits_in_words
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.numbers.units import FACTORS, RATES, Units, units
+from intent_engine.language.numbers.units import FACTORS, RATES, SIGNS, Units, units
 from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, tidy
 
-__all__ = ["Spoken", "spoken_forms"]
+__all__ = ["Spoken", "spoken_forms", "usual_units"]
 
 
 class Spoken(NamedTuple):
@@ -64,6 +65,8 @@ def spoken_forms(
     *,
     whole: bool = False,
     own: tuple[tuple[float, tuple[str, ...]], ...] = (),
+    bare: bool = True,
+    digits: bool = False,
 ) -> tuple[tuple[Spoken, ...], ...]:
     """The ways to say a quantity, by form (whole numbers, decimals, fractions, ...), the shortest form first.
 
@@ -75,10 +78,29 @@ def spoken_forms(
         maximum: SI, inclusive; None: no limit.
         whole: only whole numbers.
         own: units of the slot itself: the size of each, and what it is called, singular and plural first.
+        bare: whether a number is said without these, where it can be.
+        digits: whether digits are said one by one, too.
     """
     limits = (-math.inf if minimum is None else minimum, math.inf if maximum is None else maximum)
-    forms = (_within(form, limits, whole) for form in (*_forms(kind, language, unit), *_in_own(language, own)))
+    usual = _forms(kind, language, unit) if bare or kind != "number" else ()
+    by_digit = _digit_by_digit(kind, language, unit, own, bare) if digits else ()
+    forms = (_within(form, limits, whole) for form in (*usual, *_in_own(language, own), *by_digit))
     return tuple(sorted((form for form in forms if form), key=lambda form: len(form[0].text.split())))
+
+
+def usual_units(kind: str, language: str, *, single: bool) -> Iterator[str]:
+    """The first words of the units that people say for a kind, the most usual first; of rates there are none.
+
+    Args:
+        kind: one of ``QUANTITY_KINDS``.
+        language: whose words.
+        single: behind "one".
+    """
+    table = units(language)
+    for key in _USUAL.get(kind, ()) if table is not None else ():
+        assert table is not None
+        if names := [name for name in _names(key, table) if language == "en" or name not in SIGNS]:
+            yield (names[0] if single else _plural(names)).split()[0]
 
 
 def _within(form: Iterable[_Said], limits: _Limits, whole: bool) -> tuple[Spoken, ...]:
@@ -132,6 +154,24 @@ def _in_own(language: str, own: Iterable[tuple[float, tuple[str, ...]]]) -> Iter
     yield _with_units(_whole_numbers(language), names, sizes)
     if language == "en":
         yield _singular(names, sizes)
+
+
+def _digit_by_digit(
+    kind: str, language: str, unit: str | None, own: tuple[tuple[float, tuple[str, ...]], ...], bare: bool
+) -> Iterator[Iterable[_Said]]:
+    """Numbers whose digits are said one by one: "one eight zero degrees"."""
+    numbers = [(digits_in_words(number, language), float(number)) for number in _WHOLE if number > 9]
+    factor = 1.0 if kind == "number" and bare else _factor(kind, unit)
+    if factor is not None:
+        yield [(text, value * factor) for text, value in numbers]
+    table = units(language)
+    usual = {key: _names(key, table) for key in _USUAL.get(kind, ())} if table is not None else {}
+    yield _with_units(numbers, usual, {key: FACTORS[kind][key] for key, forms in usual.items() if forms})
+    yield _with_units(
+        numbers,
+        {str(at): forms for at, (_, forms) in enumerate(own)},
+        {str(at): size for at, (size, _) in enumerate(own)},
+    )
 
 
 def _factor(kind: str, unit: str | None) -> float | None:

@@ -37,6 +37,8 @@ class ThingWords:
     """Not to be held, where no other word of the name follows."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
+    persons: frozenset[str] = frozenset()
+    """Words for people, and by themselves no thing that is picked up."""
     next_begins: frozenset[str] = frozenset()
     """Articles before which another thing begins,"""
     binding: frozenset[str] = frozenset()

@@ -13,7 +13,7 @@ from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, 
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
+__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "pauses_of", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -120,8 +120,12 @@ class Openers:
     """Those that are a command without a verb, and a joint: "right then". In a list of commands they are that."""
     around: PhraseSet
     """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
+    again: PhraseSet
+    """Phrases after which a command begins again: "no, I mean go ahead and turn right"."""
     language: str = "en"
     """Whose numbers."""
+    digits: bool = False
+    """Whether digits are said one by one, so that an "oh" behind one is a zero: "heading one eight oh"."""
 
     def misplaced(
         self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
@@ -142,8 +146,11 @@ class Openers:
         if self.listing.at(said.words, position) == length:
             begins = not before and self.listing.find(said.words[:position]) is None
         else:
-            begins = not before or paused or said.breaks[position] or self.joints.ends(before) > 0
+            begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])
+
+    def _begins_after(self, before: Sequence[str]) -> bool:
+        return self.joints.ends(before) > 0 or self.again.ends(before) > 0
 
     def _counts(self, word: str) -> bool:
         """Whether a word begins a number, or is one."""
@@ -198,6 +205,12 @@ class Utterance:
             return False
         return all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2])
 
+    def _zero_after(self, position: int) -> bool:
+        """Whether an "oh" stands right behind a digit."""
+        before = "".join(self.words[position - 1 : position]) if position else ""
+        single = before in DIGITS or before in ZERO or (len(before) == 1 and before.isdigit())
+        return single and self.words[position] in ZERO and not self.breaks[position]
+
     def paused_in_number(self) -> bool:
         """Whether a pause stands where a number would go on: "turn twenty, five degrees", "five, ten degrees". Larger
         numbers have such pauses: "two thousand, five hundred"."""
@@ -231,6 +244,8 @@ class Utterance:
                 length = 0
             if length == 1 and self.zero_between(position) and not self.paused_beside(position):
                 length = 0
+            if length == 1 and openers is not None and openers.digits and self._zero_after(position):
+                length = 0
             whole = but.at(self.words, position) if but is not None else 0
             if whole > max(length, 1):
                 words.extend(self.words[position : position + whole])
@@ -250,6 +265,17 @@ class Utterance:
             pause = removed = False
             position += 1
         return Utterance(words, breaks, frozenset(joined))
+
+
+def pauses_of(words: Sequence[str], parts: Iterable[Utterance]) -> list[bool]:
+    """Where a pause stands before a word of those that were put together from parts of an utterance."""
+    breaks = [False] * len(words)
+    for part in parts:
+        for start in range(len(words) - len(part) + 1) if True in part.breaks[1:] else ():
+            if list(words[start : start + len(part)]) == part.words:
+                for place in range(1, len(part)):
+                    breaks[start + place] = breaks[start + place] or part.breaks[place]
+    return breaks
 
 
 def _stutter(tokens: Sequence[Token], place: int) -> bool:

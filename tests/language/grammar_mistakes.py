@@ -150,6 +150,10 @@ MISTAKES: dict[str, str | bytes] = {
     "a unit of its own of another kind": slot("{type: distance, units: {3 kg: step}}"),
     "a unit of its own that is one already": slot("{type: distance, units: {30 cm: [step, foot]}}"),
     "two units of its own with one name": slot("{type: distance, units: {30 cm: [step, pace], 70 cm: [pace]}}"),
+    "digits of a speed": slot("{type: speed, digits: true}"),
+    "digits in words": slot("{type: number, digits: two}"),
+    "a number alone of a larger unit": slot("{type: number, unit: kilo, units: {1: [gram, g], 1000: kilo}}"),
+    "a number alone where none is called one": slot("{type: number, unit: box, units: {6: box}}"),
     "a unit of its own without a word": slot("{type: distance, units: {30 cm: '[step]'}}"),
     "a unit of its own that is a slot": slot("{type: distance, units: {30 cm: '{it} step'}}"),
     "a unit of its own said in too many ways": slot(

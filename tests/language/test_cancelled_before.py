@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from meanings import does, german
 
 from intent_engine import IntentEngine
 
@@ -91,3 +94,56 @@ def test_and_a_robot_that_moves_stops_whatever_is_behind_it(shipped, behind) -> 
     assert shipped.parse(f"never mind{behind}", state=["moving"]).stops
     if behind != ", ":
         assert not shipped.parse(f"never mind{behind}").actions
+
+
+# -- what was said before it, in the same breath -----------------------------------------------------------------
+
+TAKEN_BACK = [
+    "turn left",
+    "go to the kitchen",
+    "pick up the cup",
+    "go forward two meters, then turn left",
+    "turn",
+    "go to",
+]
+WANTED = ["turn right", "go back two meters", "go to the bedroom, then pick up the ball", "bring me the cup"]
+GERMAN = {
+    "taken back": ["fahr vorwärts", "dreh dich nach links", "nimm den Becher", "fahr in"],
+    "wanted": ["fahr zurück", "dreh dich nach rechts und nimm den Ball"],
+}
+
+
+@given(
+    st.sampled_from(TAKEN_BACK),
+    st.sampled_from([", ", ". ", " - ", ", no, ", ", uh, ", ", and then "]),
+    st.sampled_from(["never mind", "forget it", "cancel that", "never mind, forget that", "just kidding"]),
+    st.sampled_from(WANTED),
+    st.sampled_from([(), ("moving",)]),
+)
+def test_only_what_follows_is_done(before: str, pause: str, cancel: str, wanted: str, state: tuple[str, ...]) -> None:
+    assert does(f"{before}{pause}{cancel}, {wanted}", *state) == does(wanted)
+    assert does(f"{before}{pause}{cancel}, {before}, {cancel}, {wanted}", *state) == does(wanted)
+
+
+@given(st.sampled_from(GERMAN["taken back"]), st.sampled_from(GERMAN["wanted"]))
+def test_only_what_follows_is_done_in_german(before: str, wanted: str) -> None:
+    assert german().parse(f"{before}, vergiss es, {wanted}").actions == german().parse(wanted).actions != ()
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("go to the lab never mind, open the drawer", ["open"]),
+        ("go to the lab, drop it, open the drawer", ["go", "drop", "open"]),
+        # Nothing tells what is wanted, or who said it.
+        ("go to the lab, never mind open the drawer", []),
+        ("go to the lab, never mind, the ward", []),
+        ("go to the lab, never mind, don't open the drawer", []),
+        ("go to the lab, never mind, did you open the drawer", []),
+        ("she went to the lab, never mind, open the drawer", []),
+        ("if you go to the lab, never mind, open the drawer", []),
+        ("go never mind, open the drawer", []),
+    ],
+)
+def test_what_is_taken_back_are_commands(engine: IntentEngine, said: str, done: list[str]) -> None:
+    assert names(engine, said) == done

@@ -118,6 +118,24 @@ def test_an_article_that_tells_two_names_apart_is_heard():
     assert index.resolve("the office").status == "ambiguous"
 
 
+@given(
+    st.sampled_from(["nose", "office", "bay 2", "coffee mug", "aisle b"]),
+    st.sampled_from([("my", "your"), ("your", "my"), ("your", "our"), ("our", "your")]),
+    st.sampled_from(["this", "that", "a", "the"]),
+)
+def test_whose_a_name_is_said_to_be_is_a_part_of_it(name: str, owners: tuple[str, str], article: str):
+    """ "Your nose" is no "my nose"; who says "the nose" means either."""
+    own, other = owners
+    index = NameIndex([(f"{own} {name}", "mine"), ("lamp", "lamp")])
+    for said in (f"{own} {name}", name, f"the {name}", f"{article} {name}"):
+        assert index.resolve(said).name == "mine", said
+    assert index.resolve(f"{other} {name}").name is None
+    assert index.resolve(f"{other} {name}s").name is None
+    for said in (own, other, article):  # of no name that the grammar gives to nobody
+        assert NameIndex([(name, name), (f"a {name} box", "box")]).resolve(f"{said} {name}").name == name
+    assert NameIndex([(f"a {name}", name)]).resolve(f"{other} {name}").name == name
+
+
 def test_one_spelling_for_two_names_is_a_question():
     match = NameIndex([("lab", "north lab"), ("lab", "south lab")]).resolve("lab")
     assert match.status == "ambiguous"

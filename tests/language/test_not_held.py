@@ -19,14 +19,14 @@ VERBS = "(take|get|grab|look at)"
 NOTHING = [
     "time", "your time", "care", "care of it", "a seat", "a look", "a look around", "a breath", "a deep breath",
     "a nap", "a rest", "a break", "a moment", "a minute", "turns", "aim", "a walk", "some rest", "advice", "the idea",
-    "ready", "ready now", "going", "lost", "me home", "us there",
+    "ready", "ready now", "going", "lost", "me home", "us there", "me", "us",
+    "yourself", "me the cup", "us a box", "please",
 ]  # fmt: skip
 THINGS = {
     "the seat cover plate": "seat cover plate",
     "the day bed": "day bed",
     "the news stand": "news stand",
     "the seat cushion to me": "seat cushion",
-    "me": "me",
     "the cover": "cover",
     "the sticky notes": "sticky notes",
     "the ready meal": "ready meal",
@@ -39,9 +39,54 @@ def engine(engine_of) -> IntentEngine:
     return engine_of(GRAMMAR.format(language="en", known="cup, box", verbs=VERBS))
 
 
-@given(st.sampled_from(["take", "get", "grab", "look at"]), st.sampled_from(NOTHING), st.sampled_from(["", " to me"]))
-def test_nothing_is_taken(engine, verb, said, where):
-    assert not engine.parse(f"{verb} {said}{where}").actions
+@given(
+    st.sampled_from(["take", "get", "grab", "look at"]),
+    st.sampled_from(NOTHING),
+    st.sampled_from(["", " to me"]),
+    st.sampled_from(["", " please", ", please", " right now", ", uh, please"]),
+)
+def test_nothing_is_taken(engine, verb, said, where, filler):
+    assert not engine.parse(f"{verb} {said}{where}{filler}").actions
+
+
+PERSONS = """
+language: en
+phrases: {{what: "[up] {{thing}}"}}
+slots:
+  thing: {{type: {type}, max_words: 3{more}}}
+  person: text
+intents:
+  grab: {{action: {action}, sentences: ["(grab|take|get) {{what}}"]}}
+  wave: {{action: custom, sentences: ["wave [(at|to)] {{person}}"]}}
+"""
+
+
+@pytest.mark.parametrize("action", ['{type: pick, object: "{thing}"}', '{type: place, object: "{thing}"}', "custom"])
+@pytest.mark.parametrize("said", ["me", "us", "up me", "him", "yourself", "me the cup", "her please"])
+def test_no_person_is_a_thing(engine_of, action, said):
+    kind = "object" if action == "custom" else "text"
+    engine = engine_of(PERSONS.format(type=kind, more="", action=action))
+    assert not engine.parse(f"grab {said}").actions
+    for thing in ("it", "them", "us flag", "her cup", "doll"):  # "it" was named before
+        assert engine.parse(f"grab {thing}").actions, thing
+
+
+def test_a_person_may_be_meant_where_no_hand_takes_it(engine_of):
+    engine = engine_of(PERSONS.format(type="object", more=", allow: [me]", action="custom"))
+    assert engine.parse("grab me").slots == {"thing": "me"}
+    assert engine.parse("wave at me").slots == {"person": "me"}
+
+
+@pytest.mark.parametrize("said", ["nimm mich", "nimm uns bitte", "nimm dich"])
+def test_no_person_is_a_thing_in_german(engine_of, said):
+    grammar = """
+    language: de
+    slots: {ding: text}
+    intents:
+      nehmen: {action: {type: pick, object: "{ding}"}, sentences: ["nimm {ding}"]}
+    """
+    assert not engine_of(grammar).parse(said).actions
+    assert engine_of(grammar).parse("nimm ihn").actions
 
 
 @pytest.mark.parametrize(("said", "thing"), THINGS.items())

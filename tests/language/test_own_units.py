@@ -17,6 +17,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.checker import check_grammar
 from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.sampler import RandomChoices, Sampler
 
 GRAMMAR = """
 language: {language}
@@ -175,3 +176,32 @@ def test_a_larger_and_a_smaller_unit_add_up(kilos: int, grams: int, joint: str) 
         engine = IntentEngine.from_files(file)
         assert engine.parse(f"weigh {kilos} kg{joint}{grams} g of flour").slots == {"mass": kilos * 1000 + grams}
         assert not engine.parse(f"weigh {grams} g{joint}{kilos} kg of flour").actions
+
+
+@given(
+    number=st.sampled_from(["two", "2", "two hundred", "2.5", "a dozen", "half"]),
+    more=st.sampled_from(["", "12: (box|boxes), "]),
+    unit=st.sampled_from(["", ", unit: gram", ", unit: g"]),
+)
+def test_a_number_alone_counts_ones_only_where_these_have_no_other_name(number: str, more: str, unit: str) -> None:
+    """Who leaves the unit out may mean kilos, so the slot has to say that it is grams."""
+    grammar = """
+    language: en
+    slots:
+      mass: {{type: number, units: {{{more}1: [gram, grams, g], 1000: [kilo, kilos]}}{unit}}}
+      eggs: {{type: number, units: {{12: (crate|crates)}}}}
+    intents:
+      weigh: {{action: custom, sentences: ["weigh {{mass}}"]}}
+      count: {{action: custom, sentences: ["count {{eggs}}"]}}
+    """
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "own.yaml"
+        file.write_text(grammar.format(more=more, unit=unit), "utf-8")
+        engine = IntentEngine.from_files(file)
+        assert bool(engine.parse(f"weigh {number}").actions) == bool(unit)
+        assert engine.prefix(f"weigh {number}").status == ("extendable" if unit else "incomplete")
+        assert engine.parse("weigh two kilos").slots == {"mass": 2000}
+        assert engine.parse(f"count {number}").actions
+        sampler = Sampler(engine.grammar)
+        said = [sampler.draw(RandomChoices(seed), "weigh").text for seed in range(40)]
+        assert [text for text in said if not engine.parse(text).actions] == []

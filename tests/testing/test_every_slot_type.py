@@ -25,6 +25,10 @@ slots:
   walk: {type: distance, units: {30 cm: [stride, strides], 2 m: "[long] (pole|poles)"}, max: 90 m}
   stack: {type: number, units: {12: (crate|crates)}, whole: true}
   bend: {type: angle, unit: deg}
+  heading: {type: angle, unit: deg, max: 360 deg, digits: true}
+  channel: {type: number, whole: true, digits: true}
+  reach: {type: distance, units: {25 m: (lane|lanes)}, digits: true}
+  mass: {type: number, units: {1: (gram|grams), 1000: (kilo|kilos)}, digits: true}
   wait: {type: duration, unit: s, min: 1 s}
   pace: {type: speed}
   spin: {type: angular_speed}
@@ -41,7 +45,8 @@ intents:
     sentences: ["count {n}", "stack {pieces} high", "choose the {nth} one", "measure {length}", "stretch {span}"]
   count:
     action: {type: custom, name: count}
-    sentences: ["walk {walk} [{pace}]", "order {stack}"]
+    sentences: ["walk {walk} [{pace}]", "order {stack}", "steer {heading}", "tune {channel}", "swim {reach} [ahead]",
+                "weigh {mass} (now|soon)"]
   adjust:
     action: {type: custom, name: adjust}
     sentences: ["bend {bend}", "linger {wait}", "pace {pace}", "whirl {spin}", "fill {part}", "lamp {lamp}"]

@@ -8,7 +8,7 @@ from itertools import pairwise
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot, problem_at
-from intent_engine.language.loading.grammar_parts import Draft, Places, Written
+from intent_engine.language.loading.grammar_parts import Draft, Places, Written, plain_phrase
 from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.numbers.english import SUFFIXES
@@ -192,6 +192,10 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                     message = f"slot {slot.name!r}: {' '.join(words)!r} is a unit already, of {slot.written(other)}"
                     yield _written_problem(draft, slot, option, message, "call one of them something else")
                 sizes.update(dict.fromkeys(names, size))
+        if slot.type == "number" and slot.units and slot.unit and sizes.get(plain_phrase(slot.unit)) != 1:
+            message = f"slot {slot.name!r}: a number alone is no number of {slot.unit!r}"
+            ones = " or ".join(" ".join(words) for words, size in sizes.items() if size == 1)
+            yield problem_at(slot.place, message, f"write unit: {ones}" if ones else "leave unit out: it counts ones")
 
 
 def _known_size(words: tuple[str, ...], slot: Slot, sizes: Mapping[tuple[str, ...], float], language: str) -> float:

@@ -18,8 +18,9 @@ from intent_engine.language.template_tree import Choice, Node
 __all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
-    **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max")),
-    "number": ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "whole"),
+    **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "digits")),
+    "number": ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "whole", "digits"),
+    **dict.fromkeys(("speed", "angular_speed"), ("unit", "units", "min", "max", "least", "usual_step", "usual_max")),
     "ordinal": ("unit", "min", "max", "least", "usual_step", "usual_max"),
     "choice": ("values", "fuzzy"),
     "boolean": ("values", "fuzzy"),
@@ -200,6 +201,7 @@ class PartReader:
             usual_steps=steps,
             usual_max=most,
             whole=spec.get("whole", False),
+            digits=spec.get("digits", False),
             values=values,
             max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
             dictation=spec.get("dictation", False),

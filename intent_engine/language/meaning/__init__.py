@@ -8,8 +8,10 @@ Each rule has its module, and knows only those above it:
 - ``phrases``: fillers, wake words and operators, found in words;
 - ``command``: one command, exactly said or with misheard names;
 - ``dictation``: "write down ...", and then anything;
+- ``correction_places``: where what corrects may stand;
 - ``correction``: "turn left no right";
 - ``compound``: "go forward and turn left";
+- ``cancelled``: "turn left, never mind, go back";
 - ``run_on``: "go forward turn left";
 - ``negation``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;

@@ -15,7 +15,7 @@ from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.pattern.patterns import Patterns
-from intent_engine.language.quantities import Relative
+from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words
 
@@ -23,6 +23,7 @@ __all__ = ["LEAST_WORDS", "Clause", "Commands", "as_told", "described", "forbidd
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
+_PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,12 @@ class Clause:
             return False
         return not any_articles().issuperset(self.reading.words[slot.start : slot.end])
 
+    @property
+    def no_name(self) -> bool:
+        """Whether it would be a command, were some free words the name of anything: "take your time"."""
+        slot = _wrong_slot(self.reading)
+        return slot is not None and slot.slot.type in FREE_KINDS
+
 
 class Commands:
     """Words to one command of a grammar, for a robot in given states."""
@@ -58,14 +65,22 @@ class Commands:
         self._not_verbs = ARTICLES | thing_words(matcher.grammar.language).alone
 
     @step(Kind.SENTENCE)
-    def exact(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+    def exact(
+        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool] = ()
+    ) -> Clause | None:
         """The command that these words are, exactly; None if no sentence has them.
 
-        ``after`` names an intent whose command they go on from: "to the bedroom".
+        ``after`` names an intent whose command they go on from: "to the bedroom". ``breaks`` tells where a pause stands
+        before a word.
         """
         readings = self.readings(words, after)
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
+        if readings and readings[0].free_words > 1 and True in breaks:
+            parted = [self._parted_by_command(reading, breaks) for reading in readings]
+            if all(parted):
+                return Clause(readings[0], reason=_PARTED.format(" ".join(parted[0])))
+            readings = [reading for reading, command in zip(readings, parted, strict=True) if not command]
         return self._choose(readings, state) if readings else None
 
     def readings(self, words: list[str], after: str = "") -> list[Reading]:
@@ -143,13 +158,35 @@ class Commands:
                     return True
         return False
 
+    def _parted_by_command(self, reading: Reading, breaks: Sequence[bool]) -> Sequence[str]:
+        """The words after a pause within free words that are a command by themselves, or how one is done, up to the
+        next pause or the end: "the cup, *back*" and "the cup, *faster*" are no names of things. A pause alone proves
+        nothing: "the big, red cup". Empty: none are."""
+        words, language = reading.words, self.matcher.grammar.language
+        for slot in reading.slots:
+            if slot.slot.type not in FREE_KINDS or slot.slot.dictation:
+                continue
+            for place in range(slot.start + 1, slot.end):
+                ends = (*(at for at in range(place + 1, len(words)) if breaks[at]), len(words))
+                for end in ends if breaks[place] else ():
+                    apart = words[place:end]
+                    if isinstance(evaluate(apart, "speed", language), Relative):
+                        return apart
+                    if apart[0] in self.first_words and any(not one.problem for one in self.matcher.read([*apart])):
+                        return apart
+        return ()
+
     @step(Kind.MISHEARD)
-    def misheard(self, words: list[str], state: Collection[str], after: str = "") -> Clause | None:
+    def misheard(
+        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool] = ()
+    ) -> Clause | None:
         """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near.
 
-        ``after`` as for :meth:`exact`.
+        ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
+        if True in breaks:
+            readings = [one for one in readings if not self._parted_by_command(one, breaks)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
@@ -279,8 +316,7 @@ def more_telling(exact: Clause | None, loose: Clause | None) -> Clause | None:
     "take me to the library" than that "me" is nothing to take."""
     if exact is None or loose is None:
         return exact or loose
-    wrong = _wrong_slot(exact.reading)
-    return loose if wrong is not None and wrong.slot.type in FREE_KINDS and loose.unknown_place else exact
+    return loose if exact.no_name and loose.unknown_place else exact
 
 
 def _wrong_slot(reading: Reading | None) -> SlotReading | None:

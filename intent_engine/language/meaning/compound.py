@@ -35,7 +35,7 @@ class Compounds:
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
         """The command that a part of an utterance is: exact, corrected, or with misheard names."""
         words = part.words
-        clause = self._commands.exact(words, state)
+        clause = self._commands.exact(words, state, breaks=part.breaks)
         if clause is not None and (clause.accepted or clause.ambiguous):
             return clause
         if self._corrections.may_stand_in(words):
@@ -43,7 +43,7 @@ class Compounds:
             if corrected is not None:
                 return corrected
         if loosely and not self._phrases.change_meaning(words):
-            loose = self._commands.misheard(words, state)
+            loose = self._commands.misheard(words, state, breaks=part.breaks)
             if loose is not None:
                 return loose
         return clause
@@ -119,11 +119,11 @@ class Compounds:
         """
         words = part.words
         if not before or not self._commands.may_go_on(words, before):
-            return self._commands.exact(words, state) if exactly else self.part(part, state)
-        whole = self._commands.exact(words, state)
+            return self._commands.exact(words, state, breaks=part.breaks) if exactly else self.part(part, state)
+        whole = self._commands.exact(words, state, breaks=part.breaks)
         if whole is not None and (whole.accepted or whole.ambiguous):
             return whole
-        later = self._commands.exact(words, state, before)
+        later = self._commands.exact(words, state, before, part.breaks)
         if exactly or (later is not None and later.accepted):
             return later
         if self._corrections.may_stand_in(words):
@@ -132,7 +132,7 @@ class Compounds:
                 return corrected
         clause = self.part(part, state)
         if not (clause is not None and clause.accepted) and not self._phrases.change_meaning(words):
-            return self._commands.misheard(words, state, before) or clause
+            return self._commands.misheard(words, state, before, part.breaks) or clause
         return clause
 
     def _unless_for_both(self, clause: Clause, onward: list[Clause]) -> list[Clause]:

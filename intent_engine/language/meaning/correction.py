@@ -11,12 +11,13 @@ from typing import Any
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.correction_places import beginnings, ends, same_but
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.quantities import counts, evaluate
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import thing_words
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import Utterance, pauses_of
 
 __all__ = ["Corrections"]
 
@@ -68,10 +69,16 @@ class Corrections:
         if len(pieces) < 2:
             return self._corrected_before(part, state) if not before else None
         current = pieces[0][0].words
+        if (parted := self._parted(pieces[0][0], pieces[-1][0], state, before)) is not None:
+            return parted
         for piece, denies in pieces[1:]:
             if not piece.words:
                 continue
             replaced = self._replace(current, piece.words, state, before)
+            if opens := self._phrases.opens(piece.words):  # "no, well, the ball": not a thing called "well"
+                once_more = self._replace(current, piece.words[opens:], state, before)
+                ways = [(self._matcher.read(way, after=before), way) for way in (replaced, once_more) if way]
+                replaced = min(ways, key=lambda way: way[0][0].free_words if way[0] else 0, default=(None, None))[1]
             if replaced is None:
                 return None
             if leaves_one_of_two(current, replaced, piece.words, lambda words: self._commands.readings(words, before)):
@@ -81,12 +88,27 @@ class Corrections:
                 reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
                 return Clause(reason=reason, alternatives=either, ambiguous=True)
             current = replaced
-        clause = self._commands.exact(current, state)
+        breaks = pauses_of(current, [piece for piece, _ in pieces])
+        clause = self._commands.exact(current, state, breaks=breaks)
         if before and not (clause is not None and clause.accepted):
-            clause = self._commands.exact(current, state, before)
+            clause = self._commands.exact(current, state, before, breaks)
         if clause is None or not clause.accepted:
             return clause
-        return Clause(clause.reading, clause.action, f"corrected to {' '.join(current)!r}")
+        articles = thing_words(self._matcher.grammar.language).articles
+        told = [
+            word for word, after in itertools.zip_longest(current, current[1:]) if word != after or word not in articles
+        ]
+        return Clause(clause.reading, clause.action, f"corrected to {' '.join(told)!r}")
+
+    def _parted(self, said: Utterance, meant: Utterance, state: Collection[str], before: str) -> Clause | None:
+        """Why ``said`` is no command, if that is for a pause in a name and ``meant`` only corrects a part of it:
+        "release the cup, faster, no, slower". No thing is called so."""
+        if True not in said.breaks[1:] or self._commands.accepts(meant.words, state):
+            return None
+        ways: tuple[list[bool], ...] = ([], said.breaks)
+        plain, paused = (self._commands.exact(said.words, state, before, breaks) for breaks in ways)
+        refused = plain is not None and plain.accepted and paused is not None and not paused.accepted
+        return paused if refused else None
 
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
@@ -279,12 +301,12 @@ class Corrections:
                     slot is spoken[-1] and self._named_otherwise(slot, said, meant[:length])
                 ):
                     continue
-                for at in _beginnings(said, meant[:length], slot.start):
+                for at in beginnings(said, meant[:length], slot.start):
                     words = said[:at] + meant
                     reading = next(iter(self._matcher.read(words)), None)
                     if reading is None or reading.problem or reading.intent is not begun.intent:
                         continue
-                    if not _same_but(begun, spoken[index:], len(said), reading, at, at + length):
+                    if not same_but(begun, spoken[index:], len(said), reading, at, at + length):
                         continue
                     meaning = tuple(sorted((label, str(value)) for label, value in reading.values().items()))
                     found[meaning] = min(found.get(meaning, words), words, key=len)
@@ -317,7 +339,7 @@ class Corrections:
         for start, end in itertools.combinations_with_replacement(range(len(spoken)), 2):
             run = spoken[start : end + 1]
             last = end == len(spoken) - 1
-            edges = itertools.product(_beginnings(said, meant, run[0].start), _ends(said, meant, run[-1].end))
+            edges = itertools.product(beginnings(said, meant, run[0].start), ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
                 reading = next(iter(self._matcher.read(words, after=before)), None)
@@ -415,32 +437,3 @@ class Corrections:
             kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
             return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
-
-
-def _same_but(begun: Reading, run: list[SlotReading], stop: int, reading: Reading, at: int, after: int) -> bool:
-    """Whether two readings differ in nothing but some slots: those of ``run``, which begin before ``stop``, in the one,
-    and in the other those that begin between ``at`` and ``after``. They go equally far into the words that follow:
-    "two" and "three" of "meters"."""
-    again = [slot for slot in sorted(reading.slots, key=lambda slot: slot.start) if at <= slot.start < after]
-    if [(slot.label, max(slot.end - stop, 0)) for slot in run] != [
-        (slot.label, max(slot.end - after, 0)) for slot in again
-    ]:
-        return False
-    replaced, old, new = {slot.label for slot in run}, begun.values(), reading.values()
-    return set(old) == set(new) and all(old[label] == new[label] for label in set(old) - replaced)
-
-
-def _beginnings(said: list[str], meant: list[str], start: int) -> Iterator[int]:
-    """Where ``meant`` may begin in ``said``: at a slot, or with words before it that it says again ("bed five")."""
-    yield start
-    for length in range(1, min(start, len(meant))):
-        if said[start - length : start] == meant[:length]:
-            yield start - length
-
-
-def _ends(said: list[str], meant: list[str], end: int) -> Iterator[int]:
-    """Where ``said`` may go on after ``meant``: after a slot, or after words behind it that it says again ("times")."""
-    yield end
-    for length in range(1, min(len(said) - end, len(meant) - 1) + 1):
-        if said[end : end + length] == meant[-length:]:
-            yield end + length

@@ -11,6 +11,7 @@ from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, as_told, described, more_telling, slot_values
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
@@ -33,6 +34,8 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
+MOST_FOLLOWING = 8
+"""Words that are told of those with which an unfinished sentence may go on."""
 _ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
 """The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
 NO_COMMAND = "not a command of this grammar"
@@ -69,6 +72,7 @@ class Interpreter:
         self._commands = made(commands)
         self._corrections = made(Corrections(phrases, self._commands))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
+        self._cancelled = Cancelled(phrases, self._commands, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
@@ -160,7 +164,8 @@ class Interpreter:
                     return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        clause = self._commands.exact(said.words, state) if not self._number_in_pieces(said) else None
+        in_pieces = self._number_in_pieces(said)
+        clause = self._commands.exact(said.words, state, "", said.breaks) if not in_pieces else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
             if not free or not phrases.fillers.may_stand_in(said.words):
@@ -173,8 +178,8 @@ class Interpreter:
             return either
         if core is not said and not self._number_restarted(core):
             again = self._without_fillers(said, core, state)
-            if again is not None and (again.accepted or clause is None):
-                clause = again
+            if again is not None and (again.accepted or clause is None or again.no_name):
+                clause = again  # "take your time please" takes no "time please"
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
         if not core.words:
@@ -186,6 +191,9 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         return self._operated(text, said, core, state, clause)
+
+    def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
+        return self._commands.exact(said.words, state, breaks=said.breaks)
 
     def _dictated(self, text: str, state: Collection[str], *, spoken: bool) -> Understood | None:
         """A command in which something is dictated, alone or behind others: "turn left, and write down that ...". What
@@ -221,14 +229,14 @@ class Interpreter:
 
     def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
         """What an utterance says besides its fillers."""
-        exact, phrases = self._commands.exact, self.phrases
-        clause = exact(core.words, state)
+        phrases = self.phrases
+        clause = self._as_said(core, state)
         if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
-            clause = exact(phrases.without_idle_fillers(said).words, state)
+            clause = self._as_said(phrases.without_idle_fillers(said), state)
         less = phrases.without_whole_fillers(said)
         if not core.words or len(less) == len(core):
             return clause
-        other = exact(less.words, state)
+        other = self._as_said(less, state)
         if other is None or not other.accepted:
             return clause
         if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
@@ -253,8 +261,7 @@ class Interpreter:
             return self._stopped(text)
         if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
             return self._stopped(text)
-        after = self.phrases.after_cancelled(core)
-        if after and (self._stops.is_sentence(words[:after]) or not self._commands.accepts(words[:after], state)):
+        if after := self._cancelled.after(core, state):
             found, told = self._meant(text, core.part(after, len(core)), state, spoken=False)
             if found.status is Status.ACCEPTED:
                 return replace(found, reason=found.reason or f"after {' '.join(words[:after])!r}"), told
@@ -416,7 +423,9 @@ class Interpreter:
             # A place that is not on the map is not the beginning of a thing: "bring me to the library".
             a_place = clause is not None and clause.unknown_place and reached is not None and automaton.free(reached)
             if reached is not None and not automaton.accepting(reached) and not a_place:
-                following = tuple(sorted(automaton.next_words(reached))[:8])
+                from intent_engine.language.likely_words import likely_words
+
+                following = likely_words(self.matcher, words, most=MOST_FOLLOWING)
                 reason = "the sentence is not finished"
                 return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
         if clause is not None:

@@ -48,6 +48,7 @@ class Phrases:
         self._later = PhraseSet(operators.later)
         self.contrast = PhraseSet(operators.contrast)
         self._opener = PhraseSet(operators.opener)
+        self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
         joining = [words for words in grammar.fillers if any((word,) in operators.sequence for word in words)]
         self._alone = cache(lambda word: lists is not None and lists([word]))
@@ -58,7 +59,11 @@ class Phrases:
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
         around = PhraseSet(grammar.around)
-        self._openers = Openers(PhraseSet(joining), self.sequence, self._listing, around, grammar.language)
+        digits = any(slot.digits for slot in grammar.slots.values())
+        again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
+        self._openers = Openers(
+            PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language, digits
+        )
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:
@@ -173,6 +178,14 @@ class Phrases:
         while length := self._opening.at(words, position):
             position += length
         return position
+
+    def opens(self, words: Sequence[str]) -> int:
+        """How many words at the beginning say nothing of where a command begins again: "no, *well*, go back", "no,
+        *just* go back"."""
+        position = 0
+        while length := self._restart.at(words, position):
+            position += length
+        return position if position < len(words) else 0
 
     def comes_later(self, words: Sequence[str]) -> bool:
         """Whether words begin by saying that something else is done first: "then", "um, when you get there"."""

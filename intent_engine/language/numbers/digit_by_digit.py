@@ -1,0 +1,73 @@
+"""Numbers whose digits are said one by one, as pilots and sailors do: "heading one eight zero", "kanal eins sechs"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.template_tree import Choice, Node, Optional, Word, WordClass
+from intent_engine.language.template_tree import Sequence as TemplateSequence
+
+__all__ = ["MOST_DIGITS", "digit_of", "digits_in_words", "said_together", "template_of"]
+
+MOST_DIGITS = 8
+"""Digits of the longest number that is said so."""
+_SIGNS = ("minus", "negative")
+_ENGLISH = {**{word: str(value) for word, value in english.DIGITS.items()}, **dict.fromkeys(english.ZERO, "0")}
+_WORDS = {digit: word for word, digit in _ENGLISH.items()} | {"0": "zero"}
+
+
+def digit_of(word: str, language: str) -> str:
+    """The digit that a word is; empty: it is none."""
+    if len(word) == 1 and word.isdecimal() and word.isascii():
+        return word
+    if language == "en":
+        return _ENGLISH.get(word, "")
+    value = foreign.number((word,), language) if foreign.is_number_word(word, language) else None
+    return str(int(value)) if value is not None and 0 <= value <= 9 and float(value).is_integer() else ""
+
+
+def said_together(words: Sequence[str], language: str) -> Sequence[str]:
+    """Words that begin with digits, with these as one numeral: "180 degrees" of "one eight zero degrees". Others as
+    they are, and so are digits that go on to be another number: "one two hundred"."""
+    start = int(language == "en" and bool(words) and words[0] in _SIGNS)
+    digits = ""
+    end = start
+    while end < len(words) and (digit := digit_of(words[end], language)):
+        digits += digit
+        end += 1
+    decimals = ""
+    if len(digits) > 1 and language == "en" and words[end : end + 1] in (["point"], ("point",)):
+        after = end + 1
+        while after < len(words) and (digit := digit_of(words[after], language)):
+            decimals += digit
+            after += 1
+        end = after if decimals else end
+    if not 1 < len(digits) <= MOST_DIGITS or (end < len(words) and _goes_on(words[end], language)):
+        return words
+    number = f"{int(digits)}.{decimals}" if decimals else str(int(digits))
+    return [*words[:start], number, *words[end:]]
+
+
+def _goes_on(word: str, language: str) -> bool:
+    """Whether a word behind digits belongs to their number, which then is no row of digits."""
+    if is_numeral(word):
+        return True
+    return word in english.NUMBER_WORDS if language == "en" else foreign.is_number_word(word, language)
+
+
+def digits_in_words(number: int, language: str) -> str:
+    """A whole number as it is said digit by digit; in other languages than English with the digits themselves."""
+    return " ".join(_WORDS[digit] if language == "en" else digit for digit in str(number))
+
+
+def template_of(language: str) -> Node:
+    """Two digits or more, and in English a sign and a point: a little more than :func:`said_together` takes."""
+    word: Node = Choice(tuple(map(Word, sorted(_ENGLISH)))) if language == "en" else WordClass("#word")
+    digit = Choice((word, WordClass("#")))
+    digits: Node = TemplateSequence((digit, digit, *[Optional(digit)] * (MOST_DIGITS - 2)))
+    if language != "en":
+        return digits
+    decimals: Node = TemplateSequence((Word("point"), digit, Optional(digit), Optional(digit)))
+    return TemplateSequence((Optional(Choice(tuple(map(Word, _SIGNS)))), digits, Optional(decimals)))
