@@ -12,7 +12,7 @@ from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
 from intent_engine.language.reading import Reading, SlotReading
 
-__all__ = ["is_number", "leaves_one_of_two", "may_hold", "numbers_apart"]
+__all__ = ["is_number", "leaves_one_of_two", "may_hold", "number_after_pause", "numbers_apart"]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
 
@@ -35,6 +35,23 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
             problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
             found[place] = replace(slot, value=None, status="unknown", problem=problem)
     return found
+
+
+def number_after_pause(reading: Reading, breaks: Sequence[bool], is_number: Callable[[str], bool]) -> Sequence[str]:
+    """The number without a unit that ends a quantity, behind a pause: "two meters, three" may be 2.03 m, or three.
+    Empty: there is none.
+
+    Args:
+        reading: of the words.
+        breaks: whether a pause stands before each of them.
+        is_number: whether a word is one, or a part of one.
+    """
+    for slot in reading.slots:
+        if slot.slot.type in QUANTITY_KINDS:
+            for place in range(slot.start + 1, slot.end):
+                if breaks[place] and all(map(is_number, reading.words[place : slot.end])):
+                    return reading.words[place : slot.end]
+    return ()
 
 
 def leaves_one_of_two(

@@ -105,3 +105,43 @@ def test_two_numbers_are_never_other_two(engine, x, y):
     words = " ".join(in_words([str(x), str(y)]))
     found = engine.parse(f"point at {words}")
     assert found.status is not Status.ACCEPTED or dict(found.slots) == {"x": x, "y": y}
+
+
+MOVE = """
+language: en
+slots: {way: distance, time: duration, part: percent, size: {type: number, units: {12: dozen}}}
+intents:
+  go: {action: custom, sentences: ["go [on] {way} [for {time}]", "wait {time}", "dim to {part}", "buy {size}"]}
+"""
+
+
+@given(
+    st.integers(1, 9),
+    st.sampled_from(["meters", "minutes", "feet"]),
+    st.sampled_from([", ", "... "]),
+    st.integers(2, 90),
+    st.booleans(),
+)
+def test_a_number_after_a_pause_is_no_part_of_the_one_before(engine_of, one, unit, pause, other, figures):
+    """ "Two meters, three" are 2.03 m as likely as three meters after all."""
+    engine = engine_of(MOVE)
+    verb = "wait" if unit == "minutes" else "go"
+    numbers = [str(one), str(other)]
+    first, second = numbers if figures else (" ".join(in_words([each])) for each in numbers)
+    assert engine.parse(f"{verb} {first} {unit}{pause}{second}").actions == ()
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [
+        ("go two meters three", 2.03),
+        ("go two meters, thirty centimeters", 2.3),
+        ("go two, meters", 2.0),
+        ("go a meter, and a half", 1.5),
+        ("go five feet, six inches", 1.6764),
+        ("go two thousand, five hundred meters", 2500.0),
+        ("wait two minutes, thirty seconds", 150.0),
+    ],
+)
+def test_what_has_its_unit_or_is_a_half_is(engine_of, said, value):
+    assert next(iter(engine_of(MOVE).parse(said).slots.values())) == pytest.approx(value)

@@ -10,6 +10,7 @@ from typing import Any
 from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
+from intent_engine.language.adjacent_numbers import number_after_pause
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
@@ -23,6 +24,7 @@ __all__ = ["LEAST_WORDS", "Clause", "Commands", "as_told", "described", "forbidd
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
+_NUMBER_PARTED = "{!r} after a pause may be a number of its own; say it again without the pause"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
 
@@ -76,6 +78,8 @@ class Commands:
         readings = self.readings(words, after)
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
+        if readings and True in breaks and (number := number_after_pause(readings[0], breaks, self.matcher.is_number)):
+            return Clause(readings[0], reason=_NUMBER_PARTED.format(" ".join(number)))
         if readings and readings[0].free_words > 1 and True in breaks:
             parted = [self._parted_by_command(reading, breaks) for reading in readings]
             if all(parted):
@@ -186,7 +190,11 @@ class Commands:
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
         if True in breaks:
-            readings = [one for one in readings if not self._parted_by_command(one, breaks)]
+            readings = [
+                one
+                for one in readings
+                if not (self._parted_by_command(one, breaks) or number_after_pause(one, breaks, self.matcher.is_number))
+            ]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
