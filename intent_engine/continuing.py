@@ -61,6 +61,8 @@ class _Said:
     sound: Samples
     ended: float
     command: CarriedOut
+    heard: str = ""
+    """The words as they were heard freely: "it's too loud" of "that's too loud"."""
     withdrawn: bool = False
     """Whether it was taken back, and not said yet what is meant instead."""
 
@@ -87,7 +89,7 @@ class Continuing:
         whole, given = understood.meaning, tuple(goals)
         before = self._said.command if self._said is not None else None
         command = before.grown_to(whole, given) if before is not None else CarriedOut(whole, given)
-        self._said = _Said(utterance.said(), utterance.last_voice, command)
+        self._said = _Said(utterance.said(), utterance.last_voice, command, understood.transcript.free_text)
         self._stopped = None
 
     def stopped(self, utterance: SpokenUtterance, meaning: Interpretation) -> None:
@@ -97,7 +99,7 @@ class Continuing:
         self.forget()
         self._stopped = meaning.text, utterance.last_voice
         if said is not None and heard is not None and self._judge.only_corrects(heard):
-            self._said = _Said(utterance.said(), utterance.last_voice, said.command, True)
+            self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=True)
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
@@ -167,7 +169,7 @@ class Continuing:
             if withdrawn or len(alone.free_text.split()) <= HARDLY_A_SENTENCE:
                 # "No", and a moment later "the dock".
                 taken_back = withdrawn or said.withdrawn
-                self._said = _Said(utterance.said(), utterance.last_voice, said.command, taken_back)
+                self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=taken_back)
             if withdrawn:
                 meaning = replace(meaning, reason=_WITHDRAWN)
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
@@ -194,8 +196,11 @@ class Continuing:
         by_itself = self._judge.meaning(heard, state, last)
         if by_itself.status is not Status.ACCEPTED or by_itself.stops:
             return None
-        whole = self._judge.one_sentence(said.command.meaning.text, heard, state)
-        return whole if whole is not None and said.command.says_no_more(whole) else None
+        done = said.command.meaning
+        ways = (
+            self._judge.one_sentence(begun, heard, state) for begun in dict.fromkeys((done.text, said.heard)) if begun
+        )
+        return next((whole for whole in ways if whole is not None and whole.actions == done.actions), None)
 
     def _belongs(
         self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from intent_engine.execution.goal import GoalState
 from intent_engine.runtime import Heard, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.recognizer import Transcript
 
 SOON = Settings().wait_continued
 APART = Settings(wait_continued=0.0)
@@ -101,6 +103,19 @@ def test_what_is_one_sentence_of_the_grammar_is_done_once(engine_of, first, seco
     said = Said(Script(first, second, f"{first}, {second}"), engine=engine_of(VOLUME))
     assert len(said.orders) == orders
     assert [event.goes_on for event in said.done] == [False, orders == 1]
+
+
+def test_also_where_its_beginning_was_taken_for_another_that_means_the_same(engine_of):
+    """ "It's too loud" by itself is no sentence, and "that's too loud" is."""
+    engine = engine_of(VOLUME.replace("(too loud;turn it down)", "it's too loud turn it down"))
+
+    class Steered(Script):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            heard = super().transcribe(samples, final=final)
+            return replace(heard, text=heard.text.replace("it's", "that's"))
+
+    said = Said(Steered("it's too loud", "turn it down", "it's too loud, turn it down"), engine=engine)
+    assert len(said.orders) == 1
 
 
 def test_unless_it_is_said_later(engine_of):
