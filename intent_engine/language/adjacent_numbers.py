@@ -38,7 +38,7 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
 
 
 def number_after_pause(reading: Reading, breaks: Sequence[bool], is_number: Callable[[str], bool]) -> Sequence[str]:
-    """The number without a unit that ends a quantity, behind a pause: "two meters, three" may be 2.03 m, or three.
+    """The number without a unit that ends a quantity, behind its unit and a pause: "two meters, three" may be 2.03 m, or three.
     Empty: there is none.
 
     Args:
@@ -49,7 +49,8 @@ def number_after_pause(reading: Reading, breaks: Sequence[bool], is_number: Call
     for slot in reading.slots:
         if slot.slot.type in QUANTITY_KINDS:
             for place in range(slot.start + 1, slot.end):
-                if breaks[place] and all(map(is_number, reading.words[place : slot.end])):
+                behind = breaks[place] and not is_number(reading.words[place - 1])  # "one thousand, five hundred"
+                if behind and all(map(is_number, reading.words[place : slot.end])):
                     return reading.words[place : slot.end]
     return ()
 

@@ -140,6 +140,7 @@ def test_a_number_after_a_pause_is_no_part_of_the_one_before(engine_of, one, uni
         ("go a meter, and a half", 1.5),
         ("go five feet, six inches", 1.6764),
         ("go two thousand, five hundred meters", 2500.0),
+        ("buy one thousand, five hundred", 1500.0),
         ("wait two minutes, thirty seconds", 150.0),
     ],
 )
