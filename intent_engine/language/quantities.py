@@ -231,6 +231,11 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
             if rate is not None:
                 yield tidy(value * rate[0]), rate[1]
         yield from _rate_and_a_half(words, at, kind, language, table)
+        if language in WITHOUT_ONE:
+            half = _and_a_half(words, at, "distance" if kind == "speed" else "angle", language, table)
+            bottom = _below(words, half[1], table) if half is not None else None
+            if half is not None and bottom is not None:
+                yield tidy(half[0] / bottom[0]), bottom[1]
         return
     if kind == "angle" and language == "en" and words[at : at + 1] and words[at] in _ANGLES_BEGIN:
         for spoken, angle in WHOLE_ANGLES.items():
@@ -304,10 +309,11 @@ def _extended(
     onward = after + 1 if joined else after
     part = _part_after(words, after, value / factor, kind, language, table)
     if part is not None:
-        yield value + part[0] * factor, part[1]
-    for end in range(after + 1, after + 3) if depth == 0 else ():
-        if " ".join(words[after:end]) in table.words.get("more_after", ()):
-            yield value, end
+        with_part = value + part[0] * factor
+        yield with_part, part[1]
+        yield from ((with_part, end) for end in _more_ends(words, part[1], table))
+    if depth == 0:
+        yield from ((value, end) for end in _more_ends(words, after, table))
     for more, end, smaller in _parts(words, onward, kind, language, table):
         if FACTORS[kind][smaller] < factor and (key in _IMPERIAL) == (smaller in _IMPERIAL):
             yield from (
@@ -320,6 +326,13 @@ def _extended(
         for number, end in _numbers(language)(words, onward):
             if 0 < number < most and number == int(number) and (not joined or kind == "duration" or number >= 10):
                 yield value + number * size, end
+
+
+def _more_ends(words: Sequence[str], at: int, table: Units) -> Iterator[int]:
+    """Where "more" and the like end behind a quantity: "two feet more", "deux mètres de plus"."""
+    for end in (at + 1, at + 2):
+        if " ".join(words[at:end]) in table.words.get("more_after", ()):
+            yield end
 
 
 def _part_after(

@@ -177,7 +177,10 @@ def test_two_lengths_of_two_customs_are_none(engine, top, rest, joint) -> None:
         ("ordinal", "the third one", 3),
         ("ordinal", "the last one", -1),
         ("ordinal", "hundred and first", 101),
+        ("ordinal", "a hundred and tenth", 110),
+        ("ordinal", "one thousand first", 1001),
         ("ordinal", "1,000th", 1000),
+        ("distance", "two feet and a half more", 2.5 * FOOT),
     ],
 )
 def test_what_else_is_said(engine: IntentEngine, kind: str, said: str, value: float) -> None:

@@ -177,6 +177,7 @@ def test_the_third_and_number_three(engines, language) -> None:
     [
         ("de", "number", "zweiundeinhalb", 2.5),
         ("de", "number", "einhalb", 0.5),
+        ("de", "number", "zweieinviertel", 2.25),
         ("de", "number", "anderthalb Millionen", 1_500_000),
         ("de", "number", "eineinhalbtausend", 1500),
         ("de", "number", "1,5 Mio.", 1_500_000),
@@ -205,6 +206,8 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("es", "angle", "90º", math.pi / 2),
         ("es", "ordinal", "1º", 1),
         ("es", "ordinal", "3ª", 3),
+        ("es", "speed", "metro y medio por segundo", 1.5),
+        ("es", "distance", "cuatro metros y medio más", 4.5),
         ("es", "percent", "cien por cien", 1),
         ("it", "number", "mezza dozzina", 6),
         ("it", "distance", "un metro e cinquanta", 1.5),

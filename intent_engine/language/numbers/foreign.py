@@ -258,8 +258,12 @@ def _one_word(word: str, language: str) -> float | None:
         return half * 1000 if half is not None else None
     for (part, one), denominator in table.parts.items():
         if not one and len(word) > len(part) and word.endswith(part):
-            top = _text2num(word.removesuffix(part), language)
-            return top / denominator if top is not None and 0 < top < denominator else None
+            before = word.removesuffix(part)
+            top = _text2num(before, language)
+            if top is not None:
+                return top / denominator if 0 < top < denominator else None
+            whole = _text2num(before.removesuffix("ein"), language) if before.endswith("ein") else None
+            return whole + 1 / denominator if whole is not None else None  # "zweieinviertel"
     return None
 
 

@@ -33,8 +33,8 @@ ENGLISH: Mapping[str, str] = {
     "|([a|{below_hundred}|{#}] dozen [and a half]|half a dozen|[a] half dozen)|a pair [of])",
     "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}",
     "ordinal_unit": "(" + "|".join(english.ORDINAL_UNITS) + ")",
-    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|[{group}] hundred [and] [{tens}]] {ordinal_unit}"
-    "|[[{group}] hundred [and]] (" + "|".join(english.ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth)) [one]",
+    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|[a|{group}] (hundred|thousand) [and] [{tens}]] {ordinal_unit}"
+    "|[[a|{group}] (hundred|thousand) [and]] (" + "|".join(english.ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth)) [one]",
 }
 """Spoken forms, as sentence templates: a little more than :func:`.english.number` accepts, for looking ahead."""
 
@@ -86,13 +86,14 @@ def templates(language: str) -> Mapping[str, str]:
         if language == "en"
         else f"({{number}} ({article}{more and '|'}{more})|{{one}}{another})"
     )
-    after = "".join(f"|{word}" for word in sorted(table.words.get("more_after", ())))
+    after = "|".join(sorted(table.words.get("more_after", ())))
+    after = f" [{after}]" if after else ""
     base["and_part"] = f"{joint} {{fraction}}"
     for kind in ("distance", "duration", "angle", "percent"):
         base[f"{kind}_unit"] = table.spoken(kind, *(["m"] if kind == "duration" else []))
         base[kind] = (
             f"{{count}} {{{kind}_unit}} [{joint} {part}|[{joint}] {{count}} {{{kind}_unit}} "
-            f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}{after}]"
+            f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}]{after}"
         )
         if language in WITHOUT_ONE:
             base[kind] += f"|{{{kind}_unit}} {joint} {part}"
@@ -105,7 +106,10 @@ def templates(language: str) -> Mapping[str, str]:
         base["angle"] += "".join(f"|{' '.join(words)}" for words in WHOLE_ANGLES)
     for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
-        base[kind] = f"{{count}} {table.spoken(top)} [{joint} {part}] {per} {{duration_unit}}{single}"
+        unit = f"{{{top}_unit}}" if top == "distance" else table.spoken(top)  # with "a turn per second"
+        base[kind] = f"{{count}} {unit} [{joint} {part}] {per} {{duration_unit}}{single}"
+        if language in WITHOUT_ONE:
+            base[kind] += f"|{unit} {joint} {part} {per} {{duration_unit}}"
         if language in RELATIVE_SPEEDS:
             base[kind] += f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(SHARE_OF[language])}]"
     return base
