@@ -69,6 +69,7 @@ _TOKEN = re.compile(
     rf"(?P<number>(?:(?<![\w.,])|^)(?:[{_MINUS}]|−\s+|^[-−]\s+)(?=\d|\.\d))?"
     r"(?:(?P<mixed>\d+(?:\s*-\s*|\s+)\d+\s?[/⁄]\s?\d+(?![\d/]))"
     r"|(?P<fraction>(?<![/\d])\d+[/⁄]\d+(?![\d/]))"
+    r"|(?P<apart>(?<![\d.,])[1-9]\d{0,2}(?: \d{3}){2,}(?![.,]?\d| \d))"
     r"|(?P<ordinal>\d+(?:,\d{3})*(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<comma>(?<![\d.,])(?:0,\d+|\d+,(?:\d{1,2}|\d{4,}))(?![\d.,]*\d))"
     r"|(?P<pointed>(?<![\d.,])[1-9]\d{0,2}(?:(?:\.\d{3})+,\d+|(?:\.\d{3}){2,})(?![.,]?\d))"
@@ -206,6 +207,8 @@ def _number(written: str, kind: str | None, language: str) -> str:
         return written + UNCLEAR if meant is None else written.replace(sign, meant)
     if kind == "pointed":
         return written.replace(".", "").replace(",", ".")
+    if kind == "apart":  # "1 414 021 100"; but "1 500" may be two numbers
+        return written.replace(" ", "")
     if kind in ("grouped", "ordinal"):
         return written.replace(",", "")
     if kind == "comma":

@@ -238,3 +238,9 @@ def test_what_else_is_said(engines, language: str, kind: str, form: str, value: 
 def test_what_is_no_clear_quantity(engines, language: str, kind: str, form: str) -> None:
     reads(engines, language, kind, form, None)
     assert evaluate(words(form, language), kind, language) is None
+
+
+@pytest.mark.parametrize("language", ["en", *LANGUAGES])
+@pytest.mark.parametrize("written", ["1, 234, 567", "1 500", "1 234 56", "12 345 6789", "1 234 567 8"])
+def test_a_list_is_no_million(language: str, written: str) -> None:
+    assert evaluate(words(written, language), "number", language) is None

@@ -60,7 +60,7 @@ model makes 30."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
     "fraction": "{#word} [{#word}]",
-    "number": "([{#word}] {#} [{#word} [{#word} [{#word}]]|{#} [{#} [{#}]]]|{#word} " + "[{#word} " * 7 + "]" * 7 + ")",
+    "number": "([{#word}] {#} [{#word} [{#word} [{#word}]]]|{#word} " + "[{#word} " * 7 + "]" * 7 + ")",
     "ordinal": "({#} [{#word}]|{#word} [{#word} [{#word}]])",
 }
 
@@ -102,7 +102,6 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
         yield from ((-value, end) for value, end in numbers_at(words, at + 1, language) if value >= 0)
         return
     if is_numeral(words[at]):
-        yield from _in_groups(words, at)
         value = numeral_value(words[at])
         if value is not None:
             scale = _scale(words[at + 1], language) if at + 1 < len(words) else None
@@ -126,16 +125,6 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
         value = _value(words, at, end, language)
         if value is not None:
             yield value, end
-
-
-def _in_groups(words: Sequence[str], at: int) -> Iterator[tuple[float, int]]:
-    """Millions that are written apart: "1 414 021 100". Of a single space nobody can know: "1 500"."""
-    end = at + 1
-    while end < len(words) and len(words[end]) == 3 and words[end].isdigit():
-        end += 1
-    first = words[at].removeprefix("-")
-    if end > at + 2 and first.isdigit() and len(first) < 4 and first[0] != "0":
-        yield float("".join(words[at:end])), end
 
 
 def in_digits(words: Sequence[str], language: str, *, whole: bool = True) -> tuple[str, ...]:
