@@ -77,7 +77,7 @@ _TOKEN = re.compile(
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
     r"|(?P<unclear>(?<!\S),\d+(?![.,]?\d))"
-    r"|(?P<sign>[°º%&'’′\"”″/])"
+    r"|(?P<sign>''|’’|′′|[°º%&'’′\"”″/])"
     r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
     r"|(?P<compared>(?<![^\W\d_])(?:[<>]=?|[≤≥±])(?=\s*\.?\d))"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
@@ -235,6 +235,6 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
         return ("per",) if between or _unit_beside(text, place, before) else ()
-    if sign in "'’′":
+    if sign in ("'", "’", "′"):  # two of them are inches
         return ("feet",) if number_before and not after.isalpha() else ()
     return ("inches",) if number_before else ()

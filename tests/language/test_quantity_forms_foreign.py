@@ -201,6 +201,8 @@ def test_the_third_and_number_three(engines, language) -> None:
         ("es", "number", "media docena", 6),
         ("es", "distance", "otro metro", 1),
         ("es", "distance", "un metro y cincuenta", 1.5),
+        ("es", "distance", "un metro y setenta y cinco", 1.75),
+        ("es", "duration", "una hora y treinta y cinco", 5700),
         ("es", "distance", "cincuenta centimetros", 0.5),
         ("es", "angle", "una vuelta completa", 2 * math.pi),
         ("es", "angle", "90º", math.pi / 2),

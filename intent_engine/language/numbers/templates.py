@@ -26,15 +26,17 @@ ENGLISH: Mapping[str, str] = {
     "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) " + "[({digit}|{zero}) " * 8 + "]" * 8,
     "scale": "(thousand|million|billion|dozen)",
     "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
-    "|ninth|ninths|tenth|tenths|twentieth|twentieths|hundredth|hundredths|thousandth|thousandths|half|halves)",
+    "|ninth|ninths|tenth|tenths|twelfth|twelfths|sixteenth|sixteenths|twentieth|twentieths|hundredth|hundredths|thousandth|thousandths|half|halves)",
     "fraction": "([a|one] half|[a|one] quarter|(a|an|{digit}|{teen}|{#}) {part})",
     "counted": "[minus|negative] ({cardinal} [and ({fraction}|{#}) [{scale}]|{fraction}|(point {decimals} [{scale}])]"
     "|[{zero}|nought|naught] point {decimals} [{scale}]|{fraction}|{zero}|[a] couple [of]"
     "|([a|{below_hundred}|{#}] dozen [and a half]|half a dozen|[a] half dozen)|a pair [of])",
     "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}",
     "ordinal_unit": "(" + "|".join(english.ORDINAL_UNITS) + ")",
-    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|[a|{group}] (hundred|thousand) [and] [{tens}]] {ordinal_unit}"
-    "|[[a|{group}] (hundred|thousand) [and]] (" + "|".join(english.ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth)) [one]",
+    "ordinal_tens": "(" + "|".join(english.ORDINAL_TENS) + ")",
+    "round": "[a|{group}] (hundred|thousand) [and]",
+    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|{round} [{tens}]] {ordinal_unit}|[{round}] {ordinal_tens}"
+    "|[a|{group}] (hundredth|thousandth)) [one]",
 }
 """Spoken forms, as sentence templates: a little more than :func:`.english.number` accepts, for looking ahead."""
 
@@ -93,7 +95,7 @@ def templates(language: str) -> Mapping[str, str]:
         base[f"{kind}_unit"] = table.spoken(kind, *(["m"] if kind == "duration" else []))
         base[kind] = (
             f"{{count}} {{{kind}_unit}} [{joint} {part}|[{joint}] {{count}} {{{kind}_unit}} "
-            f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}]{after}"
+            f"[[{joint}] {{count}} {{{kind}_unit}}]|[{joint}] {{below_hundred}}|{{#}}]{after}"
         )
         if language in WITHOUT_ONE:
             base[kind] += f"|{{{kind}_unit}} {joint} {part}"
