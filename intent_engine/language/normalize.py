@@ -53,6 +53,9 @@ _FRACTIONS = {
     )
 }  # fmt: skip
 
+_POWERS = {"²": " squared", "³": " cubed"}
+"""What is after a unit makes another of it: "2 m²" is no length of "2 m 2", which is 2.02 m."""
+
 _ELIDED = "[cdjlmnstv]|qu|(?:jus|lors|puis|quoi)qu|(?:d?a|de|ne|su|co|que)ll|quest|dov|com|tutt|mezz"
 """French, Italian and Catalan words that lose a vowel before another: "l'entrée", "dell'ufficio" are two words each."""
 _VOWEL = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
@@ -60,18 +63,23 @@ ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’�
 """Such a word and its apostrophe. "D'Angelo" is one word."""
 _APART = re.compile(rf"(?<!\S)({_ELIDED}) (?={_VOWEL})")
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
+_MINUS = "-−‐‑‒–"
+"""What stands straight before a number below zero: hyphens, dashes, and the sign, which may stand apart from it."""
 _TOKEN = re.compile(
-    r"(?P<number>(?:(?<![\w.,])|^)(?:[-−]|^[-−]\s+)(?=\d|\.\d))?"
+    rf"(?P<number>(?:(?<![\w.,])|^)(?:[{_MINUS}]|−\s+|^[-−]\s+)(?=\d|\.\d))?"
     r"(?:(?P<mixed>\d+(?:\s*-\s*|\s+)\d+\s?[/⁄]\s?\d+(?![\d/]))"
     r"|(?P<fraction>(?<![/\d])\d+[/⁄]\d+(?![\d/]))"
+    r"|(?P<apart>(?<![\d.,])[1-9]\d{0,2}(?: \d{3}){2,}(?![.,]?\d| \d))"
+    r"|(?P<ordinal>\d+(?:,\d{3})*(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<comma>(?<![\d.,])(?:0,\d+|\d+,(?:\d{1,2}|\d{4,}))(?![\d.,]*\d))"
     r"|(?P<pointed>(?<![\d.,])[1-9]\d{0,2}(?:(?:\.\d{3})+,\d+|(?:\.\d{3}){2,})(?![.,]?\d))"
     r"|(?P<grouped>\d{1,3}(?:,\d{3})+(?:\.\d+)?(?!\d))"
-    r"|(?P<ordinal>\d+(?:st|nd|rd|th)(?![^\W_]))"
     r"|(?P<decimal>(?<!\d\.)\d+\.\d+(?!\.?\d)|(?<![\w.])\.\d+|\d+))"
     r"|(?P<letters>(?<![^\W_]|[.])(?:[^\W\d_]\.){2,}(?![^\W_]{2})[^\W\d_]?(?![^\W_]))"
+    r"|(?P<unclear>(?<!\S),\d+(?![.,]?\d))"
+    r"|(?P<sign>''|’’|′′|[°º%&'’′\"”″/])"
     r"|(?P<word>[^\W\d_]+(?:['’ʼ`][^\W\d_]+)*)"
-    r"|(?P<sign>[°º%&'’′\"”″/])"
+    r"|(?P<compared>(?<![^\W\d_])(?:[<>]=?|[≤≥±])(?=\s*\.?\d))"
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
 
@@ -151,7 +159,7 @@ def _composed(text: str) -> tuple[str, list[int]]:
     pieces: list[str] = []
     places: list[int] = []
     for place, character in enumerate(text):
-        piece = _FRACTIONS.get(character) or (character if character in "°º″′" else None)
+        piece = _FRACTIONS.get(character) or _POWERS.get(character) or (character if character in "°ºª″′" else None)
         if piece is None and character in "\u00a0\u202f\u2009" and text[place - 1 : place].isdigit():
             piece = "" if text[place + 1 : place + 4].isdigit() and place else " "  # thousands, set apart
         if piece is None:
@@ -172,13 +180,17 @@ def _words(match: re.Match[str], kind: str | None, text: str, before: list[Token
     if kind == "word":
         word = found.translate(_NO_APOSTROPHES)
         return (TITLES.get(word) if language == "en" else None) or CONTRACTIONS.get(word, (word,))
+    if kind == "compared":  # "< 5" is not 5, whatever it is
+        return (found,)
+    if kind == "unclear":
+        return (found + UNCLEAR,)
     if kind == "sign":
         return _sign(found, text, match.start(), before, language)
     if kind == "mixed":
         whole, top, bottom = re.findall(r"\d+", found)
         number = f"{whole}-{top}/{bottom}"
     else:
-        number = _number(found.lstrip("-− "), kind, language)
+        number = _number(found.lstrip(f"{_MINUS} "), kind, language)
     if number.startswith("."):
         number = "0" + number
     # "75 -300 mm" is a range, and no number below zero.
@@ -195,11 +207,19 @@ def _number(written: str, kind: str | None, language: str) -> str:
         return written + UNCLEAR if meant is None else written.replace(sign, meant)
     if kind == "pointed":
         return written.replace(".", "").replace(",", ".")
-    if kind == "grouped":
+    if kind == "apart":  # "1 414 021 100"; but "1 500" may be two numbers
+        return written.replace(" ", "")
+    if kind in ("grouped", "ordinal"):
         return written.replace(",", "")
     if kind == "comma":
         return written.replace(",", ".")
     return written.replace("⁄", "/")
+
+
+def _unit_beside(text: str, place: int, before: list[Token]) -> bool:
+    """Whether a stroke stands apart between two units, as in "0.5 m / s"."""
+    counted = len(before) > 1 and before[-2].word[-1].isdigit() and not before[-1].word[-1].isdigit()
+    return counted and text[place - 1 : place + 2] == " / " and text[place + 2 : place + 3].isalpha()
 
 
 def _sign(sign: str, text: str, place: int, before: list[Token], language: str) -> tuple[str, ...]:
@@ -214,7 +234,7 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
         return _AND.get(language, ())
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
-        return ("per",) if between else ()
-    if sign in "'’′":
+        return ("per",) if between or _unit_beside(text, place, before) else ()
+    if sign in ("'", "’", "′"):  # two of them are inches
         return ("feet",) if number_before and not after.isalpha() else ()
     return ("inches",) if number_before else ()

@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 
-from intent_engine.language.numbers import english, foreign, said
+from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, SHARE_OF, WHOLE_ANGLES, Relative
+from intent_engine.language.numbers.templates import WITHOUT_ONE, templates
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
 __all__ = [
+    "RELATIVE_SPEEDS",
     "Found",
     "Relative",
     "counts",
@@ -32,61 +34,17 @@ MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
 
 
-@dataclass(frozen=True, slots=True)
-class Relative:
-    """A speed that was said in terms of the usual one: "half speed", "slowly"."""
-
-    factor: float
-
-
-RELATIVE_SPEEDS: Mapping[str, Mapping[str, float]] = {
-    "en": {
-        "slowly": 0.5, "slow": 0.5, "slower": 0.5, "gently": 0.5, "carefully": 0.5, "very slowly": 0.25,
-        "at a crawl": 0.25, "really slowly": 0.25, "slowly and carefully": 0.5, "quickly": 1.5, "fast": 1.5,
-        "faster": 1.5, "rapidly": 1.5, "very fast": 2.0, "very quickly": 2.0, "half speed": 0.5,
-        "half the speed": 0.5, "half your speed": 0.5, "quarter speed": 0.25, "a quarter speed": 0.25,
-        "full speed": 2.0, "top speed": 2.0, "maximum speed": 2.0, "normal speed": 1.0, "normally": 1.0,
-        "the usual speed": 1.0, "twice the speed": 2.0, "double speed": 2.0, "low speed": 0.5, "slow speed": 0.5,
-        "high speed": 1.5,
-    },
-    "de": {
-        "langsam": 0.5, "langsamer": 0.5, "vorsichtig": 0.5, "ganz langsam": 0.25, "sehr langsam": 0.25, "schnell": 1.5,
-        "schneller": 1.5, "sehr schnell": 2.0, "halber geschwindigkeit": 0.5, "halbe geschwindigkeit": 0.5,
-        "halbem tempo": 0.5, "halbes tempo": 0.5, "voller geschwindigkeit": 2.0, "volle geschwindigkeit": 2.0,
-        "vollem tempo": 2.0, "normaler geschwindigkeit": 1.0, "normalem tempo": 1.0, "doppelter geschwindigkeit": 2.0,
-        "doppeltem tempo": 2.0, "geringer geschwindigkeit": 0.5, "niedriger geschwindigkeit": 0.5,
-        "hoher geschwindigkeit": 1.5, "hohem tempo": 1.5,
-    },
-}  # fmt: skip
-"""Words for speeds, by language, as factors of the usual speed. Modest on purpose: limits of the robot file still
-hold."""
-_SHARE_OF: Mapping[str, Sequence[str]] = {"en": ("speed",), "de": ("geschwindigkeit", "tempo")}
-"""What may be said after a percentage of it."""
-
-_WHOLE_ANGLES: Mapping[tuple[str, ...], float] = {
-    ("all", "the", "way", "around"): 2 * math.pi,
-    ("all", "the", "way", "round"): 2 * math.pi,
-    ("a", "full", "circle"): 2 * math.pi,
-    ("full", "circle"): 2 * math.pi,
-    ("completely", "around"): 2 * math.pi,
-    ("about", "face"): math.pi,
-    ("an", "about", "face"): math.pi,
-    ("half", "way", "around"): math.pi,
-    ("halfway", "around"): math.pi,
-    ("half", "way", "round"): math.pi,
-    ("halfway", "round"): math.pi,
-    ("a", "u", "turn"): math.pi,
-    ("u", "turn"): math.pi,
-}
-_ANGLES_BEGIN = frozenset(spoken[0] for spoken in _WHOLE_ANGLES)
+_ANGLES_BEGIN = frozenset(spoken[0] for spoken in WHOLE_ANGLES)
 _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
+_IMPERIAL = frozenset(("in", "ft", "yd", "mi"))
+"""Lengths of which no other is a part: "two meters three feet" are two lengths, or the second puts the first right."""
 
 _Numbers = Callable[[Sequence[str], int], Iterator[tuple[float, int]]]
 
 
-WITHOUT_ONE = frozenset(("es",))
-"""Languages in which one and a half of something needs no "one": "metro y medio", "hora y media"."""
+JOINED = frozenset(("es", "it"))
+"""Languages that say "a meter and fifty": "un metro e cinquanta"."""
 
 
 def is_number_word(word: str, language: str = "en") -> bool:
@@ -145,7 +103,7 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
         relative = RELATIVE_SPEEDS.get(language, {}).get(" ".join(words))
         if relative is not None:
             return Relative(relative)
-        share = words[:-1] if words[-1] in _SHARE_OF.get(language, ()) else words
+        share = words[:-1] if words[-1] in SHARE_OF.get(language, ()) else words
         percent = _whole(_quantities(share, 0, "percent", language, table), len(share)) if len(share) > 1 else None
         if percent is not None and math.isfinite(percent):
             return Relative(percent) if 0 < percent <= 2 else None
@@ -200,24 +158,35 @@ def _unit_factor(unit: str, kind: str, table: Units) -> float | None:
 def _unit(words: Sequence[str], at: int, kind: str, table: Units) -> tuple[float, int, str] | None:
     """The unit that stands at a place, longest first: (factor, after, key)."""
     known = table.by_kind.get(kind, {})
+    if kind == "duration" and words[at : at + 1] and words[at] == "m" and _of_a_time(words, at, table):
+        return 60.0, at + 1, "min"
     for length in range(min(LONGEST, len(words) - at), 0, -1):
         spoken = tuple(words[at : at + length])
         if spoken in known:
-            if _another_word(spoken, words[:at], "".join(words[at + 1 : at + 2])):
+            if _another_word(spoken, words[:at], words[at + 1 : at + 4]):
                 continue
             return known[spoken], at + length, table.names[spoken]
     return None
 
 
-def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: str) -> bool:
+def _of_a_time(words: Sequence[str], at: int, table: Units) -> bool:
+    """Whether "m" stands between hours and seconds, after the one or before the other: "1h 30m", "1m 30s"."""
+    if at > 2 and is_numeral(words[at - 1]) and table.names.get((words[at - 2],)) == "h":
+        return True
+    return at + 2 < len(words) and is_numeral(words[at + 1]) and table.names.get((words[at + 2],)) == "s"
+
+
+def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: Sequence[str]) -> bool:
     """Whether what is spelled as a unit is none between its neighbours: no "in" of "10 in 3 years" or "two meters and a
     half in a minute" is an inch, "to turn", heard as "two turn", is no "two turns", and "a turn", which is written for
-    "uh, turn left", is no circle."""
+    "uh, turn left", is no circle; but "a turn and a half" is, and "a turn per second"."""
     last = "".join(before[-1:])
     if spoken == ("in",):
-        return is_numeral(after) or last in english.HALVES
+        return is_numeral("".join(after[:1])) or last in english.HALVES
     if spoken == ("turn",):
         number = english.number([last])
+        if "".join(after[:1]) in ("per", "a") or (after and after[0] == "and" and english.fraction(after, 1)):
+            return False
         return tuple(before) in (("a",), ("an",)) or (number is not None and number > 1 and not is_numeral(last))
     return False
 
@@ -227,10 +196,31 @@ def _rate(words: Sequence[str], at: int, kind: str, table: Units, language: str)
     if single is not None:
         return single[0], single[1]
     top = _unit(words, at, "distance" if kind == "speed" else "angle", table)
-    if top is None or top[1] >= len(words) or words[top[1]] not in table.words.get("per", ()):
-        return None
-    bottom = _unit(words, top[1] + 1, "duration", table)
-    return (top[0] / bottom[0], bottom[1]) if bottom is not None else None
+    bottom = _below(words, top[1], table) if top is not None else None
+    return (top[0] / bottom[0], bottom[1]) if top is not None and bottom is not None else None
+
+
+def _below(words: Sequence[str], at: int, table: Units) -> tuple[float, int] | None:
+    """What a rate is for, "per second", and where it ends."""
+    for length in (2, 1):  # "in der Stunde"
+        if " ".join(words[at : at + length]) in table.words.get("per", ()):
+            bottom = _unit(words, at + length, "duration", table)
+            if bottom is not None:
+                return bottom[0], bottom[1]
+    return None
+
+
+def _rate_and_a_half(
+    words: Sequence[str], at: int, kind: str, language: str, table: Units
+) -> Iterator[tuple[float, int]]:
+    """ "A meter and a half per second"."""
+    top_kind = "distance" if kind == "speed" else "angle"
+    for value, after, key in _parts(words, at, top_kind, language, table):
+        factor = FACTORS[top_kind][key]
+        part = _part_after(words, after, value / factor, top_kind, language, table)
+        bottom = _below(words, part[1], table) if part is not None else None
+        if part is not None and bottom is not None:
+            yield tidy((value + part[0] * factor) / bottom[0]), bottom[1]
 
 
 def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: Units) -> Iterator[tuple[float, int]]:
@@ -240,9 +230,15 @@ def _quantities(words: Sequence[str], at: int, kind: str, language: str, table: 
             rate = _rate(words, after, kind, table, language)
             if rate is not None:
                 yield tidy(value * rate[0]), rate[1]
+        yield from _rate_and_a_half(words, at, kind, language, table)
+        if language in WITHOUT_ONE:
+            half = _and_a_half(words, at, "distance" if kind == "speed" else "angle", language, table)
+            bottom = _below(words, half[1], table) if half is not None else None
+            if half is not None and bottom is not None:
+                yield tidy(half[0] / bottom[0]), bottom[1]
         return
     if kind == "angle" and language == "en" and words[at : at + 1] and words[at] in _ANGLES_BEGIN:
-        for spoken, angle in _WHOLE_ANGLES.items():
+        for spoken, angle in WHOLE_ANGLES.items():
             if tuple(words[at : at + len(spoken)]) == spoken:
                 yield angle, at + len(spoken)
     found: list[tuple[float, int]] = []
@@ -279,6 +275,8 @@ def _counts(words: Sequence[str], at: int, language: str, table: Units) -> Itera
         if after < len(words) and words[after] in table.words.get("more", ()):
             yield value, after + 1
         yield value, after
+    if at + 1 < len(words) and words[at] in ("minus", "negative") and language == "en" and words[at + 1] in one:
+        yield -1.0, at + 2
     if at < len(words) and (words[at] in one or words[at] in table.words.get("another", ())):
         yield 1.0, at + 1
         if at + 1 < len(words) and words[at + 1] in ("whole", "full", "single"):
@@ -309,22 +307,47 @@ def _extended(
     factor = FACTORS[kind][key]
     joined = words[after] in table.words.get("and", ())
     onward = after + 1 if joined else after
-    # "1.5 meters and a half" is what a recogniser may make of "one meter and a half".
-    if joined and onward < len(words) and tidy(value / factor).is_integer():
-        part = english.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
-        if part is not None and part[0] < 1 and _unit(words, part[1], kind, table) is None:
-            yield value + part[0] * factor, part[1]
+    part = _part_after(words, after, value / factor, kind, language, table)
+    if part is not None:
+        with_part = value + part[0] * factor
+        yield with_part, part[1]
+        yield from ((with_part, end) for end in _more_ends(words, part[1], table))
+    if depth == 0:
+        yield from ((value, end) for end in _more_ends(words, after, table))
     for more, end, smaller in _parts(words, onward, kind, language, table):
-        if FACTORS[kind][smaller] < factor:
+        if FACTORS[kind][smaller] < factor and (key in _IMPERIAL) == (smaller in _IMPERIAL):
             yield from (
                 (value + rest, last)
                 for rest, last in _extended(words, more, end, smaller, kind, language, table, depth + 1)
             )
-    if key in _SMALLER and (not joined or kind == "duration"):
+    square = words[after - 1] == "m" and len(words[onward : onward + 1]) == 1 and words[onward] in ("2", "3")  # "2 m2"
+    if key in _SMALLER and (not joined or kind == "duration" or language in JOINED) and not square:
         size, most = _SMALLER[key]
         for number, end in _numbers(language)(words, onward):
-            if 0 < number < most and number == int(number):
+            if 0 < number < most and number == int(number) and (not joined or kind == "duration" or number >= 10):
                 yield value + number * size, end
+
+
+def _more_ends(words: Sequence[str], at: int, table: Units) -> Iterator[int]:
+    """Where "more" and the like end behind a quantity: "two feet more", "deux mètres de plus"."""
+    for end in (at + 1, at + 2):
+        if " ".join(words[at:end]) in table.words.get("more_after", ()):
+            yield end
+
+
+def _part_after(
+    words: Sequence[str], after: int, count: float, kind: str, language: str, table: Units
+) -> tuple[float, int] | None:
+    """ "And a half" behind a unit of which there is a whole number: how much of it, and where that ends."""
+    onward = after + 1
+    # "1.5 meters and a half" is what a recogniser may make of "one meter and a half".
+    joined = onward < len(words) and words[after] in table.words.get("and", ()) and tidy(count).is_integer()
+    if not joined:
+        return None
+    part = english.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
+    if part is None or not part[0] < 1 or _unit(words, part[1], kind, table) is not None:
+        return None
+    return part
 
 
 @dataclass(frozen=True, slots=True)
@@ -372,69 +395,3 @@ def find(text: str, language: str = "en") -> list[Found]:
         found.append(Found(kind, value, start, end, text[start:end]))
         at = after
     return found
-
-
-def _foreign_numbers(language: str, table: Units, joint: str) -> Mapping[str, str]:
-    """The numbers that people say, word by word besides: what a recogniser looks for. Any others are read too."""
-    spelled = [" ".join(words) for words in said.usual(language)]
-    if not spelled:
-        return {}
-    found = {"spelled": "(" + "|".join(spelled) + ")"}
-    ways = ["{spelled}"]
-    if parts := sorted(table.words.get("half", frozenset()) | table.words.get("quarter", frozenset())):
-        found["part"] = "[{one}] (" + "|".join(parts) + ")"
-        found["fraction"] = "({part}|" + foreign.TEMPLATES["fraction"] + ")"
-        ways += [f"{{spelled}} {joint} {{part}}", "{part}"]
-    if point := foreign.point_word(language):
-        ways.append(f"{{spelled}} {point} {{spelled}} [{{spelled}}]")
-    found["number"] = "(" + "|".join((*ways, foreign.TEMPLATES["number"])) + ")"
-    return found
-
-
-@cache
-def templates(language: str) -> Mapping[str, str]:
-    """The spoken forms of quantities as named sentence templates, for matching and looking ahead.
-
-    They accept what :func:`evaluate` gives a value to, and a little more; :func:`evaluate` has the last word. For a
-    language that we do not know, a number is a numeral.
-    """
-    table = units(language)
-    if table is None:
-        return {"number": "{#}", "ordinal": "{#}", "count": "{#}"}
-    base = dict(english.TEMPLATES) if language == "en" else dict(foreign.TEMPLATES)
-    one = "(" + "|".join(sorted(table.words["one"])) + ")"
-    of = "(" + "|".join(sorted(table.words["of"])) + ")"
-    joint = "(" + "|".join(sorted(table.words["and"])) + ")"
-    per = "(" + "|".join(sorted(table.words["per"])) + ")"
-    base["one"] = f"{one} [whole|full|single]" if language == "en" else one
-    if language != "en":
-        base |= _foreign_numbers(language, table, joint)
-    # "Half of the meter", but not "half the meter", for which "half a meter" was heard.
-    article = f"[{of} [{one}|the]|{one}]" if language == "en" else f"[{of}] [{one}]"
-    base["count"] = (
-        f"({{counted}} [{article}|more|further|extra|additional]|{{one}}|another|full|whole)"
-        if language == "en"
-        else f"({{number}} {article}|{{one}})"
-    )
-    base["and_part"] = f"{joint} {{fraction}}"
-    for kind in ("distance", "duration", "angle", "percent"):
-        base[f"{kind}_unit"] = table.spoken(kind)
-        base[kind] = (
-            f"{{count}} {{{kind}_unit}} [{joint} {{fraction}}|[{joint}] {{count}} {{{kind}_unit}} "
-            f"[[{joint}] {{count}} {{{kind}_unit}}]|{{below_hundred}}|{{#}}]"
-        )
-        if language in WITHOUT_ONE:
-            base[kind] += f"|{{{kind}_unit}} {joint} {{fraction}}"
-    if language == "en":
-        # "A turn" is none.
-        base["angle_unit"] = base["angle_unit"].replace("|turn|", "|")
-        single = "one [whole|full|single]|(a|an) (whole|full|single)|full|whole"
-        base["turns"] = f"({{counted}} [{article}|more|further|extra|additional]|{single}) turn"
-        base["angle"] += f"|{{turns}} [{joint} {{fraction}}]"
-        base["angle"] += "".join(f"|{' '.join(words)}" for words in _WHOLE_ANGLES)
-    for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
-        single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
-        base[kind] = f"{{count}} {{{top}_unit}} {per} {{duration_unit}}{single}"
-        if language in RELATIVE_SPEEDS:
-            base[kind] += f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(_SHARE_OF[language])}]"
-    return base

@@ -52,7 +52,7 @@ SAID = {
         ("soixante-dix", "number", 70),
         ("mille deux cents", "number", 1200),
         ("10 mille", "number", 10_000),
-        ("deux millions et demi", "number", 2_000_000.5),
+        ("deux millions et demi", "number", 2_500_000),
         ("moins trois", "number", -3),
         ("2,5", "number", 2.5),
         ("deux mètres", "distance", 2),

@@ -355,6 +355,7 @@ class Interpreter:
             return self._stopped(text)
         digits = said.unclear.replace(",", ".")
         thousands, decimals = digits.replace(".", ""), digits.rstrip("0").rstrip(".")
+        decimals = f"0{decimals}" if decimals.startswith(".") else decimals
         if self._language != "en":
             decimals = decimals.replace(".", ",")
         reason = f"{said.unclear!r} could be {thousands} or {decimals}; write one of these, or say it in words"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "TEMPLATES", "leaves_hundred_out", "number", "numbers_at", "ordinal"]
+__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "leaves_hundred_out", "number", "numbers_at", "ordinal"]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
@@ -31,12 +31,12 @@ SCALES = {
 }  # fmt: skip
 SUFFIXES = {"k": 1e3, "g": 1e9, "t": 1e12}
 """Signs that scale a numeral: "10 k". ``m`` is not one: to a robot "10 m" is ten meters."""
-_ORDINAL_UNITS = {
+ORDINAL_UNITS = {
     "first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "seventh": 7, "eighth": 8, "ninth": 9,
     "tenth": 10, "eleventh": 11, "twelfth": 12, "thirteenth": 13, "fourteenth": 14, "fifteenth": 15, "sixteenth": 16,
     "seventeenth": 17, "eighteenth": 18, "nineteenth": 19,
 }  # fmt: skip
-_ORDINAL_TENS = {
+ORDINAL_TENS = {
     "twentieth": 20, "thirtieth": 30, "fortieth": 40, "fiftieth": 50, "sixtieth": 60, "seventieth": 70,
     "eightieth": 80, "ninetieth": 90,
 }  # fmt: skip
@@ -48,7 +48,7 @@ NUMBER_WORDS = frozenset(
     (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
 )
 
-_DENOMINATORS = (*_ORDINAL_UNITS, *_ORDINAL_TENS, *_ORDINAL_SCALES)
+_DENOMINATORS = (*ORDINAL_UNITS, *ORDINAL_TENS, *_ORDINAL_SCALES)
 _GOES_ON = NUMBER_WORDS.union(
     SUFFIXES, HALVES, _DENOMINATORS, [f"{word}s" for word in _DENOMINATORS], ("and", "over", "divided", "out")
 )
@@ -143,10 +143,16 @@ def cardinal(words: Sequence[str], at: int) -> Found | None:
             break
         last = scale
         more = here + 1 if here < len(words) and words[here] == "and" else here
-        found = _group(words, more)
+        found = _group(words, more) if more == here or not _begins_part(words, more) else None
     if best is not None and best[1] < len(words) and words[best[1]] in ("dozen", "dozens"):
         return best[0] * 12, best[1] + 1
     return best
+
+
+def _begins_part(words: Sequence[str], at: int) -> bool:
+    """Whether a half or a fraction in digits stands here: of "a million and one half" it is no "one"."""
+    part = fraction(words, at)
+    return part is not None and part[0] < 1 and (words[part[1] - 1] in HALVES or "/" in words[at])
 
 
 def _decimals(words: Sequence[str], at: int) -> Found | None:
@@ -177,14 +183,14 @@ def _denominator(words: Sequence[str], at: int) -> Found | None:
     singular = word[:-1] if word.endswith("s") else word
     if singular in _ORDINAL_SCALES:
         return _ORDINAL_SCALES[singular], at + 1
-    if singular in _ORDINAL_TENS:
-        return float(_ORDINAL_TENS[singular]), at + 1
-    if singular in _ORDINAL_UNITS and _ORDINAL_UNITS[singular] > 2:
-        return float(_ORDINAL_UNITS[singular]), at + 1
+    if singular in ORDINAL_TENS:
+        return float(ORDINAL_TENS[singular]), at + 1
+    if singular in ORDINAL_UNITS and ORDINAL_UNITS[singular] > 2:
+        return float(ORDINAL_UNITS[singular]), at + 1
     if word in TENS and at + 1 < len(words):
         after = words[at + 1][:-1] if words[at + 1].endswith("s") else words[at + 1]
-        if after in _ORDINAL_UNITS and _ORDINAL_UNITS[after] < 10:
-            return float(TENS[word] + _ORDINAL_UNITS[after]), at + 2
+        if after in ORDINAL_UNITS and ORDINAL_UNITS[after] < 10:
+            return float(TENS[word] + ORDINAL_UNITS[after]), at + 2
     digits = singular.rstrip("thndrs")
     if digits.isdigit() and singular != digits and 2 < int(digits) < 10**6:
         return float(digits), at + 1
@@ -197,6 +203,9 @@ def fraction(words: Sequence[str], at: int) -> Found | None:
         return None
     if words[at] in ("half", "quarter"):
         return 1.0 / HALVES[words[at]], at + 1
+    if "/" in words[at]:
+        written = _numeral(words, at)
+        return written if written is not None and "-" not in words[at] else None
     if words[at] in ("a", "an"):
         bottom = _denominator(words, at + 1)
         if bottom is not None:
@@ -251,20 +260,23 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         if decimals is not None:
             yield from _scaled(words, decimals)
         return
-    if word in ("a", "an", "the") and at + 1 < len(words) and words[at + 1] in ("couple", "pair", "dozen"):
-        after = at + 3 if words[at + 2 : at + 3] == ["of"] or tuple(words[at + 2 : at + 3]) == ("of",) else at + 2
-        yield (12.0 if words[at + 1] == "dozen" else 2.0), after
+    if word in ("a", "an", "the") and at + 1 < len(words) and words[at + 1] in ("couple", "pair"):
+        yield 2.0, at + 3 if tuple(words[at + 2 : at + 3]) == ("of",) else at + 2
         return
-    if word in ("couple", "pair", "dozen"):
+    dozens = _dozens(words, at)
+    if dozens is not None:
+        yield dozens
+        return
+    if word in ("couple", "pair"):
         after = at + 2 if tuple(words[at + 1 : at + 2]) == ("of",) else at + 1
-        yield (12.0 if word == "dozen" else 2.0), after
+        yield 2.0, after
         return
     # "ten and a half thousand" is below, with what may follow "and".
     if word in ("quarter", "half") and tuple(words[at + 1 : at + 2]) in (("million",), ("billion",)):
         yield SCALES[words[at + 1]] / HALVES[word], at + 2
         return
-    if word == "half" and tuple(words[at + 1 : at + 3]) in (("a", "dozen"), ("a", "million"), ("a", "thousand")):
-        yield {"dozen": 6.0, "million": 5e5, "thousand": 500.0}[words[at + 2]], at + 3
+    if word == "half" and tuple(words[at + 1 : at + 3]) in (("a", "million"), ("a", "thousand")):
+        yield SCALES[words[at + 2]] / 2, at + 3
         return
     whole = cardinal(words, at)
     if whole is not None:
@@ -283,7 +295,7 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         if following[:1] == ("and",) and value.is_integer():
             part = fraction(words, here + 1)
             if part is not None and part[0] < 1:
-                yield from _scaled(words, (value + part[0], part[1]))
+                yield from _with_part(words, whole, part)
                 yield value, here
                 return
         joined = _hundreds_and_fraction(words, at)
@@ -291,13 +303,29 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
             yield joined
             return
         part = fraction(words, here)
-        if part is not None and part[0] < 1 and words[here] not in ("half", "quarter", "second"):
+        if part is not None and part[0] < 1 and not _doubtful_part(words, here, part[1]):
             yield value + part[0], part[1]  # "two three quarters", "2 1/2" written as two numerals
     part = fraction(words, at)
-    if part is not None:
+    if part is not None and part != whole:
         yield part
     if whole is not None:
         yield whole
+
+
+def _dozens(words: Sequence[str], at: int) -> Found | None:
+    """ "A dozen", "dozen of", "a dozen and a half", "half a dozen", "a half dozen": what a dozen has no number for."""
+    here = at + 1 if words[at] in ("a", "an", "the") else at
+    half = here < len(words) and words[here] == "half"
+    if half:
+        here = here + 2 if here == at and tuple(words[here + 1 : here + 2]) == ("a",) else here + 1
+    if tuple(words[here : here + 1]) != ("dozen",):
+        return None
+    if half:
+        return 6.0, here + 1
+    part = fraction(words, here + 2) if tuple(words[here + 1 : here + 2]) == ("and",) else None
+    if part is not None and part[0] < 1:
+        return 12.0 * (1 + part[0]), part[1]
+    return 12.0, here + 2 if tuple(words[here + 1 : here + 2]) == ("of",) else here + 1
 
 
 def _single(words: Sequence[str], at: int) -> Found | None:
@@ -321,10 +349,35 @@ def _hundreds_and_fraction(words: Sequence[str], at: int) -> Found | None:
     return None
 
 
+def _doubtful_part(words: Sequence[str], at: int, end: int) -> bool:
+    """Whether a fraction straight after a number may be none of it: "two half"; "one one hundredth" is 0.01."""
+    small = words[end - 1].removesuffix("s")
+    return words[at] in ("half", "quarter", "second") or small in _ORDINAL_SCALES or small in ORDINAL_TENS
+
+
+def _with_part(words: Sequence[str], whole: Found, part: Found) -> Iterator[Found]:
+    """ "Two and a half", "two and a half million"; of "a million and a half" it is half a million."""
+    (value, here), (more, end) = whole, part
+    last = SCALES.get(words[here - 1], 1.0)
+    if last == 1.0:
+        yield from _scaled(words, (value + more, end))
+        return
+    smaller = SCALES.get(words[end], last) if end < len(words) else last
+    if smaller < last:  # "one billion and a half million"
+        yield value + more * smaller, end + 1
+    elif last >= 1e6 and words[end - 1] in HALVES:
+        yield value + more * last, end
+    elif last >= 1e6:
+        yield value + more, end
+    # Of "a thousand and a half" nobody can know.
+
+
 def _scaled(words: Sequence[str], found: Found) -> Iterator[Found]:
     value, here = found
     if here < len(words) and words[here] in SCALES:
         yield value * SCALES[words[here]], here + 1
+    elif here < len(words) and words[here] == "dozen":
+        yield value * 12, here + 1
     yield found
 
 
@@ -352,16 +405,18 @@ def ordinal(words: Sequence[str]) -> float | None:
     if words[0] == "number":
         value = number(words[1:])
         return value if value is not None and value >= 0 and value == int(value) else None
+    if words[-1] == "one" and words[0] != "one" and len(words) > 1:  # "the third one", "the last one"
+        words = words[:-1]
     if words[-1] == "last" and len(words) == 1:
         return -1.0
     last = words[-1]
     if len(words) == 1 and last[0].isdigit():
         digits = last.rstrip("thndrs")
         return float(digits) if digits.isdigit() and digits != last else None
-    if last in _ORDINAL_UNITS:
-        value = _ORDINAL_UNITS[last]
-    elif last in _ORDINAL_TENS:
-        value = _ORDINAL_TENS[last]
+    if last in ORDINAL_UNITS:
+        value = ORDINAL_UNITS[last]
+    elif last in ORDINAL_TENS:
+        value = ORDINAL_TENS[last]
     elif last in _ORDINAL_SCALES:
         before = number(words[:-1]) if len(words) > 1 else 1.0
         return before * _ORDINAL_SCALES[last] if before is not None else None
@@ -373,27 +428,3 @@ def ordinal(words: Sequence[str]) -> float | None:
     if before is None or before < 20 or before % 100 == 10 or before % (100 if value >= 10 else 10):
         return None
     return before + value
-
-
-TEMPLATES: Mapping[str, str] = {
-    "digit": "(one|two|three|four|five|six|seven|eight|nine)",
-    "teen": "(" + "|".join(TEENS) + ")",
-    "tens": "(twenty|thirty|forty|fourty|fifty|sixty|seventy|eighty|ninety)",
-    "zero": "(zero|oh|o)",
-    "below_hundred": "({digit}|{teen}|{tens} [{digit}])",
-    "group": "([({below_hundred}|a|{#})] hundred [[and] ({below_hundred}|{#})]|{below_hundred}"
-    "|{digit} ({tens} [{digit}]|{teen}|{zero} {digit})|{#} [and ({below_hundred}|{#})])",
-    "thousands": "({group} [thousand [[and] {group}]]|a thousand [[and] {group}])",
-    "cardinal": "({thousands}|({group}|a) (million|billion) [[and] {thousands}]|{#} k)",
-    "decimals": "({digit}|{zero}|{#}|{teen}|{tens}) " + "[({digit}|{zero}) " * 8 + "]" * 8,
-    "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
-    "|ninth|ninths|tenth|tenths|hundredths|thousandths|half|halves)",
-    "fraction": "([a|one] half|[a|one] quarter|(a|{digit}|{teen}|{#}) {part})",
-    "counted": "[minus|negative] ({cardinal} [and {fraction} [thousand|million]|{fraction}|(point {decimals})]"
-    "|[{zero}] point {decimals}|{fraction}|{zero}|[a] couple [of]|[a|{below_hundred}|half a] dozen|a pair of)",
-    "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}",
-    "ordinal_unit": "(" + "|".join(_ORDINAL_UNITS) + ")",
-    "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|{group} hundred [and] [{tens}]] {ordinal_unit}"
-    "|[{group} hundred [and]] (" + "|".join(_ORDINAL_TENS) + ")|[a|{group}] (hundredth|thousandth))",
-}
-"""Spoken forms, as sentence templates: a little more than :func:`number` accepts, for looking ahead."""

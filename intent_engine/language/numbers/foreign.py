@@ -27,16 +27,21 @@ LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
 """What text2num knows, besides English."""
 MAX_WORDS = 12
 
-SCALES: Mapping[str, float] = {"thousand": 1e3, "million": 1e6, "billion": 1e9}
+SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
+NO_NUMBERS: Mapping[str, frozenset[str]] = {"es": frozenset(("unos", "unas", "cientos", "cientas", "miles"))}
+"""What text2num has a number for, though it is said for any: "unos metros" are some, and not one."""
 RESPELLED: Mapping[str, Mapping[str, str]] = {
     "es": {
         "dieciseis": "dieciséis", "veintiun": "veintiuno", "veintiún": "veintiuno", "veintidos": "veintidós",
         "veintitres": "veintitrés", "veintiseis": "veintiséis",
     },
     "de": {"eine": "ein", "einen": "ein", "zwo": "zwei"},
+    "fr": {"zero": "zéro"},
 }  # fmt: skip
 """Spellings that text2num does not know, as it knows them."""
+_UMLAUTS = (("fuenf", "fünf"), ("zwoelf", "zwölf"), ("dreissig", "dreißig"))
+"""The same of German keyboards without these letters, anywhere in a word."""
 
 _GERMAN_ALIKE = (
     ("zwei", "drei"), ("drei", "dreißig"), ("vier", "vierzig"), ("fünf", "fünfzig"), ("sechs", "sechzig"),
@@ -83,7 +88,9 @@ def is_number_word(word: str, language: str) -> bool:
     inside = ("one", "half", "halves", "quarter", "and", "point", "minus", *SCALES)
     if table is not None and any(word in table.words.get(key, ()) for key in inside):
         return True
-    return _whole([word], language) is not None or _ending_in_half(word, language) is not None
+    if table is not None and ((word, True) in table.parts or (word, False) in table.parts):
+        return True
+    return _whole([word], language) is not None or _one_word(word, language) is not None
 
 
 def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[float, int]]:
@@ -103,6 +110,9 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
                 if half is not None:
                     yield (value + half[0]) * scale, half[1]
                 yield value * scale, at + 2
+            part = fraction(words, at, language)
+            if part is not None:
+                yield part
             half = _and_half(words, at + 1, language)
             if half is not None and value.is_integer():
                 yield value + half[0], half[1]
@@ -146,34 +156,53 @@ def _value(words: Sequence[str], at: int, end: int, language: str) -> float | No
     for place in range(at + 1, end - 1):
         if words[place] in table.words.get("point", ()):
             whole = _whole(words[at:place], language)
-            digits = [_whole([word], language) for word in words[place + 1 : end]]
-            if whole is None or any(digit is None or not 0 <= digit < 100 for digit in digits):
-                return None
-            return whole + float("0." + "".join(str(int(digit or 0)) for digit in digits))
+            scale = _scale(words[end - 1], language) if end - place > 2 else None
+            decimals = _decimals(words[place + 1 : end if scale is None else end - 1], language)
+            return (whole + decimals) * (scale or 1.0) if whole is not None and decimals is not None else None
     whole = _whole(words[at:end], language)
     if whole is not None:
         return whole
     if end - at == 1:
-        return _ending_in_half(words[at], language) or _part(words[at], table.words)
-    if end - at == 2:
-        part = _part(words[at + 1], table.words)
-        if words[at] in table.words.get("one", ()):
-            return part
-        top = _whole(words[at : at + 1], language)
-        if part == 0.25 and top is not None and top > 1:
-            return top * part  # "drei viertel", "trois quarts"
+        return _one_word(words[at], language) or _part(words[at], table.words)
+    if (part := fraction(words, at, language)) is not None and part[1] == end:
+        return part[0]
+    if language == "de" and words[at] in table.words.get("one", ()):
+        part = fraction(words, at + 1, language)
+        if part is not None and part[1] == end:
+            return part[0]  # "eine drei viertel Stunde"
+    if (scale := _scale(words[end - 1], language)) is not None:
+        before = _value(words, at, end - 1, language)
+        return before * scale if before is not None and not 0 < before < 0.01 else None
     for place in range(at + 1, end):
         half = _and_half(words, place, language)
         if half is not None and half[1] == end:
             before = _whole(words[at:place], language)
-            return before + half[0] if before is not None else None
+            scale = _scale(words[place - 1], language) or 1.0
+            if before is None or scale == 1e3:  # of "mille et demi" nobody can know
+                return None
+            return before + half[0] * (scale if scale >= 1e6 else 1.0)  # "un million et demi"
     return None
+
+
+def _decimals(words: Sequence[str], language: str) -> float | None:
+    """What follows a point: digits ("zwei fünf"), or one number ("soixante quinze"), with zeros before it."""
+    zeros = 0
+    while zeros < len(words) - 1 and _whole(words[zeros : zeros + 1], language) == 0:
+        zeros += 1
+    rest = words[zeros:]
+    whole = _whole(rest, language)
+    found = [whole] if whole is not None else [_whole([word], language) for word in rest]
+    limit = 1000 if whole is not None else 10
+    if any(digit is None or not 0 <= digit < limit for digit in found):
+        return None
+    return float("0." + "0" * zeros + "".join(str(int(digit or 0)) for digit in found))
 
 
 def _whole(words: Sequence[str], language: str) -> float | None:
     """A whole number in words: as text2num has it, and millions, whose plurals it does not know everywhere."""
-    respelled = RESPELLED.get(language, {})
-    known = [respelled.get(word, word) for word in words]
+    if not NO_NUMBERS.get(language, frozenset()).isdisjoint(words):
+        return None
+    known = [_respelled(word, language) for word in words]
     value = _text2num(" ".join(known), language)
     if value is not None:
         return value
@@ -187,6 +216,13 @@ def _whole(words: Sequence[str], language: str) -> float | None:
     return None
 
 
+def _respelled(word: str, language: str) -> str:
+    if language == "de" and word.isascii():
+        for written, meant in _UMLAUTS:
+            word = word.replace(written, meant)
+    return RESPELLED.get(language, {}).get(word, word)
+
+
 def _scale(word: str, language: str) -> float | None:
     table = units(language)
     if table is None:
@@ -194,14 +230,30 @@ def _scale(word: str, language: str) -> float | None:
     return next((scale for key, scale in SCALES.items() if word in table.words.get(key, ())), None)
 
 
-def _ending_in_half(word: str, language: str) -> float | None:
-    """ "anderthalb", "zweieinhalb"."""
-    if language != "de" or not word.endswith("halb"):
+def _one_word(word: str, language: str) -> float | None:
+    """German numbers of one word that are not whole: "anderthalb", "zweieinhalb", "dreiviertel"."""
+    table = units(language)
+    if language != "de" or table is None:
         return None
-    if word == "anderthalb":
-        return 1.5
-    whole = _text2num(word.removesuffix("einhalb"), language) if word.endswith("einhalb") else None
-    return whole + 0.5 if whole is not None else None
+    word = _respelled(word, language)
+    if word in ("anderthalb", "einhalb"):
+        return 1.5 if word == "anderthalb" else 0.5
+    for ending in ("undeinhalb", "einhalb"):
+        if word.endswith(ending):
+            whole = _text2num(word.removesuffix(ending), language)
+            return whole + 0.5 if whole is not None else None
+    if word.endswith("halbtausend"):
+        half = _one_word(word.removesuffix("tausend"), language)
+        return half * 1000 if half is not None else None
+    for (part, one), denominator in table.parts.items():
+        if not one and len(word) > len(part) and word.endswith(part):
+            before = word.removesuffix(part)
+            top = _text2num(before, language)
+            if top is not None:
+                return top / denominator if 0 < top < denominator else None
+            whole = _text2num(before.removesuffix("ein"), language) if before.endswith("ein") else None
+            return whole + 1 / denominator if whole is not None else None  # "zweieinviertel"
+    return None
 
 
 def is_article(words: Sequence[str], language: str) -> bool:
@@ -238,13 +290,27 @@ def _and_half(words: Sequence[str], at: int, language: str) -> tuple[float, int]
 
 
 def fraction(words: Sequence[str], at: int, language: str) -> tuple[float, int] | None:
-    """A half or a quarter."""
+    """A half or a quarter, or some: "demi", "un quart", "trois quarts", "zwei Drittel"."""
     table = units(language)
     if table is None or at >= len(words):
         return None
-    here = at + 1 if words[at] in table.words.get("one", ()) and at + 1 < len(words) else at
+    one = words[at] in table.words.get("one", ())
+    here = at + 1 if one and at + 1 < len(words) else at
     value = _part(words[here], table.words)
-    return (value, here + 1) if value is not None else None
+    if value is not None:
+        return value, here + 1
+    if here > at:
+        denominator = table.parts.get((words[here], True))
+        return (1 / denominator, here + 1) if denominator is not None else None
+    word = _one_word(words[at], language)
+    if word is not None and word < 1:
+        return word, at + 1
+    if at + 1 == len(words):
+        return None
+    top = numeral_value(words[at]) if words[at].isdigit() else _whole(words[at : at + 1], language)
+    quarters = 4.0 if words[at + 1] in table.words.get("quarter", ()) else None
+    denominator = table.parts.get((words[at + 1], False), quarters)
+    return (top / denominator, at + 2) if top is not None and denominator and 1 < top < denominator else None
 
 
 def number(words: Sequence[str], language: str) -> float | None:
@@ -257,9 +323,13 @@ def ordinal(words: Sequence[str], language: str) -> float | None:
     table = units(language)
     if not words or table is None:
         return None
+    if len(words) > 1 and words[0] in table.words.get("the", ()):
+        words = words[1:]  # "der dritte"
+    if len(words) > 1 and words[0] in table.words.get("number", ()):
+        words = words[1:]  # "numéro trois"
     value = number(words, language)
     if value is not None:
-        return value
+        return value if value >= 0 and value.is_integer() else None
     if len(words) == 1 and words[0] in table.words.get("last", ()):
         return -1.0
     if len(words) == 1 and words[0] in table.words.get("second", ()):

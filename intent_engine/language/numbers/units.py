@@ -22,7 +22,7 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     },
     "duration": {
         "us": 1e-6, "ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, "wk": 604800.0,
-        "fortnight": 1209600.0,
+        "fortnight": 1209600.0, "quarter_hour": 900.0, "three_quarter_hour": 2700.0,
     },
     "angle": {
         "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "grad": math.pi / 200,
@@ -34,7 +34,7 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
 
 RATES: Mapping[str, Mapping[str, float]] = {
     "speed": {"mps": 1.0, "kmh": 1 / 3.6, "mph": 0.44704, "knot": 1852 / 3600, "fps": 0.3048},
-    "angular_speed": {"rpm": 2 * math.pi / 60, "dps": math.pi / 180},
+    "angular_speed": {"rpm": 2 * math.pi / 60, "rps": 2 * math.pi, "dps": math.pi / 180},
 }
 """Rates that are said in one word. Others are a distance or angle "per" or "a" duration."""
 
@@ -54,6 +54,9 @@ class Units:
     words: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Function words: ``one`` (a, an), ``half``, ``quarter``, ``and``, ``of``, ``per``, ``point``."""
 
+    parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
+    """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
+
     def unit_at_end(self, words: Sequence[str]) -> tuple[str, int] | None:
         """The unit that some words end with, the longest, and where it begins; None: they end with no unit."""
         for begin in range(max(0, len(words) - LONGEST), len(words)):
@@ -67,9 +70,9 @@ class Units:
         key = self.names.get((word,))
         return next((name for (name, *more), other in self.names.items() if other == key and not more), word)
 
-    def spoken(self, kind: str) -> str:
-        """All words of a kind as one template."""
-        return "(" + "|".join(" ".join(words) for words in self.by_kind.get(kind, {})) + ")"
+    def spoken(self, kind: str, *more: str) -> str:
+        """All words of a kind as one template, and more words."""
+        return "(" + "|".join((*(" ".join(words) for words in self.by_kind.get(kind, {})), *more)) + ")"
 
 
 @cache
@@ -89,4 +92,9 @@ def units(language: str) -> Units | None:
                 by_kind.setdefault(kind, {})[words] = factors[key]
                 names[words] = key
     function_words = {key: frozenset(str(item) for item in items) for key, items in data.get("words", {}).items()}
-    return Units(by_kind, names, function_words)
+    parts = {
+        (word, place == 0): float(number)
+        for number, forms in data.get("parts", {}).items()
+        for place, word in enumerate((forms[0], forms[-1]))
+    }
+    return Units(by_kind, names, function_words, parts)
