@@ -38,8 +38,8 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
 
 
 def number_after_pause(reading: Reading, breaks: Sequence[bool], is_number: Callable[[str], bool]) -> Sequence[str]:
-    """The number without a unit that ends a quantity, behind its unit and a pause: "two meters, three" may be 2.03 m, or three.
-    Empty: there is none.
+    """The number without a unit that ends a quantity, behind its unit and a pause: "two meters, three" may be 2.03 m,
+    or three. Empty: there is none.
 
     Args:
         reading: of the words.
