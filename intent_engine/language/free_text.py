@@ -40,8 +40,9 @@ class FreeText:
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self._articles = words.articles or ARTICLES
-        self.no_beginning = words.joining - words.may_begin
-        """Words with which no thing begins, though a song may: "for", "at"."""
+        self._going_on = words.joining - words.may_begin
+        self.no_beginning = self._going_on | words.within
+        """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
         self._binding = words.joining | self._articles | words.binding
         self.unfinished = words.unfinished
@@ -143,8 +144,10 @@ class FreeText:
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
-            if said[place - 1] in self._words.pronouns and word not in self._words.joining and word not in allowed:
+            if said[place - 1] in self._words.pronouns and word not in self._going_on and word not in allowed:
                 return frozenset((word,))
+            if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
+                return frozenset((word,))  # "the cup, wash it" does something else besides
             if word in self._words.telling and said[place - 1] not in self._binding:
                 return frozenset((word,))
             last = place == len(said) - 1  # "box a" has a letter

@@ -29,6 +29,8 @@ class ThingWords:
     """No thing of a slot that lists things begins or ends so,"""
     may_begin: frozenset[str] = frozenset()
     """but may begin so."""
+    within: frozenset[str] = frozenset()
+    """No thing begins so either, though much that is said goes on so."""
     never: frozenset[str] = frozenset()
     """In no name of a thing."""
     not_bare: frozenset[str] = frozenset()

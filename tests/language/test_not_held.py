@@ -20,13 +20,16 @@ NOTHING = [
     "time", "your time", "care", "care of it", "a seat", "a look", "a look around", "a breath", "a deep breath",
     "a nap", "a rest", "a break", "a moment", "a minute", "turns", "aim", "a walk", "some rest", "advice", "the idea",
     "ready", "ready now", "going", "lost", "me home", "us there", "me", "us",
-    "yourself", "me the cup", "us a box", "please",
+    "yourself", "me the cup", "us a box", "please", "the elevator", "the long way", "that path", "a detour",
+    "a better view", "a reading", "a scan", "a glimpse", "your arm", "a position", "the panorama",
 ]  # fmt: skip
 THINGS = {
     "the seat cover plate": "seat cover plate",
     "the day bed": "day bed",
     "the news stand": "news stand",
     "the seat cushion to me": "seat cushion",
+    "the elevator key": "elevator key",
+    "the scan table": "scan table",
     "the cover": "cover",
     "the sticky notes": "sticky notes",
     "the ready meal": "ready meal",
