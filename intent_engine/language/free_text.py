@@ -175,10 +175,14 @@ class FreeText:
                 for word, after in zip(said, following, strict=True)
                 if (word in self._words.not_held or self._words.is_manner(word))
                 and not _meant(slot, word)
-                and (not after or after in self._words.joining)
+                and (not after or after in self._words.joining or self._of_nothing(word, after))
             ),
             "",
         )
+
+    def _of_nothing(self, word: str, after: str) -> bool:
+        """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
+        return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".

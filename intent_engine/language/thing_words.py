@@ -37,6 +37,8 @@ class ThingWords:
     """No name begins so without an article."""
     not_held: frozenset[str] = frozenset()
     """Not to be held, where no other word of the name follows."""
+    had: frozenset[str] = frozenset()
+    """Those of them of which things have one."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
     persons: frozenset[str] = frozenset()

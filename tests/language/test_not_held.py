@@ -22,12 +22,15 @@ NOTHING = [
     "ready", "ready now", "going", "lost", "me home", "us there", "me", "us",
     "yourself", "me the cup", "us a box", "please", "the elevator", "the long way", "that path", "a detour",
     "a better view", "a reading", "a scan", "a glimpse", "your arm", "a position", "the panorama",
+    "advantage of it", "control of it", "a view of it", "a scan of it", "the number", "the latest", "the address",
 ]  # fmt: skip
 THINGS = {
     "the seat cover plate": "seat cover plate",
     "the day bed": "day bed",
     "the news stand": "news stand",
     "the seat cushion to me": "seat cushion",
+    "the head of lettuce": "head of lettuce",
+    "the end of it": "end of it",
     "the elevator key": "elevator key",
     "the scan table": "scan table",
     "the cover": "cover",
