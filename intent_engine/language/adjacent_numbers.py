@@ -10,9 +10,17 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
+from intent_engine.language.numbers.units import LONGEST, units
 from intent_engine.language.reading import Reading, SlotReading
 
-__all__ = ["is_number", "leaves_one_of_two", "may_hold", "number_after_pause", "numbers_apart"]
+__all__ = [
+    "is_number",
+    "leaves_one_of_two",
+    "may_hold",
+    "number_after_pause",
+    "numbers_apart",
+    "parts_a_quantity",
+]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
 
@@ -93,6 +101,28 @@ def is_number(word: str, language: str) -> bool:
     return quantities.is_numeral(word) or (
         word in NUMBER_WORDS if language == "en" else quantities.is_number_word(word, language)
     )
+
+
+def parts_a_quantity(words: Sequence[str], place: int, language: str) -> bool:
+    """Whether what was said before some place may be said anew behind it: "nine, uh, forty five degrees", "five feet,
+    maybe six". No such thing is "two meters, about fifty centimeters": each of its numbers has a unit.
+    """
+    if not is_number(words[place], language):
+        return False
+    if is_number(words[place - 1], language):
+        return True
+    table = units(language)
+    unit = table.unit_at_end(words[:place]) if table is not None else None
+    if table is None or unit is None:
+        return False
+    begin, end = unit[1], place
+    while begin and is_number(words[begin - 1], language):
+        begin -= 1
+    while end < len(words) and is_number(words[end], language):
+        end += 1
+    if any(tuple(words[end : end + length]) in table.names for length in range(1, LONGEST + 1)):
+        return False
+    return any(quantities.evaluate(words[begin:end], kind, language) is not None for kind in table.by_kind)
 
 
 def _is_cut(last: str, first: str, language: str) -> bool:

@@ -40,8 +40,9 @@ class FreeText:
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self._articles = words.articles or ARTICLES
-        self.no_beginning = words.joining - words.may_begin
-        """Words with which no thing begins, though a song may: "for", "at"."""
+        self._going_on = words.joining - words.may_begin
+        self.no_beginning = self._going_on | words.within
+        """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
         self._binding = words.joining | self._articles | words.binding
         self.unfinished = words.unfinished
@@ -143,8 +144,10 @@ class FreeText:
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
-            if said[place - 1] in self._words.pronouns and word not in self._words.joining and word not in allowed:
+            if said[place - 1] in self._words.pronouns and word not in self._going_on and word not in allowed:
                 return frozenset((word,))
+            if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
+                return frozenset((word,))  # "the cup, wash it" does something else besides
             if word in self._words.telling and said[place - 1] not in self._binding:
                 return frozenset((word,))
             last = place == len(said) - 1  # "box a" has a letter
@@ -172,10 +175,14 @@ class FreeText:
                 for word, after in zip(said, following, strict=True)
                 if (word in self._words.not_held or self._words.is_manner(word))
                 and not _meant(slot, word)
-                and (not after or after in self._words.joining)
+                and (not after or after in self._words.joining or self._of_nothing(word, after))
             ),
             "",
         )
+
+    def _of_nothing(self, word: str, after: str) -> bool:
+        """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
+        return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".

@@ -29,12 +29,16 @@ class ThingWords:
     """No thing of a slot that lists things begins or ends so,"""
     may_begin: frozenset[str] = frozenset()
     """but may begin so."""
+    within: frozenset[str] = frozenset()
+    """No thing begins so either, though much that is said goes on so."""
     never: frozenset[str] = frozenset()
     """In no name of a thing."""
     not_bare: frozenset[str] = frozenset()
     """No name begins so without an article."""
     not_held: frozenset[str] = frozenset()
     """Not to be held, where no other word of the name follows."""
+    had: frozenset[str] = frozenset()
+    """Those of them of which things have one."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
     persons: frozenset[str] = frozenset()

@@ -144,7 +144,9 @@ class Openers:
         if self.joints.at(said.words, position + length - 1) > 1:
             return True
         if self.listing.at(said.words, position) == length:
-            begins = not before and self.listing.find(said.words[:position]) is None
+            end = position + length  # twice it opens only between pauses: "right then, right then, go"
+            apart = said.breaks[position] and end < len(said) and said.breaks[end]
+            begins = not before and (apart or self.listing.find(said.words[:position]) is None)
         else:
             begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])

@@ -196,6 +196,7 @@ CORRECTED = {
     "turn left at point five radians per second no twenty degrees per second": "left 30",
     "turn left nine uh forty five degrees": NOTHING,
     "go forward five uh twenty meters": NOTHING,
+    "go forward five feet maybe six": NOTHING,
     "turn left five, ten degrees": NOTHING,
     "go forward twenty, five meters": NOTHING,
     "go forward twenty, stop": "stop",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from meanings import does
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -146,3 +147,23 @@ def test_a_number_after_a_pause_is_no_part_of_the_one_before(engine_of, one, uni
 )
 def test_what_has_its_unit_or_is_a_half_is(engine_of, said, value):
     assert next(iter(engine_of(MOVE).parse(said).slots.values())) == pytest.approx(value)
+
+
+HESITATIONS = st.sampled_from(["uh", "maybe", "about", "like", "well", "i would say", "another"])
+SMALL = st.sampled_from(["two", "5", "six", "seven"])
+
+
+@given(SMALL, st.sampled_from(["feet", "meters"]), HESITATIONS, SMALL, st.sampled_from(["", " forward", " please"]))
+def test_a_number_without_a_unit_is_said_anew_behind_a_hesitation(one, unit, hesitation, other, rest):
+    """ "Five feet, maybe six" are not five feet six."""
+    assert does(f"go {one} {unit} {hesitation} {other}{rest}") in ("rejected", "incomplete")
+
+
+@given(HESITATIONS)
+def test_with_a_unit_of_its_own_it_goes_on(hesitation):
+    assert does(f"go forward two meters {hesitation} fifty centimeters") == "forward 2.5"
+    assert does(f"turn left ninety degrees {hesitation} ten degrees") in ("rejected", "incomplete")
+
+
+def test_said_in_one_breath_they_are_one():
+    assert does("go forward uh five feet six") == does("go forward five feet six inches")

@@ -159,6 +159,7 @@ def test_numbers_in_names_are_exact_in_words_and_digits(root, text):
         ("turn left and right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
         ("right then right then drive", [("turn", "right"), ("turn", "right"), ("move", "forward")]),
         ("turn left, right then go forward", [("turn", "left"), ("turn", "right"), ("move", "forward")]),
+        ("right then, right then left", [("turn", "right"), ("turn", "left")]),
         ("okay right then left, then right", [("turn", "right"), ("turn", "left"), ("turn", "right")]),
         ("turn left and go ahead and turn right", [("turn", "left"), ("turn", "right")]),
     ],
@@ -169,7 +170,13 @@ def test_a_filler_that_joins_commands_is_none_between_them(engine, text, steps):
 
 
 @pytest.mark.parametrize(
-    "text", ["right then, turn left", "okay, right then, turn left", "please go ahead and turn left"]
+    "text",
+    [
+        "right then, turn left",
+        "right then, right then, turn left",
+        "okay, right then, turn left",
+        "please go ahead and turn left",
+    ],
 )
 def test_but_it_opens_one(engine, text):
     assert engine.parse(text).slots == {"side": "left"}

@@ -70,6 +70,35 @@ def test_but_may_be_said_of_one(count, thing):
     assert does(f"take the {count} {thing}") == f"pick {count} {thing}"
 
 
+DOES_BESIDES = st.sampled_from(["wash", "open", "close", "fold", "fill", "rinse", "turn over", "let me see"])
+
+
+@given(TAKES, st.sampled_from(["cup", "red box", "cup on the table"]), DOES_BESIDES, st.sampled_from(["it", "them"]))
+def test_what_is_done_with_it_besides_is_no_part_of_its_name(take, thing, other, it):
+    assert does(f"{take} the {thing}, {other} {it}") in ("rejected", "incomplete")
+
+
+@pytest.mark.parametrize("name", ["book about him", "box for them", "one of them", "cup like it", "cup with it"])
+def test_but_a_word_may_bind_it_to_the_name(engine_of, name):
+    engine = engine_of(
+        "slots: {thing: {type: text, max_words: 4, known: [cup]}}\n"
+        "intents: {take: {action: {type: pick, object: '{thing}'}, sentences: ['take {thing} [home]']}}\n"
+    )
+    assert done(engine.parse(f"take the {name}")) in (f"pick {name}", f"pick the {name}")
+
+
+@given(st.sampled_from(["pick up", "grab", "drop", "place"]), st.data())
+def test_between_two_things_is_neither_of_them(take, data):
+    """ "The cup between the plate and the bowl" are not two things to pick up."""
+    thing, one, other = data.draw(st.permutations(["cup", "plate", "bowl", "red box", "lamp"]))[:3]
+    assert does(f"{take} the {thing} between the {one} and the {other}") in ("rejected", "incomplete")
+
+
+@given(st.sampled_from(["inside", "in", "on", "under"]))
+def test_no_place_is_called_of_something(where):
+    assert not does(f"put the cup {where} of the pot").startswith("place cup of")
+
+
 @pytest.mark.parametrize("text", ["nimm fünf", "nimm zwei Meter", "hol mir drei Fuß", "nimm zwanzig"])
 def test_how_much_is_no_thing_in_german(text):
     engine = german()
