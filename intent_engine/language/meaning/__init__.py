@@ -15,6 +15,7 @@ Each rule has its module, and knows only those above it:
 - ``run_on``: "go forward turn left";
 - ``negation``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;
+- ``told``: how what was understood is told;
 - ``interpreter``: the order in which they are asked, and what comes of it.
 
 ``steps`` marks what they decide, for explanations.

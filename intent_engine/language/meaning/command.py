@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any
 
 from intent_engine.actions import Action, Stop
-from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.adjacent_numbers import number_after_pause
 from intent_engine.language.continuation import MANNER
@@ -20,7 +19,7 @@ from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words
 
-__all__ = ["LEAST_WORDS", "Clause", "Commands", "as_told", "described", "forbidden", "more_telling", "slot_values"]
+__all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_telling", "slot_values"]
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
@@ -353,16 +352,3 @@ def _changes(reading: Reading) -> str:
     if reading.alikes:
         changes.append(f"read as {' '.join(reading.words)!r}")
     return "; ".join(changes) if changes else ""
-
-
-def as_told(text: str, clause: Clause) -> tuple[Interpretation, tuple[Clause, ...]]:
-    """One command as it is told: accepted, ambiguous, or rejected."""
-    reading = clause.reading
-    intent = reading.intent.name if reading is not None else None
-    slots = slot_values(reading) if reading is not None else {}
-    if clause.action is not None and reading is not None:
-        found = Interpretation(text, Status.ACCEPTED, intent, slots, (clause.action,), reading.score, (), clause.reason)
-    else:
-        status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
-        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
-    return found, (clause,)

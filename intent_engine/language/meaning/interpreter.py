@@ -13,7 +13,7 @@ from intent_engine.language.adjacent_numbers import parts_a_quantity
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
-from intent_engine.language.meaning.command import Clause, Commands, as_told, described, more_telling, slot_values
+from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
@@ -23,6 +23,7 @@ from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import MOVING, Stops
+from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
@@ -42,8 +43,6 @@ _ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
 NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")
-Understood = tuple[Interpretation, tuple[Clause, ...]]
-"""What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
 
 
 class Interpreter:
@@ -354,13 +353,7 @@ class Interpreter:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""
         if self._stops_beside(said, self.phrases.without_fillers(said), state):
             return self._stopped(text)
-        digits = said.unclear.replace(",", ".")
-        thousands, decimals = digits.replace(".", ""), digits.rstrip("0").rstrip(".")
-        decimals = f"0{decimals}" if decimals.startswith(".") else decimals
-        if self._language != "en":
-            decimals = decimals.replace(".", ",")
-        reason = f"{said.unclear!r} could be {thousands} or {decimals}; write one of these, or say it in words"
-        return self._rejected(text, reason)
+        return self._rejected(text, which_number(said.unclear, self._language))
 
     def _stops_beside(self, said: Utterance, core: Utterance, state: Collection[str]) -> bool:
         """Whether a stop stands beside what is not done: a number in two pieces, or what was taken back."""
@@ -395,20 +388,9 @@ class Interpreter:
         return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0), ()
 
     def _joined(self, text: str, parts: list[Clause]) -> Understood:
-        if len(parts) == 1:
-            return as_told(text, parts[0])
-        actions = tuple(part.action for part in parts if part.action is not None)
-        if any(isinstance(action, Stop) for action in actions):
+        if len(parts) > 1 and any(isinstance(part.action, Stop) for part in parts):
             return self._stopped(text)[0], tuple(parts)
-        steps = []
-        score = 1.0
-        for part in parts:
-            assert part.reading is not None
-            steps.append({"intent": part.reading.intent.name, "slots": slot_values(part.reading)})
-            score *= part.reading.score
-        reasons = "; ".join(part.reason for part in parts if part.reason)
-        found = Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons)
-        return found, tuple(parts)
+        return as_told_together(text, parts)
 
     @step(Kind.REFUSAL)
     def _rejected(self, text: str, reason: str) -> Understood:

@@ -1,0 +1,53 @@
+"""How what was understood is told: as one command, several in a row, or a stop."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.meaning.command import Clause, slot_values
+
+__all__ = ["Understood", "as_told", "as_told_together", "which_number"]
+
+Understood: TypeAlias = tuple[Interpretation, tuple[Clause, ...]]
+"""What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
+
+
+def as_told(text: str, clause: Clause) -> Understood:
+    """One command as it is told: accepted, ambiguous, or rejected."""
+    reading = clause.reading
+    intent = reading.intent.name if reading is not None else None
+    slots = slot_values(reading) if reading is not None else {}
+    if clause.action is not None and reading is not None:
+        found = Interpretation(text, Status.ACCEPTED, intent, slots, (clause.action,), reading.score, (), clause.reason)
+    else:
+        status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
+        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
+    return found, (clause,)
+
+
+def as_told_together(text: str, parts: Sequence[Clause]) -> Understood:
+    """Accepted commands in a row as they are told; one alone as itself."""
+    if len(parts) == 1:
+        return as_told(text, parts[0])
+    steps = []
+    score = 1.0
+    for part in parts:
+        assert part.reading is not None
+        steps.append({"intent": part.reading.intent.name, "slots": slot_values(part.reading)})
+        score *= part.reading.score
+    actions = tuple(part.action for part in parts if part.action is not None)
+    reasons = "; ".join(part.reason for part in parts if part.reason)
+    found = Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons)
+    return found, tuple(parts)
+
+
+def which_number(written: str, language: str) -> str:
+    """Why a number with a point or a comma is none: "1,500" may be fifteen hundred, or one and a half."""
+    digits = written.replace(",", ".")
+    thousands, decimals = digits.replace(".", ""), digits.rstrip("0").rstrip(".")
+    decimals = f"0{decimals}" if decimals.startswith(".") else decimals
+    if language != "en":
+        decimals = decimals.replace(".", ",")
+    return f"{written!r} could be {thousands} or {decimals}; write one of these, or say it in words"
