@@ -473,10 +473,11 @@ DOCK, BOTH, LOUNGE = (
     [
         (["go to the lounge know the duck", "go to the lounge no the dock"], [DOCK]),
         (["go to the lounge know the duck", "go to the lounge and the duck"], [DOCK, BOTH, LOUNGE]),
+        (["go to the lounge as you know the duck", "go to the lounge as you know"], [DOCK, BOTH, LOUNGE]),
         (["no go to the lounge", "no go to the lounge"], [DOCK, BOTH, LOUNGE]),
         (["go to the lounge no the dock"], [DOCK, BOTH, LOUNGE]),
     ],
-    ids=["by both", "by one", "at the beginning", "one model"],
+    ids=["by both", "by one", "what is known", "at the beginning", "one model"],
 )
 def test_what_both_heard_taken_back_is_not_all_done(grammar, heard, left):
     assert grammar.taking_back([DOCK, BOTH, LOUNGE], [one.split() for one in heard]) == left
