@@ -28,8 +28,6 @@ BROKEN_OFF = 3
 line"."""
 MOST = 8
 """Sentences at most in all."""
-WHO_KNOWS = frozenset(("i", "you", "we", "they", "to", "do", "dont", "not", "cant"))
-"""Before "know" these make it that word, and no "no": "as you know" is heard of a "cappuccino"."""
 
 
 def as_meant(heard: Sequence[str], corrections: PhraseSet, alikes: Mapping[str, Sequence[str]]) -> list[str]:
@@ -40,12 +38,7 @@ def as_meant(heard: Sequence[str], corrections: PhraseSet, alikes: Mapping[str, 
         corrections: phrases that take back what was said: ``("no",)``, ``("i", "mean")``.
         alikes: words that a recogniser writes for others: ``{"know": ["no"]}``.
     """
-    return [
-        one
-        if one == "know" and before in WHO_KNOWS
-        else next((word for word in alikes.get(one, ()) if corrections.at([word], 0)), one)
-        for before, one in zip(("", *heard), heard, strict=False)
-    ]
+    return [next((word for word in alikes.get(one, ()) if corrections.at([word], 0)), one) for one in heard]
 
 
 def no_between(heard: Sequence[str], corrections: PhraseSet, language: str | None) -> list[str]:

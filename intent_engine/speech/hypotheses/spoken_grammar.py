@@ -176,7 +176,8 @@ class SpokenGrammar:
         self, sentences: Sequence[tuple[str, ...]], heard: Sequence[Sequence[str]], language: str | None = None
     ) -> list[tuple[str, ...]]:
         """Those sentences that take something back, where each of several models heard that ("to the lounge, know the
-        duck"): what does all of it is not what was meant, however much likelier. All, if none does.
+        duck"), and one of them in its own words: what does all of it is not what was meant, however much likelier. All,
+        if none does.
 
         Args:
             sentences: that may have been said.
@@ -185,7 +186,9 @@ class SpokenGrammar:
         """
         corrections = self.corrections(language)
         alikes = self._known(language).matcher.grammar.sound_alikes
-        if len(heard) < 2 or not all(corrections.find(as_meant(one, corrections, alikes), 1) for one in heard):
+        taken_back = all(corrections.find(as_meant(one, corrections, alikes), 1) for one in heard)
+        # Of a "cappuccino" both may hear "as you know".
+        if len(heard) < 2 or not (taken_back and any(corrections.find(one, 1) for one in heard)):
             return list(sentences)
         return [words for words in sentences if corrections.find(words, 1)] or list(sentences)
 
