@@ -149,11 +149,11 @@ class Continuing:
         meaning = self._judge.meaning(heard, state, last)
         if (stop := self._still_stopping(utterance, heard, meaning, state)) is not None:
             return Understood(heard, stop, Step(stop.actions))
-        if (whole := self._done_already(utterance, alone or heard, state, last)) is not None:
-            return Understood(alone or heard, whole, Step((), goes_on=True))
+        own, by_itself = (heard, meaning) if alone is None else (alone, self._judge.meaning(alone, state, last))
+        if (whole := self._done_already(utterance, own, by_itself, state)) is not None:
+            return Understood(own, whole, Step((), goes_on=True))
         if alone is None:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
-        by_itself = self._judge.meaning(alone, state, last)
         if said is not None:
             exact = self._judge.together(said.command.meaning.text, alone, state)
             done = said.command.meaning
@@ -186,14 +186,13 @@ class Continuing:
         return self._judge.stop_going_on(stop, heard, state)
 
     def _done_already(
-        self, utterance: SpokenUtterance, heard: Transcript, state: Collection[str], last: Sequence[Action]
+        self, utterance: SpokenUtterance, heard: Transcript, by_itself: Interpretation, state: Collection[str]
     ) -> Interpretation | None:
         """The sentence of the grammar that a command makes with the one before, if that was all of it: the volume is
         turned down once for "too loud ... turn it down". None: it makes none, or there is more to do."""
         said = self._said
         if said is None or said.withdrawn or utterance.began - said.ended > ONE_SENTENCE:
             return None
-        by_itself = self._judge.meaning(heard, state, last)
         if by_itself.status is not Status.ACCEPTED or by_itself.stops:
             return None
         done = said.command.meaning
