@@ -205,7 +205,7 @@ def _numbers(answer: bool) -> str | None:
     return "one number was begun twice" if answer else None
 
 
-def _replacement(answer: list[str] | None) -> str:
+def _replacement(answer: Utterance | None) -> str:
     return "it is not clear what is corrected" if answer is None else f"what is meant: {_words_of(answer)!r}"
 
 

@@ -13,7 +13,7 @@ from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, 
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 
-__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "pauses_of", "plain", "without_enumeration"]
+__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -200,6 +200,15 @@ class Utterance:
     def part(self, start: int, end: int) -> Utterance:
         return Utterance(self.words[start:end], self.breaks[start:end])
 
+    def with_other(self, start: int, end: int, other: Utterance) -> Utterance:
+        """The utterance with other words in the place of some of it; what was said before and behind keeps its pauses,
+        and so do the other words between themselves."""
+        here = self.breaks[start : start + 1] or [False]
+        return Utterance(
+            self.words[:start] + other.words + self.words[end:],
+            [*self.breaks[:start], *here[: len(other)], *other.breaks[1:], *self.breaks[end:]],
+        )
+
     def zero_between(self, position: int) -> bool:
         """Whether an "oh" stands between two numbers: a digit, as in "two oh four", or a sigh: "two, oh, four"."""
         around = self.words[position - 1 : position + 2] if position else []
@@ -267,17 +276,6 @@ class Utterance:
             pause = removed = False
             position += 1
         return Utterance(words, breaks, frozenset(joined))
-
-
-def pauses_of(words: Sequence[str], parts: Iterable[Utterance]) -> list[bool]:
-    """Where a pause stands before a word of those that were put together from parts of an utterance."""
-    breaks = [False] * len(words)
-    for part in parts:
-        for start in range(len(words) - len(part) + 1) if True in part.breaks[1:] else ():
-            if list(words[start : start + len(part)]) == part.words:
-                for place in range(1, len(part)):
-                    breaks[start + place] = breaks[start + place] or part.breaks[place]
-    return breaks
 
 
 def _stutter(tokens: Sequence[Token], place: int) -> bool:

@@ -67,3 +67,11 @@ def test_an_angle_without_its_unit(old: int, new: int) -> None:
 )
 def test_what_is_kept_of_it_is_the_unit(said: str, meant: str) -> None:
     assert done(shipped().parse(said)) == meant
+
+
+@given(st.integers(1, 20), st.integers(1, 20), st.sampled_from(["backward", "back", "turn right", "to the kitchen"]))
+def test_a_number_behind_a_pause_is_in_doubt_also_where_something_else_is_corrected(
+    far: int, number: int, meant: str
+) -> None:
+    said = f"go forward {spelled(far, 'en')} meters, {spelled(number, 'en')}, no, {meant}"
+    assert not any(isinstance(action, Move) for action in shipped().parse(said).actions), said

@@ -116,6 +116,24 @@ def test_a_part_keeps_its_pauses() -> None:
     assert found.part(1, 3) == Utterance(["stop", "wait"], [True, True])
 
 
+@given(st.lists(st.tuples(words, st.booleans())), st.lists(st.tuples(words, st.booleans()), min_size=1), st.data())
+def test_other_words_in_the_place_of_some_keep_all_pauses(
+    said: list[tuple[str, bool]], other: list[tuple[str, bool]], data: st.DataObject
+) -> None:
+    start = data.draw(st.integers(0, len(said)))
+    end = data.draw(st.integers(start, len(said)))
+
+    def utterance(given: list[tuple[str, bool]]) -> Utterance:
+        return Utterance([word for word, _ in given], [pause for _, pause in given])
+
+    told = utterance(said).with_other(start, end, utterance(other))
+    assert told.words == [word for word, _ in said[:start] + other + said[end:]]
+    assert len(told.breaks) == len(told.words)
+    kept = (told.part(0, start), told.part(start + len(other), len(told)))
+    assert [part.breaks for part in kept] == [[pause for _, pause in some] for some in (said[:start], said[end:])]
+    assert told.breaks[start + 1 : start + len(other)] == [pause for _, pause in other[1:]]
+
+
 def test_where_a_word_was_taken_out_is_remembered() -> None:
     fillers = PhraseSet([("uh",), ("you", "know")])
     assert Utterance.of("nine uh forty you know degrees").without(fillers).joined == {1, 2}

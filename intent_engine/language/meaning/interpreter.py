@@ -19,6 +19,7 @@ from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
@@ -70,7 +71,8 @@ class Interpreter:
         phrases = self.phrases
         self._dictation = made(Dictation(phrases, commands))
         self._commands = made(commands)
-        self._corrections = made(Corrections(phrases, self._commands))
+        replacements = made(Replacements(self._commands))
+        self._corrections = made(Corrections(phrases, self._commands, replacements))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))

@@ -85,14 +85,15 @@ class Negations:
             return core, ""
         position, length = found
         refused = f"negated: {' '.join(words[position : position + length])!r}"
-        before = [] if words[:position] in _BEFORE else words[:position]
-        pauses = not before or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
+        start = position if words[:position] in _BEFORE else 0
+        told = core.with_other(position, position + length, Utterance([], []))
+        pauses = start == position or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
         for end in range(position + length + 1, len(words)):
             contrast = self._phrases.contrast.at(words, end)
             if not contrast and not (core.breaks[end] and pauses):
                 continue
-            denied = [*before, *words[position + length : end]]
-            forbidden = self._commands.exact(denied, state)
+            denied = told.part(start, end - length)
+            forbidden = self._commands.exact(denied.words, state)
             if forbidden is None:
                 continue
             wanted = core.part(end + contrast, len(core))
@@ -102,6 +103,6 @@ class Negations:
                 continue
             if self._compounds.split(wanted, state) or self._commands.accepts(wanted.words, state):
                 return wanted, ""
-            if contrast and (instead := self._corrections.instead(denied, wanted.words, state)) is not None:
-                return Utterance(instead, [False] * len(instead)), ""
+            if contrast and (instead := self._corrections.instead(denied, wanted, state)) is not None:
+                return instead, ""
         return None, refused

@@ -36,7 +36,7 @@ class Kind(StrEnum):
     CORRECTION = "correction"
     """Utterance -> the clause after its corrections."""
     REPLACEMENT = "replacement"
-    """Words, words -> the former with what the latter correct."""
+    """Utterance, utterance -> the former with what the latter corrects in it."""
     NEGATION = "negation"
     """Utterance -> what of it is wanted all the same, or None and why nothing is."""
     COMPOUND = "compound"
