@@ -289,6 +289,8 @@ class Grammar:
     """Fillers before a number, and nowhere else: "about ten seconds"."""
     greetings: tuple[tuple[str, ...], ...] = ()
     """What may be dictated though it is nothing but fillers: "say hello"."""
+    hesitations: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which something may be said anew: "left, uh, right"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -46,7 +46,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER, AROUND, GREETING = "filler", "around", "greeting"
+FILLER, AROUND, GREETING, HESITATION = "filler", "around", "greeting", "hesitation"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -60,7 +60,8 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    return {key: words for key, words in _language_words(language).items() if key not in (FILLER, AROUND, GREETING)}
+    others = (FILLER, AROUND, GREETING, HESITATION)
+    return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
 @cache
@@ -86,6 +87,11 @@ def default_around(language: str) -> tuple[str, ...]:
 def default_greetings(language: str) -> tuple[str, ...]:
     """What people say to each other, and have said ("say hello"), though around a command it says nothing."""
     return _language_words(language).get(GREETING, ())
+
+
+def default_hesitations(language: str) -> tuple[str, ...]:
+    """Sounds that people make while they think what to say: "uh"."""
+    return _language_words(language).get(HESITATION, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -287,6 +293,7 @@ class _Builder:
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
             greetings=self._said(default_greetings(self.language)),
+            hesitations=self._said(default_hesitations(self.language)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

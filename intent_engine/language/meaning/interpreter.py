@@ -17,6 +17,7 @@ from intent_engine.language.meaning.command import Clause, Commands, described, 
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
+from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
@@ -75,6 +76,7 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands, replacements))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
+        self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
@@ -289,7 +291,7 @@ class Interpreter:
             fuller = self.phrases.without_idle_fillers(said)
             parts = self._compounds.split(fuller, state, exactly=True) if len(fuller) > len(core) else None
         if parts is not None:
-            return self._joined(text, parts)
+            return self._joined(text, self._hesitations.or_either(parts, said, state))
         single = self._compounds.part(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
             return as_told(text, single)
@@ -300,7 +302,7 @@ class Interpreter:
             other = self._run_ons.split(fuller, state) if len(fuller) > len(core) else None
             if other is not None and [one.action for one in other] != [one.action for one in commands]:
                 return self._rejected(text, "it could mean two things")
-            return self._joined(text, commands)
+            return self._joined(text, self._hesitations.or_either(commands, said, state))
         written = self._written_otherwise(text, core, state)
         if written is not None:
             return written
