@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,7 @@ from intent_engine.speech.recognizer import Transcript
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "execution"))
+
 from execution_stage import MAP, RecordingRobot  # noqa: E402
 
 GRAMMAR = f"""
@@ -173,15 +175,15 @@ class Session:
     def close(self) -> None: ...
 
     def frames(self) -> Iterator[Frame]:
-        for kind, *given in self.plan:
+        for kind, *more in self.plan:
             if kind == "say":
-                yield from self.say(*given)
+                yield from self.say(*more)
             elif kind == "wait":
-                yield from self.sound(given[0])
+                yield from self.sound(more[0])
             elif kind in ("lost", "deaf"):
                 yield self.next(0.0, **{kind: 0.3 if kind == "lost" else True})
             else:
-                self.act(kind, *given)
+                self.act(kind, *more)
                 self.laws()
         if not self.closes:
             yield from self.sound(2.0)
@@ -273,7 +275,7 @@ class Session:
             if kind is HeardKind.INTERPRETATION:
                 assert kinds[place - 1] is HeardKind.TRANSCRIPT
         holding = [kind for kind in kinds if kind in (HeardKind.HOLD, HeardKind.RELEASE)]
-        assert not any(one is two is HeardKind.RELEASE for one, two in zip(holding, holding[1:], strict=False))
+        assert not any(one is two is HeardKind.RELEASE for one, two in pairwise(holding))
         assert self.forbidden == [], "nothing is done that is refused in these states"
         done = sum(text.count("beep") for text in self.texts if "don't" not in text)
         done += sum(found.text.count("beep") for found in self.typed)

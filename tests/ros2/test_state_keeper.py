@@ -221,16 +221,21 @@ def test_a_wrong_message_is_told_and_changes_nothing(stage, text, said):
 
 
 def test_states_do_not_touch_what_is_being_done(stage):
-    """A command was understood in the states of its time; neither a change nor nonsense stops it, or lets it go."""
+    """A command was begun in the states of its time; neither a change nor nonsense stops it, or lets it go. Nonsense
+    changes nothing for what waits its turn either."""
     stage.say("docked")
     stage.holds("docked")
     stage.peer.say("turn left twenty degrees then leave now")
     until(stage.peer.moving)
-    stage.say("")
-    stage.holds()
     stage.say("[nonsense")
     until(lambda: len(stage.peer.goals("succeeded")) == 2)
     assert [goal["action"].get("name") for goal in stage.peer.goals("succeeded")] == [None, "undock"]
+    stage.peer.say("turn left twenty degrees")
+    until(stage.peer.moving)
+    stage.say("")
+    stage.holds()
+    until(lambda: len(stage.peer.goals("succeeded")) == 3)
+    assert not stage.peer.goals("aborted")
     assert stage.understood("leave now") == "leave"
 
 
