@@ -124,7 +124,10 @@ class Acting:
 
     def _submit(self, understood: Understood, utterance: SpokenUtterance) -> tuple[Goal, ...]:
         step, spoken = understood.step, self._base + utterance.last_voice
-        goals = self._executor.submit(step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends)
+        guards = step.guards_of(understood.meaning, self._states)
+        goals = self._executor.submit(
+            step.actions, spoken_at=spoken, policy=step.policy, amends=step.amends, guards=guards
+        )
         self.summary.accepted += not step.goes_on
         self._continuing.carried_out(utterance, understood, goals)
         return tuple(goals)

@@ -6,7 +6,7 @@ while they are done; what comes after others waits its turn; and what was done i
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 from intent_engine.actions import Action, Move, Navigate, Pick, Turn
@@ -33,7 +33,14 @@ class Step:
     @property
     def in_turn(self) -> bool:
         """Whether it is a command by itself that is done after the one before, and not in its place."""
-        return self.policy is Policy.QUEUE and not self.goes_on
+        return self.policy is Policy.FOLLOW and not self.goes_on
+
+    def guards_of(
+        self, whole: Interpretation, state: Callable[[], Collection[str]]
+    ) -> tuple[Callable[[], str] | None, ...]:
+        """The guards of its actions, which are the last ones of a whole command; ``state`` as for
+        :meth:`Interpretation.guards`."""
+        return whole.guards(state)[len(whole.actions) - len(self.actions) :]
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +76,7 @@ class CarriedOut:
         done = self.meaning.actions
         if whole.actions[: len(done)] == done:
             more = whole.actions[len(done) :]
-            return Step(more, Policy.QUEUE, goes_on=True) if more else None
+            return Step(more, Policy.FOLLOW, goes_on=True) if more else None
         first = self.goals[0]
         begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick))
         if not (begun and can_be_amended(self.meaning)):

@@ -22,7 +22,7 @@ from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
-from intent_engine.language.meaning.stops import MOVING
+from intent_engine.needs import MOVING
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -228,7 +228,7 @@ class Continuing:
             both = in_a_row(lambda text: self._judge.text(text, heard, state), said.command.meaning, meaning)
             soon = utterance.began - said.ended <= ONE_BREATH
             in_turn = self._judge.comes_after(heard) or (soon and both is not None)
-        return Step(meaning.actions, Policy.QUEUE if in_turn else None)
+        return Step(meaning.actions, Policy.FOLLOW if in_turn else None)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""

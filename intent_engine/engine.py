@@ -18,11 +18,11 @@ from intent_engine.language.loading.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
-from intent_engine.language.meaning.stops import MOVING
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import resolve
 from intent_engine.language.utterance import Utterance, plain
 from intent_engine.language_tag import language_of
+from intent_engine.needs import MOVING
 from intent_engine.resources import find
 
 if TYPE_CHECKING:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from intent_engine.actions import Action, Stop, from_json, to_json
+from intent_engine.needs import Needs
 
 __all__ = ["BEYOND_LIMITS", "UNKNOWN_PLACE", "Interpretation", "Status"]
 
@@ -50,6 +51,18 @@ class Interpretation:
     """Ambiguous: the meanings in question. Rejected: the nearest sentences or names."""
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
+    needs: tuple[Needs, ...] = field(default=(), compare=False, repr=False)
+    """What each of the actions asks of the states of the robot; none for a stop, and after JSON."""
+
+    def guards(self, state: Callable[[], Collection[str]]) -> tuple[Callable[[], str] | None, ...]:
+        """What asks again, for each of the actions, whether the robot is in the states that its intent asks for: for
+        :meth:`Executor.submit`. What waits its turn may have been understood long before it begins.
+
+        Args:
+            state: gives the states in which the robot is, when it is called; "moving" does not matter among them.
+        """
+        guards = [needs.guard(state) for needs in self.needs]
+        return (*guards, *[None] * (len(self.actions) - len(guards)))
 
     @property
     def stops(self) -> bool:

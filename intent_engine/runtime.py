@@ -64,7 +64,8 @@ class Runtime:
         on_event: is told everything, in order; what it raises stops the robot and ends listening.
         state: gives the states in which the robot is besides "moving", as the grammar's ``requires`` and ``excludes``
             name them. Asked, in the thread of ``run``, whenever it matters what words mean, so it is to answer at once;
-            what it raises ends listening in the same way. None: the robot is in none of them.
+            what it raises ends listening in the same way. Asked once more in the executor's thread, and under its lock,
+            when what waited its turn begins; if it raises there, that is not done. None: the robot is in none of them.
         speculate: decode at the first silent frame already.
         patience: s after which a recogniser counts as hung.
     """

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.execution.goal import Goal, GoalState, Reason
+from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending, Handler
 
-__all__ = ["Admission", "Policy", "check_robot", "checked"]
+__all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden"]
+
+log = logging.getLogger(__name__)
 
 _NEEDS: dict[type[Any], Capability] = {
     Move: Capability.MOVE,
@@ -32,16 +36,31 @@ class Policy(StrEnum):
     """It takes its place at once (the default)."""
     QUEUE = "queue"
     """It waits its turn."""
+    FOLLOW = "follow"
+    """It waits its turn as a part of the command before it: if that is not done to its end, neither is this."""
     REFUSE = "refuse"
     """It is rejected."""
 
 
-def checked(actions: list[Action], keep: Keep | str | Sequence[Keep | str], spoken_at: float | None) -> list[Keep]:
-    """What each action of an utterance keeps, when what a program gave to ``submit`` makes sense.
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """On what terms an action was submitted."""
+
+    keep: Keep = Keep.DISTANCE
+    guard: Guard | None = None
+
+
+def checked(
+    actions: list[Action],
+    keep: Keep | str | Sequence[Keep | str],
+    spoken_at: float | None,
+    guards: Sequence[Guard | None] = (),
+) -> list[Terms]:
+    """The terms of each action of an utterance, when what a program gave to ``submit`` makes sense.
 
     Raises:
-        TypeError: something that is not an action.
-        ValueError: an unknown keep, not one for each action, or a time that is none.
+        TypeError: something that is not an action, or a guard that cannot be called.
+        ValueError: an unknown keep, not one for each action, not a guard for each, or a time that is none.
     """
     for action in actions:
         if not isinstance(getattr(action, "type", None), str):
@@ -49,9 +68,26 @@ def checked(actions: list[Action], keep: Keep | str | Sequence[Keep | str], spok
     keeps = [Keep(each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
     if len(keeps) != len(actions):
         raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")
+    if guards and len(guards) != len(actions):
+        raise ValueError(f"{len(actions)} actions, but {len(guards)} guards; None where there is none")
+    for guard in guards:
+        if not (guard is None or callable(guard)):
+            raise TypeError(f"a guard is called and answers with text, not a {type(guard).__name__}")
     if spoken_at is not None and not math.isfinite(spoken_at):
         raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
-    return keeps
+    return [Terms(*each) for each in zip(keeps, guards or [None] * len(actions), strict=True)]
+
+
+def forbidden(goal: Goal, guard: Guard | None) -> Ending | None:
+    """The end of a goal whose turn has come, if it must not begin now. What cannot be told is not done."""
+    if guard is None or isinstance(goal.action, Stop):
+        return None
+    try:
+        why = guard()
+    except Exception as error:
+        log.exception("no guard of goal %d", goal.id)
+        why = f"nobody can tell whether it may be done: {type(error).__name__}: {error}"
+    return Ending(GoalState.ABORTED, Reason.FORBIDDEN, why) if why else None
 
 
 def check_robot(robot: object) -> None:

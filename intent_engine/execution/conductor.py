@@ -10,16 +10,16 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
-from intent_engine.actions import Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.execution.admission import Admission, Policy
+from intent_engine.actions import Stop
+from intent_engine.execution.admission import Admission, Policy, Terms, forbidden
+from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
-from intent_engine.execution.motion import Keep, Motion, Travel
+from intent_engine.execution.motion import Motion, Travel
 from intent_engine.execution.robots.robot import Pose, Robot
-from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, StopRun, TaskRun, VelocityLoop
+from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, VelocityLoop
 
 __all__ = ["Conductor", "Host"]
 
@@ -60,10 +60,11 @@ class Conductor:
         self._loop = loop
         self._gate = gate
         self._host, self._events = host, host.events
+        self._carriers = Carriers(robot, admission, loop, host.events.launch, host.poke, self._stop_wheels)
         self._hold_limit, self._queue_limit = hold_limit, queue_limit
         self._valid_for = valid_for
         self._queue: deque[Goal] = deque()
-        self._keep: dict[int, Keep] = {}
+        self._terms: dict[int, Terms] = {}
         self._covered: dict[int, Travel] = {}
         """What was covered of a goal before it began, by the one that it amends."""
         self._run: Run | None = None
@@ -138,11 +139,11 @@ class Conductor:
     # -- commands ----------------------------------------------------------------------------------------------------
 
     def take(
-        self, goals: list[Goal], keeps: list[Keep], policy: Policy | None, now: float, amends: Goal | None = None
+        self, goals: list[Goal], terms: list[Terms], policy: Policy | None, now: float, amends: Goal | None = None
     ) -> None:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
-        for goal, keep in zip(goals, keeps, strict=True):
-            self._keep[goal.id] = keep
+        for goal, its in zip(goals, terms, strict=True):
+            self._terms[goal.id] = its
             self._events.tell(EventKind.GOAL, goal)
         waiting = goals
         if isinstance(goals[0].action, Stop):
@@ -167,7 +168,10 @@ class Conductor:
             self._covered[waiting[0].id] = travel
         if policy is Policy.REPLACE:
             self._make_way(waiting[0], now)
+        before = self._queue[-1] if self._queue else self.running
         for goal in waiting:
+            if policy is Policy.FOLLOW and before is not None:
+                goal.utterance = before.utterance
             self._move(goal, GoalState.ACCEPTED, now)
             self._queue.append(goal)
 
@@ -251,42 +255,30 @@ class Conductor:
     def _no_room(self, count: int, policy: Policy) -> Ending | None:
         if policy is Policy.REFUSE and not self.idle:
             return Ending(GoalState.REJECTED, Reason.BUSY, "something else is being done")
-        if count + (len(self._queue) if policy is Policy.QUEUE else 0) > self._queue_limit:
+        if count + (len(self._queue) if policy in (Policy.QUEUE, Policy.FOLLOW) else 0) > self._queue_limit:
             return Ending(GoalState.REJECTED, Reason.BUSY, f"more than {self._queue_limit} goals would wait")
         return None
-
-    def _make_run(self, goal: Goal) -> Run:
-        action, robot = goal.action, self._robot
-        timeout = self._admission.limits.task_duration
-        handler = self._admission.handler(action)
-        if handler is not None:
-            return HandlerRun(goal, handler, self._events.launch, self._host.poke, timeout)
-        if isinstance(action, Stop):
-            return StopRun(goal, self._stop_wheels)
-        if isinstance(action, (Move, Turn)):
-            motion = Motion.of(action, self._keep[goal.id])
-            return MotionRun(goal, motion, self._loop, self._covered.get(goal.id))
-
-        def begin() -> Any:
-            if isinstance(action, Navigate):
-                return robot.navigate(Pose(action.x, action.y, action.yaw, action.frame))
-            if isinstance(action, Pick):
-                return robot.pick(action.object)
-            assert isinstance(action, Place)
-            return robot.place(action.object, action.location)
-
-        return TaskRun(goal, robot, begin, lambda task: self._host.poke(), timeout)
 
     def _begin_next(self, now: float) -> bool:
         """Begin the next goal of the queue, if it may begin now."""
         if not self._queue or self.held or self.paused or self.closed:
             return False
-        run = self._make_run(self._queue[0])
-        if run.needs_rest:
+        goal = self._queue[0]
+        terms = self._terms[goal.id]
+        run = self._carriers.run_of(goal, terms.keep, self._covered.get(goal.id))
+        if run.needs_rest and self._loop.moving:
+            return False
+        ending = forbidden(goal, terms.guard)
+        if goal.done or self.held or self.paused:
+            return True  # whoever was asked has stopped the robot
+        self._queue.popleft()
+        if ending is not None:
+            self._end(goal, ending, now)
             if self._loop.moving:
-                return False
+                self._loop.brake(now)  # a motion that was to go over into this one
+            return True
+        if run.needs_rest:
             self._loop.silence()
-        goal = self._queue.popleft()
         self._run, self._failures = run, 0
         self._gate.open()
         self._move(goal, GoalState.EXECUTING, now)
@@ -336,7 +328,7 @@ class Conductor:
                 goal.feedback = replace(run.feedback(now), pose=self.pose(), time_left=0.0)
             except Exception:
                 log.exception("no last feedback of goal %d", goal.id)
-        self._keep.pop(goal.id, None)
+        self._terms.pop(goal.id, None)
         self._covered.pop(goal.id, None)
         self._move(goal, ending.state, now, ending.reason, ending.detail)
         self._host.ended()

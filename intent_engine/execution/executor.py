@@ -28,7 +28,7 @@ from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor, Host
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.gate import Gate
-from intent_engine.execution.goal import Goal, Reason
+from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
 from intent_engine.execution.robots.robot import Robot
@@ -134,6 +134,7 @@ class Executor:
         keep: Keep | str | Sequence[Keep | str] = Keep.DISTANCE,
         text: str | None = None,
         amends: Goal | None = None,
+        guards: Sequence[Guard | None] = (),
     ) -> list[Goal]:
         """Carry out the actions of one utterance, in order; a newer utterance takes the place of an older one.
 
@@ -148,18 +149,22 @@ class Executor:
             amends: an earlier goal that the first action puts right, as "turn left" becomes "turn left ninety degrees":
                 what that has covered already counts, if both drive, or turn, in the same direction. A robot that has
                 come further already comes to rest; it does not go back.
+            guards: one for each action, or none at all; None: none for this one. It is asked when the action's turn has
+                come, which may be long after this call, under the executor's lock: it must answer at once. If it gives
+                a reason, or raises, the action is not done, nor is what comes after it in the same call.
 
         Returns:
             A goal for each action, in order.
 
         Raises:
-            TypeError: something that is not an action was submitted.
-            ValueError: an unknown policy, an unknown keep or not one for each action, or a time that is none.
+            TypeError: something that is not an action was submitted, or a guard that cannot be called.
+            ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
+                that is none.
         """
         listed: list[Action] = list(actions) if isinstance(actions, Iterable) else [actions]
         if listed and isinstance(listed[0], Stop):
             self.stop()  # whatever may be wrong with the rest
-        keeps = checked(listed, keep, spoken_at)
+        terms = checked(listed, keep, spoken_at, guards)
         if not listed:
             return []
         try:
@@ -168,7 +173,7 @@ class Executor:
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait = self._wait_for
-                self._conductor.take(goals, keeps, Policy(policy) if policy is not None else None, now, amends)
+                self._conductor.take(goals, terms, Policy(policy) if policy is not None else None, now, amends)
                 self._advance(now)
         finally:
             self._events.flush()

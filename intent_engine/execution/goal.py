@@ -25,7 +25,10 @@ from typing import Any
 from intent_engine.actions import Action, to_json
 from intent_engine.execution.robots.robot import Pose
 
-__all__ = ["Feedback", "Goal", "GoalState", "Reason", "Times"]
+__all__ = ["Feedback", "Goal", "GoalState", "Guard", "Reason", "Times"]
+
+Guard = Callable[[], str]
+"""Why an action must not begin now, in words; empty: it may."""
 
 
 class GoalState(StrEnum):
@@ -79,6 +82,8 @@ class Reason(StrEnum):
     LIMIT = "limit"
     BUSY = "busy"
     """Something else is being done, and the policy is to refuse."""
+    FORBIDDEN = "forbidden"
+    """Its turn came, and what was allowed when it was asked for is not any more: the robot is in other states."""
     EARLIER_FAILED = "earlier_failed"
     """An earlier step of the same utterance did not succeed."""
     HOLD_EXPIRED = "hold_expired"
@@ -135,7 +140,7 @@ class Goal:
         self.asked = action
         """What was asked for."""
         self.utterance = utterance
-        """Number of the call of ``submit`` that it came from."""
+        """Number of the call of ``submit`` that it came from, or of the one that it follows."""
         self.text = text
         """What was said, if the caller told."""
         self.detail = ""

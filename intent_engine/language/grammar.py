@@ -10,6 +10,7 @@ from typing import Any
 from intent_engine.errors import Problem
 from intent_engine.interpretation import BEYOND_LIMITS
 from intent_engine.language.template_tree import Node
+from intent_engine.needs import Needs
 
 __all__ = [
     "ACTION_PARAMETERS",
@@ -239,6 +240,10 @@ class Intent:
     def all_sentences(self) -> tuple[Sentence, ...]:
         """Also those that are one only behind another."""
         return (*self.sentences, *self.then)
+
+    @property
+    def needs(self) -> Needs:
+        return Needs(self.name, self.requires, self.excludes)
 
 
 @dataclass(frozen=True, slots=True)

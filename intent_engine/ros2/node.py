@@ -28,7 +28,7 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.meaning.stops import MOVING
+from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
@@ -124,8 +124,11 @@ class VoiceCommands:
     def _take(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.status is Status.ACCEPTED:
             later = not found.stops and self.engine.comes_later(found.text)
-            policy = Policy.QUEUE if later else None
-            goals = self.executor.submit(found.actions, spoken_at=spoken_at, policy=policy, text=found.text)
+            policy = Policy.FOLLOW if later else None
+            guards = found.guards(self._told)
+            goals = self.executor.submit(
+                found.actions, spoken_at=spoken_at, policy=policy, text=found.text, guards=guards
+            )
             self._done = CarriedOut(found, tuple(goals))
         return found
 
@@ -141,7 +144,12 @@ class VoiceCommands:
         if done is None or step is None:
             return Interpretation(found.text, Status.REJECTED, reason=_TOO_LATE)
         goals = self.executor.submit(
-            step.actions, spoken_at=spoken_at, policy=step.policy, text=found.text, amends=step.amends
+            step.actions,
+            spoken_at=spoken_at,
+            policy=step.policy,
+            text=found.text,
+            amends=step.amends,
+            guards=step.guards_of(found, self._told),
         )
         self._done = done.grown_to(found, tuple(goals))
         return found
@@ -245,7 +253,11 @@ class VoiceCommands:
     def _state(self) -> Collection[str]:
         """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
         linear, angular = self.executor.snapshot().velocity
-        return self._states.held | ({MOVING} if linear or angular or not self.executor.idle else set())
+        return self._told() | ({MOVING} if linear or angular or not self.executor.idle else set())
+
+    def _told(self) -> frozenset[str]:
+        """What others say of the robot. Also asked in the executor's thread."""
+        return self._states.held
 
     def _summary(self, parameters: NodeParameters) -> str:
         kind = "TwistStamped" if self.robot.stamped else "Twist"

@@ -145,9 +145,32 @@ def test_policies(stage, policy):
     expected = {
         Policy.REPLACE: (Reason.PREEMPTED, Reason.NONE),
         Policy.QUEUE: (Reason.NONE, Reason.NONE),
+        Policy.FOLLOW: (Reason.NONE, Reason.NONE),
         Policy.REFUSE: (Reason.NONE, Reason.BUSY),
     }
     assert (first.reason, second.reason) == expected[policy]
+
+
+@pytest.mark.parametrize("policy", [Policy.QUEUE, Policy.FOLLOW])
+@pytest.mark.parametrize("fails", ["before", "running"])
+def test_what_follows_is_not_done_if_what_it_follows_fails(stage, policy, fails):
+    """ "Go to the kitchen", and a moment later "when you get there, turn left"."""
+    s = stage(handlers={"fine": lambda action: None, "broken": lambda action: 1 / 0})
+    fine, bad = Custom("fine"), Custom("broken")
+    goals = s.executor.submit(FORWARD)
+    goals += s.executor.submit([bad, fine] if fails == "before" else fine, policy=policy)
+    goals += s.executor.submit(LEFT, policy=policy)
+    if fails == "running":
+        s.executor.cancel(goals[0])
+    s.executor.run_until_idle()
+    assert goals[-1].succeeded == (policy is Policy.QUEUE)
+    assert s.executor.idle
+
+
+def test_what_follows_nothing_is_done_at_once(stage):
+    s = stage()
+    (goal,) = s.executor.submit(LEFT, policy="follow")
+    assert goal.state is GoalState.EXECUTING
 
 
 def test_half_a_command_is_never_done(stage):

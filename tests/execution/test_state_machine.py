@@ -19,7 +19,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import EventKind
 from intent_engine.execution.executor import Executor, Policy
-from intent_engine.execution.goal import GoalState
+from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep, Rates
 from intent_engine.interpretation import Status
@@ -86,6 +86,10 @@ class ExecutorMachine(RuleBasedStateMachine):
         self.goals: list = []
         self.ends: dict[int, int] = {}
         self.started: list[int] = []
+        self.begun_while: dict[int, str] = {}
+        self.guarded: set[int] = set()
+        self.why = ""
+        """Why what is guarded must not begin now."""
         self.folder = tempfile.TemporaryDirectory()
         self.file = Path(self.folder.name) / "grammar.yaml"
         self.file.write_text(GRAMMAR.format(verb="go"))
@@ -113,6 +117,7 @@ class ExecutorMachine(RuleBasedStateMachine):
             self.ends[event.goal.id] = self.ends.get(event.goal.id, 0) + 1
         if event.kind is EventKind.GOAL and event.state is GoalState.EXECUTING:
             self.started.append(event.goal.id)
+            self.begun_while[event.goal.id] = self.why
 
     def may_move(self) -> None:
         self.still_since = None
@@ -124,11 +129,24 @@ class ExecutorMachine(RuleBasedStateMachine):
         listed=st.lists(actions, min_size=1, max_size=4),
         policy=st.sampled_from([None, *Policy]),
         keep=st.sampled_from(list(Keep)),
+        guarded=st.booleans(),
     )
-    def submit(self, listed, policy, keep) -> None:
+    def submit(self, listed, policy, keep, guarded=False) -> None:
         if not (self.executor.snapshot().held or self.executor.estopped) or isinstance(listed[0], Stop):
             self.may_move()
-        self.goals += self.executor.submit(listed, policy=policy, keep=keep)
+        guards = [self.guard] * len(listed) if guarded else []
+        new = self.executor.submit(listed, policy=policy, keep=keep, guards=guards)
+        self.goals += new
+        self.guarded.update(goal.id for goal in new if guarded and not isinstance(goal.action, Stop))
+
+    @rule(answer=st.sampled_from(["", "", "docked", "nobody knows"]))
+    def states_change(self, answer) -> None:
+        self.why = answer
+
+    def guard(self) -> str:
+        if self.why == "nobody knows":
+            raise LookupError(self.why)
+        return self.why
 
     @rule(seconds=st.one_of(st.floats(0.0, 0.3), st.floats(0.0, 6.0), st.sampled_from([0.05, 0.1, 1.0])))
     def advance(self, seconds) -> None:
@@ -236,6 +254,13 @@ class ExecutorMachine(RuleBasedStateMachine):
     def every_goal_ends_once(self) -> None:
         for goal in self.goals:
             assert self.ends.get(goal.id, 0) == (1 if goal.done else 0)
+
+    @invariant()
+    def what_is_forbidden_is_not_begun(self) -> None:
+        assert not [id for id in self.guarded if self.begun_while.get(id)]
+        for goal in self.goals:
+            if goal.reason is Reason.FORBIDDEN:
+                assert (goal.state, goal.times.started) == (GoalState.ABORTED, None)
 
     @invariant()
     def order_is_kept(self) -> None:

@@ -221,16 +221,21 @@ def test_a_wrong_message_is_told_and_changes_nothing(stage, text, said):
 
 
 def test_states_do_not_touch_what_is_being_done(stage):
-    """A command was understood in the states of its time; neither a change nor nonsense stops it, or lets it go."""
+    """A command was begun in the states of its time; neither a change nor nonsense stops it, or lets it go. Nonsense
+    changes nothing for what waits its turn either."""
     stage.say("docked")
     stage.holds("docked")
     stage.peer.say("turn left twenty degrees then leave now")
     until(stage.peer.moving)
-    stage.say("")
-    stage.holds()
     stage.say("[nonsense")
     until(lambda: len(stage.peer.goals("succeeded")) == 2)
     assert [goal["action"].get("name") for goal in stage.peer.goals("succeeded")] == [None, "undock"]
+    stage.peer.say("turn left twenty degrees")
+    until(stage.peer.moving)
+    stage.say("")
+    stage.holds()
+    until(lambda: len(stage.peer.goals("succeeded")) == 3)
+    assert not stage.peer.goals("aborted")
     assert stage.understood("leave now") == "leave"
 
 
@@ -316,3 +321,27 @@ def test_a_mistake_in_the_parameter_ends_it_with_the_reason(peer, grammar, state
     assert node.wait() == 2, node.output
     assert said in node.output
     assert "Traceback" not in node.output
+
+
+@pytest.mark.parametrize("texts", [("go forward two meters, then leave now",), ("go forward two meters", "later")])
+def test_what_waits_its_turn_is_asked_for_its_states_when_it_comes(stage, texts):
+    from std_msgs.msg import String
+
+    done: list[str] = []
+    topic = "voice_commands/action"
+    ear = stage.peer.node.create_subscription(String, topic, lambda message: done.append(message.data), 10)
+    until(lambda: stage.peer.node.count_publishers(f"{stage.peer.namespace}/{topic}"))
+    for text in texts:
+        assert stage.understood(text.replace("later", "when you get there, leave now, and turn left"))
+    until(stage.peer.moving)
+    stage.say("docked")
+    stage.holds("docked")
+    assert not stage.peer.goals("aborted"), "what is being done is not asked again"
+    until(lambda: stage.peer.goals("aborted"))
+    (refused,) = stage.peer.goals("aborted")
+    assert (refused["action"]["name"], refused["reason"]) == ("leave", "forbidden")
+    assert refused["detail"] == "leave cannot be done while the robot is docked"
+    assert [each["reason"] for each in stage.peer.goals("canceled")] == ["earlier_failed"] * (len(texts) - 1)
+    until(stage.peer.standing)
+    assert done == []
+    stage.peer.node.destroy_subscription(ear)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from speech_stage import Frames, Says, Voiced, framed
+from speech_stage import ROOT, Frames, Says, Voiced, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.events import Event
 from intent_engine.speech.audio import SAMPLE_RATE
 
 GRAMMAR = """
@@ -65,3 +66,108 @@ def test_a_state_that_cannot_be_told_ends_listening(engine):
 
     with pytest.raises(LookupError, match="who knows"):
         done(engine, "wave", state=unknown)
+
+
+# -- what waits its turn -----------------------------------------------------------------------------------------------
+
+LATER = f"""
+language: en
+include: [{ROOT / "grammars" / "en.yaml"}]
+intents:
+  undock: {{action: custom, requires: [docked], sentences: [let us leave]}}
+  open: {{action: custom, excludes: [docked], sentences: [open the hatch]}}
+  close: {{action: custom, requires: [carrying], sentences: [close the hatch]}}
+  bow: {{action: custom, excludes: [moving], sentences: [bow]}}
+  hurry: {{action: custom, requires: [moving], sentences: [hurry along]}}
+"""
+
+
+class Later:
+    """Sentences at 0.5 s, 3 s, ..., and a robot that comes into other states at 5 s, when it is still under way."""
+
+    def __init__(self, engine: IntentEngine, *said: str, before: tuple[str, ...] = (), after: tuple[str, ...] = ()):
+        clock = VirtualClock()
+        self.names: list[str] = []
+        self.events: list[Event] = []
+        self.states = before
+        robot = SimulatedRobot(clock)
+        with Executor(robot, clock=clock, on_event=self.events.append) as executor:
+            executor.register("custom", lambda action: self.names.append(action.name))
+            voice = Voiced(*((0.5 + 2.5 * count, 1.5 + 2.5 * count) for count in range(len(said))))
+            runtime = Runtime(
+                engine, executor, Says(*said), voice=voice, noise_filter=None, speculate=False, state=self.tell
+            )
+            runtime.run(Frames(framed(np.zeros(5 * SAMPLE_RATE, np.float32))))
+            assert not executor.idle
+            self.states = after
+            executor.wait()
+            assert robot.speed() == (0.0, 0.0)
+        self.goals = list(dict.fromkeys(event.goal for event in self.events if event.goal is not None))
+
+    def tell(self) -> tuple[str, ...]:
+        if "gone" in self.states:
+            raise LookupError("who knows")
+        return self.states
+
+
+DRIVE = "go forward five meters"
+
+
+@pytest.fixture(scope="module")
+def later(engine_of) -> IntentEngine:
+    return engine_of(LATER)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        (f"{DRIVE}, then open the hatch and turn left",),
+        (DRIVE, "then open the hatch and turn left"),
+        (DRIVE, "when you get there, open the hatch and turn left"),
+    ],
+)
+def test_what_waits_its_turn_is_asked_for_its_states_when_it_comes(later, said):
+    done = Later(later, *said)
+    assert done.names == ["open"]
+    assert [goal.state.value for goal in done.goals] == ["succeeded"] * 3
+    refused = Later(later, *said, after=("docked",))
+    assert refused.names == []
+    assert [goal.state.value for goal in refused.goals] == ["succeeded", "aborted", "canceled"]
+    assert refused.goals[1].reason == "forbidden"
+    assert refused.goals[1].detail == "open cannot be done while the robot is docked"
+    assert refused.goals[2].reason == "earlier_failed"
+
+
+def test_what_a_state_requires_must_hold_when_its_turn_comes(later):
+    said = f"{DRIVE}, then close the hatch"
+    assert Later(later, said, before=("carrying",), after=("carrying",)).names == ["close"]
+    dropped = Later(later, said, before=("carrying",))
+    assert dropped.names == []
+    assert dropped.goals[1].detail == "close needs the robot to be carrying"
+
+
+def test_the_part_of_a_sentence_that_came_later_has_needs_of_its_own(later):
+    """ "Go forward five meters", and a moment later "and then close the hatch, and open the hatch"."""
+    part = "and then close the hatch, and open the hatch"
+    assert Later(later, DRIVE, part, before=("carrying",), after=("carrying",)).names == ["close", "open"]
+    both = Later(later, DRIVE, part, before=("carrying",), after=("carrying", "docked"))
+    assert both.names == ["close"]
+    assert [goal.state.value for goal in both.goals] == ["succeeded", "succeeded", "aborted"]
+
+
+def test_what_is_meant_by_moving_is_asked_when_it_is_said_and_not_again(later):
+    assert Later(later, f"{DRIVE}, then bow").names == ["bow"]
+    assert Later(later, f"{DRIVE}, then bow", after=("moving",)).names == ["bow"]
+    assert Later(later, DRIVE, "then hurry along").names == ["hurry"]
+    assert Later(later, DRIVE, "then bow").names == []
+
+
+def test_where_the_states_cannot_be_told_any_more_what_asks_for_some_is_not_done(later):
+    lost = Later(later, f"{DRIVE}, then open the hatch and turn left", after=("gone",))
+    assert lost.names == []
+    assert [goal.state.value for goal in lost.goals] == ["succeeded", "aborted", "canceled"]
+    assert lost.goals[1].detail.endswith("LookupError: who knows")
+    assert [goal.state.value for goal in Later(later, f"{DRIVE}, then turn left", after=("gone",)).goals] == [
+        "succeeded",
+        "succeeded",
+    ]

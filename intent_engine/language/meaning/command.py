@@ -262,12 +262,7 @@ class Commands:
 
 def forbidden(reading: Reading, state: Collection[str]) -> str:
     """Why a command cannot be done in these states of the robot; empty: it can."""
-    intent = reading.intent
-    if intent.requires and (missing := intent.requires - set(state)):
-        return f"{intent.name} needs the robot to be {' and '.join(sorted(missing))}"
-    if intent.excludes and (present := intent.excludes & set(state)):
-        return f"{intent.name} cannot be done while the robot is {' and '.join(sorted(present))}"
-    return ""
+    return reading.intent.needs.unmet(state)
 
 
 def slot_values(reading: Reading) -> dict[str, Any]:

@@ -24,11 +24,12 @@ from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
-from intent_engine.language.meaning.stops import MOVING, Stops
+from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.utterance import Utterance, without_enumeration
+from intent_engine.needs import MOVING
 
 if TYPE_CHECKING:
     from intent_engine.language.nearest import Nearest

@@ -11,11 +11,9 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
+from intent_engine.needs import MOVING
 
-__all__ = ["MOVING", "Stops"]
-
-MOVING = "moving"
-"""The robot state in which any utterance that begins with a stop word stops it."""
+__all__ = ["Stops"]
 
 PROTEST = 6
 """Words of the longest sentence of the stop intent that is looked for among corrections: "hold on just a second"."""

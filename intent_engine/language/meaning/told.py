@@ -20,7 +20,10 @@ def as_told(text: str, clause: Clause) -> Understood:
     intent = reading.intent.name if reading is not None else None
     slots = slot_values(reading) if reading is not None else {}
     if clause.action is not None and reading is not None:
-        found = Interpretation(text, Status.ACCEPTED, intent, slots, (clause.action,), reading.score, (), clause.reason)
+        actions, needs = (clause.action,), (reading.intent.needs,)
+        found = Interpretation(
+            text, Status.ACCEPTED, intent, slots, actions, reading.score, (), clause.reason, needs=needs
+        )
     else:
         status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
         found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
@@ -38,8 +41,11 @@ def as_told_together(text: str, parts: Sequence[Clause]) -> Understood:
         steps.append({"intent": part.reading.intent.name, "slots": slot_values(part.reading)})
         score *= part.reading.score
     actions = tuple(part.action for part in parts if part.action is not None)
+    needs = tuple(part.reading.intent.needs for part in parts if part.reading is not None)
     reasons = "; ".join(part.reason for part in parts if part.reason)
-    found = Interpretation(text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons)
+    found = Interpretation(
+        text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons, needs=needs
+    )
     return found, tuple(parts)
 
 
