@@ -41,6 +41,8 @@ class ThingWords:
     """Those of them of which things have one."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
+    whither: frozenset[str] = frozenset()
+    """What such a name does not go on with: where a thing is to go."""
     persons: frozenset[str] = frozenset()
     """Words for people, and by themselves no thing that is picked up."""
     next_begins: frozenset[str] = frozenset()
