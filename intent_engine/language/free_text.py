@@ -173,6 +173,8 @@ class FreeText:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
         if not slot.known:
             return ""
+        if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
+            return said[0]  # "take part", though a part is a thing
         following = (*said[1:], "")
         return next(
             (

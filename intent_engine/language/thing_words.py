@@ -39,6 +39,8 @@ class ThingWords:
     """Not to be held, where no other word of the name follows."""
     had: frozenset[str] = frozenset()
     """Those of them of which things have one."""
+    bare: frozenset[str] = frozenset()
+    """By itself and without an article no thing."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
     whither: frozenset[str] = frozenset()
