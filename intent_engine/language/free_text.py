@@ -71,6 +71,10 @@ class FreeText:
             if (phrase := self._grammar.phrases.get(reference.name)) is not None:
                 yield from self._references(phrase)
 
+    def is_thing(self, slot: Slot) -> bool:
+        """Whether a slot holds the name of a thing: it lists some, is of type ``object``, or is picked up or put."""
+        return slot.type in FREE_KINDS and (bool(slot.known) or slot.name in self._taken)
+
     def unfinished_in(self, slot: Slot) -> frozenset[str]:
         """Words that are never the last in a slot."""
         return self._unfinished_things - slot.known if slot.known else self.unfinished
@@ -144,7 +148,8 @@ class FreeText:
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
-            if said[place - 1] in self._words.pronouns and word not in self._going_on and word not in allowed:
+            where = word in self._going_on and word not in self._words.whither
+            if said[place - 1] in self._words.pronouns and not where and word not in allowed:
                 return frozenset((word,))
             if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
@@ -168,6 +173,8 @@ class FreeText:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
         if not slot.known:
             return ""
+        if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
+            return said[0]  # "take part", though a part is a thing
         following = (*said[1:], "")
         return next(
             (

@@ -13,21 +13,41 @@ from intent_engine.language.spoken_quantities import usual_units
 
 __all__ = ["likely_words"]
 
+MOST_TRIED = 500
+"""Words of which each is tried, whether the sentence is whole with it; a map has thousands."""
+
 
 def likely_words(matcher: Matcher, words: Sequence[str], most: int) -> tuple[str, ...]:
     """The words that may follow the beginning of an utterance, likely ones first, up to so many.
 
     Behind a number these are units, those of each quantity that it may be in turn: "go forward three" goes on with
-    "meters" or "seconds", hardly with "centi". All others are in alphabetical order.
+    "meters" or "seconds", hardly with "centi". Of all others those come first with which the sentence is whole ("turn
+    left"), among them the names of values and places before other ways to say them, then by the alphabet.
     """
     _, reached = matcher.prefix(list(words))
     if reached is None:
         return ()
-    following = sorted(matcher.spoken.next_words(reached))
+    spoken, values = matcher.spoken, set(_values(matcher))
+    following = sorted(spoken.next_words(reached))
+    few = len(following) <= MOST_TRIED
+
+    def rank(word: str) -> tuple[bool, bool]:
+        onward = spoken.step(reached, word) if few else None
+        place = matcher.locations.get(word) if matcher.locations is not None else None
+        named = word in values or (place is not None and place.name == word)
+        return onward is None or not spoken.accepting(onward), not named
+
+    following.sort(key=rank)
     single = evaluate(words[-1:], "number", matcher.grammar.language) == 1.0
     units = (_units(slot, matcher, single=single) for slot in _begun(matcher, words))
     in_turn = (word for word in chain.from_iterable(zip_longest(*units)) if word in following)
     return tuple(dict.fromkeys((*in_turn, *following)))[:most]
+
+
+def _values(matcher: Matcher) -> Iterator[str]:
+    """What the values of slots are called."""
+    for slot in matcher.grammar.slots.values():
+        yield from (str(value) for value, _ in slot.values)
 
 
 def _begun(matcher: Matcher, words: Sequence[str]) -> Iterator[Slot]:

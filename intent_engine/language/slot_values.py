@@ -88,6 +88,10 @@ class SlotValues:
             value = slot.counted(value)
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
 
+    def is_thing(self, slot: Slot) -> bool:
+        """Whether a slot holds the name of a thing, as :meth:`FreeText.is_thing` has it."""
+        return self._free.is_thing(slot)
+
     def in_own_units(self, slot: Slot, said: Sequence[str]) -> float | None:
         """What words are in the units that only this slot has, in SI; None: nothing."""
         own = self._units.get(slot.name)

@@ -39,8 +39,12 @@ class ThingWords:
     """Not to be held, where no other word of the name follows."""
     had: frozenset[str] = frozenset()
     """Those of them of which things have one."""
+    bare: frozenset[str] = frozenset()
+    """By itself and without an article no thing."""
     pronouns: frozenset[str] = frozenset()
     """A whole name."""
+    whither: frozenset[str] = frozenset()
+    """What such a name does not go on with: where a thing is to go."""
     persons: frozenset[str] = frozenset()
     """Words for people, and by themselves no thing that is picked up."""
     next_begins: frozenset[str] = frozenset()

@@ -61,7 +61,17 @@ def test_in_german_no_sign_is_told() -> None:
     assert german().parse("dreh dich um drei").alternatives[0] == "grad"
 
 
-@pytest.mark.parametrize("said", ["go to the", "turn", "go forward at"])
-def test_all_others_are_in_order(said: str) -> None:
+@pytest.mark.parametrize(
+    ("said", "first"),
+    [("turn", ("left", "right")), ("go to the", ("bedroom", "dock", "entrance", "kitchen", "left", "right"))],
+)
+def test_what_is_said_most_comes_first(said: str, first: tuple[str, ...]) -> None:
+    assert shipped().parse(said).alternatives[: len(first)] == first
+
+
+@pytest.mark.parametrize("said", ["go to the", "turn", "head", "put the cup", "look"])
+def test_what_makes_a_sentence_whole_comes_before_what_does_not(said: str) -> None:
     told = shipped().parse(said).alternatives
-    assert list(told) == sorted(told)
+    whole = [shipped().parse(f"{said} {word}").status is Status.ACCEPTED for word in told]
+    assert whole == sorted(whole, reverse=True)
+    assert True in whole

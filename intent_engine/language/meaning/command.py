@@ -14,6 +14,7 @@ from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.meaning.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading, SlotReading
@@ -63,6 +64,7 @@ class Commands:
     def __init__(self, matcher: Matcher) -> None:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
+        self._whose_place = WhosePlace(matcher)
         self._not_verbs = ARTICLES | thing_words(matcher.grammar.language).alone
 
     @step(Kind.SENTENCE)
@@ -224,7 +226,9 @@ class Commands:
             allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
-        best = allowed[0]
+        best, ways, reason = self._whose_place.settled(allowed[0])
+        if ways:
+            return Clause(best, reason=reason, alternatives=tuple(map(described, ways)), ambiguous=True)
         try:
             check_speeds(best.intent, best.values(), ((slot.label, slot.slot) for slot in best.slots))
             action = build_action(best.intent, best.values(), self.matcher.locations)
