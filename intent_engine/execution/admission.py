@@ -40,12 +40,8 @@ def checked(actions: list[Action], keep: Keep | str | Sequence[Keep | str], spok
     """What each action of an utterance keeps, when what a program gave to ``submit`` makes sense.
 
     Raises:
-        TypeError: something that is not an action.
         ValueError: an unknown keep, not one for each action, or a time that is none.
     """
-    for action in actions:
-        if not isinstance(getattr(action, "type", None), str):
-            raise TypeError(f"submit takes actions (Move, Turn, Stop, ...), not {type(action).__name__}")
     keeps = [Keep(each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
     if len(keeps) != len(actions):
         raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")

@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import TracebackType
 
-from intent_engine.actions import Action, Stop
+from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import shutdown
 from intent_engine.execution.admission import Admission, Policy, check_robot, checked
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
@@ -156,9 +156,11 @@ class Executor:
             TypeError: something that is not an action was submitted.
             ValueError: an unknown policy, an unknown keep or not one for each action, or a time that is none.
         """
-        listed: list[Action] = list(actions) if isinstance(actions, Iterable) else [actions]
+        several = isinstance(actions, Iterable) and not isinstance(actions, Mapping)
+        listed: list[Action] = list(actions) if several else [actions]  # type: ignore[arg-type, list-item]
         if listed and isinstance(listed[0], Stop):
             self.stop()  # whatever may be wrong with the rest
+        actions_of("submit", listed)
         keeps = checked(listed, keep, spoken_at)
         if not listed:
             return []
@@ -251,7 +253,12 @@ class Executor:
 
         A handler registered under the type of an action (``pick``) is used where the robot cannot do it itself.
         It runs in a thread of its own; what it raises aborts its goal and nothing else.
+
+        Raises:
+            TypeError: the name is no text, or nothing can be called.
         """
+        if not isinstance(name, str) or not callable(handler):
+            raise TypeError(f"register takes a name and a function, not {name!r} and {handler!r:.80}")
         with self._lock:
             self._admission.handlers[name] = handler
 
