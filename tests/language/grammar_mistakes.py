@@ -232,7 +232,6 @@ MISTAKES: dict[str, str | bytes] = {
     "a turn by another name": wave("sentences: [spin]").replace("{type: custom, name: wave}", "rotate"),
     # -- numbers that are never meant
     "degrees without their unit": slot("{type: angle, max: 90}"),
-    "a largest distance below zero": slot("{type: distance, max: -1 m}"),
     "a slot of the action, misspelt": wave("sentences: [wave]", before="slots:\n  person: text\n").replace(
         "name: wave}", "name: wave, who: '{persn}'}"
     ),

@@ -180,10 +180,6 @@ class PartReader:
             else None
             for key in ("min", "max", "least", "usual_max")
         )
-        if low is None and high is not None and high <= 0 and kind != "number":
-            message = f"nothing is as small as a max of {spec['max']}, which bounds the size of a {kind}"
-            hint = "more than 0, or with a min, if it shall be below zero"
-            source.problem((*path, "max"), message.replace("of a a", "of an a"), hint)
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
         if least is not None and (least <= 0 or (high is not None and least > high and (low is None or -least < low))):

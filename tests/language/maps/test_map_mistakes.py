@@ -55,7 +55,7 @@ MISTAKES = {
     "the picture of a map": ("image: map.pgm\nresolution: 0.05\norigin: [-1, -1, 0]\n", ["is the picture of a floor"]),
     "units": (
         "locations:\n  hall: {x: 1 m, y: 2, yaw: 90 deg}\n",
-        ["2:13 'x' must be a number (a plain number, in m)", "2:29 'yaw' must be a number (in rad, without a unit: 1.5"],
+        ["2:13 'x' must be a number (a plain number, in m)", "2:29 'yaw' must be a number (in rad, without a unit"],
     ),
     "other words for the fields": (
         "locations:\n  hall: {x: 1, y: 2, z: 0}\n  lab: {x: 1, y: 2, theta: 0}\n",
