@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from pathlib import Path
@@ -24,6 +24,7 @@ __all__ = [
     "Place",
     "Stop",
     "Turn",
+    "actions_of",
     "from_json",
     "json_schema",
     "to_json",
@@ -135,6 +136,36 @@ class Custom:
 Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | Custom
 
 _TYPES: dict[str, type[Any]] = {kind.type: kind for kind in (Move, Turn, Stop, Navigate, Pick, Place, Custom)}
+
+
+def actions_of(taker: str, given: Action | Iterable[Action]) -> tuple[Action, ...]:
+    """The actions that a program gave to ``taker``: one, or several in order.
+
+    Raises:
+        TypeError: something among them is no action; says what to give instead.
+    """
+    several = isinstance(given, Iterable) and not isinstance(given, str | bytes | Mapping)
+    listed: tuple[Any, ...] = tuple(given) if several else (given,)  # type: ignore[arg-type]
+    for action in listed:
+        if isinstance(action, type) or not isinstance(getattr(action, "type", None), str):
+            message = f"{taker} takes actions (Move, Turn, Stop, ...), not {_kind(action)}"
+            raise TypeError(message + _instead(action))
+    return listed
+
+
+def _kind(given: object) -> str:
+    return f"the class {given.__name__}" if isinstance(given, type) else type(given).__name__
+
+
+def _instead(given: object) -> str:
+    """What was probably meant by what is no action."""
+    if isinstance(given, type):
+        return ": make one of it"
+    if isinstance(given, str):
+        return ": engine.parse(text).actions are those of a text"
+    if isinstance(given, Mapping):
+        return ": from_json(...) makes one of a dictionary"
+    return ": give its .actions" if hasattr(given, "actions") else ""
 
 
 def to_json(action: Action) -> dict[str, Any]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from intent_engine.actions import Action, actions_of
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
@@ -26,7 +27,6 @@ from intent_engine.needs import MOVING
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
-    from intent_engine.actions import Action
     from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
     from intent_engine.language.word_state import WordState
@@ -85,7 +85,10 @@ class IntentEngine:
         self._grammar_paths: tuple[Path, ...] = ()
         self._location_paths: tuple[Path, ...] = ()
         self._wake: tuple[tuple[str, ...], ...] = ()
-        self._use(_build(tuple(grammars), locations))
+        loaded = tuple(grammars) if not isinstance(grammars, str | os.PathLike) else ()
+        if not loaded or not all(isinstance(grammar, Grammar) for grammar in loaded):
+            raise TypeError("IntentEngine takes grammars that are read; IntentEngine.from_files(...) reads files")
+        self._use(_build(loaded, locations))
 
     @classmethod
     def from_files(
@@ -106,6 +109,7 @@ class IntentEngine:
 
         Raises:
             ConfigError: with everything that is wrong in any file.
+            TypeError: ``grammar`` or ``locations`` is nothing that names files, nor a map.
         """
         engine = cls.__new__(cls)
         engine._lock = threading.Lock()
@@ -121,6 +125,8 @@ class IntentEngine:
         elif locations is not None:
             from intent_engine.language.locations import LocationMap
 
+            if not isinstance(locations, Mapping):
+                raise TypeError(f"locations are files or a dictionary of places, not {type(locations).__name__}")
             given = locations if isinstance(locations, LocationMap) else LocationMap.from_mapping(locations)
         engine._use(engine._load(given, problems))
         return engine
@@ -165,6 +171,12 @@ class IntentEngine:
         with self._lock:
             given = None if self._location_paths else self._loaded.locations
             self._use(self._load(given))
+
+    def __reduce__(self) -> str:
+        raise TypeError(
+            "an IntentEngine holds a lock and cannot be copied or pickled: share it between threads, and "
+            "make one with IntentEngine.from_files(...) in each process"
+        )
 
     # -- what it holds ----------------------------------------------------------------------------------------
 
@@ -220,21 +232,21 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
-        last: Sequence[Action] | None = None,
+        last: Sequence[Action] | Action | None = None,
     ) -> Interpretation:
         """What a text means. Never raises on text; the same text gives the same interpretation.
 
         Args:
             text: an utterance, as typed or as a recogniser wrote it.
             state: states that the robot is in, for intents that require or exclude some (``moving`` makes
-                every utterance that begins with a stop word a stop).
+                every utterance that begins with a stop word a stop). A text is the one state of that name.
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one.
-            last: the actions of the utterance before, which "again" and "it" point to; empty if there was none;
-                None: not known, then such words are left as they are.
+            last: the actions of the utterance before, which "again" and "it" point to, or the one that it was; empty
+                if there was none; None: not known, then such words are left as they are.
 
         Raises:
-            TypeError: it is no ``str``.
+            TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
         """
         _only_text("parse", text)
         parsers = self._parsers if language is None else (self._interpreter(language),)
@@ -247,7 +259,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
-        last: Sequence[Action] | None = None,
+        last: Sequence[Action] | Action | None = None,
     ) -> Explanation:
         """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
         from intent_engine.language.explain import Witness
@@ -311,9 +323,16 @@ _Parser = TypeVar("_Parser", bound=_Parses)
 
 
 def _understood(
-    parsers: Sequence[_Parser], text: str, state: Collection[str], spoken: bool, last: Sequence[Action] | None
+    parsers: Sequence[_Parser],
+    text: str,
+    state: Collection[str],
+    spoken: bool,
+    last: Sequence[Action] | Action | None,
 ) -> tuple[Interpretation, _Parser]:
     """What a text means, with what it points back to, and the parser that says so."""
+    if isinstance(state, str):  # each of its letters would be a state, and "moving" none of them
+        state = (state,)
+    before = None if last is None else actions_of("last", last)
     parser = parsers[0]
     try:
         if len(parsers) == 1:
@@ -322,8 +341,8 @@ def _understood(
             found, parser = _first_accepted(parsers, text, state, spoken)
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
-    if last is not None or len(found.actions) > 1:
-        found = resolve(found, last, parser.matcher.grammar.operators.pronoun)
+    if before is not None or len(found.actions) > 1:
+        found = resolve(found, before, parser.matcher.grammar.operators.pronoun)
     return found, parser
 
 
@@ -363,7 +382,13 @@ def next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
 def _found(kind: str, value: StrPath | Sequence[StrPath], problems: list[Problem]) -> tuple[Path, ...]:
     """The files of a kind that paths and names of shipped ones stand for; what there is not is told."""
     paths: list[Path] = []
-    for one in (value,) if isinstance(value, (str, os.PathLike)) else value:
+    if isinstance(value, str | os.PathLike):
+        value = (value,)
+    if isinstance(value, bytes | Mapping) or not isinstance(value, Iterable):
+        raise TypeError(f"{kind} are given by path or name, not as {type(value).__name__}")
+    for one in value:
+        if not isinstance(one, str | os.PathLike):
+            raise TypeError(f"{kind} are given by path or name, not as {type(one).__name__}")
         try:
             paths.append(find(kind, os.fspath(one)))
         except ConfigError as error:

@@ -42,6 +42,9 @@ def find(kind: str, name: str) -> Path:
     if given.is_dir() or not name:
         what = "is a folder, not a file" if name else f"a name of one of the {kind} is empty"
         raise ConfigError(Problem(what, name or None, hint=f"there is {', '.join(known)}; or give the path of a file"))
+    here = Path(f"{name}{_SUFFIX}")
+    if here.is_file():
+        raise ConfigError(Problem(f"{name!r} is the name of no file in {kind}/", hint=f"there is a file here: {here}"))
     hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
     raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))
 

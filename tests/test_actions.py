@@ -10,7 +10,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn, from_json, json_schema, to_json
+from intent_engine.actions import (
+    Custom,
+    Move,
+    Navigate,
+    Pick,
+    Place,
+    Stop,
+    Turn,
+    actions_of,
+    from_json,
+    json_schema,
+    to_json,
+)
 
 finite = st.floats(allow_nan=False, allow_infinity=False, width=32)
 positive = st.floats(min_value=0, max_value=1e6, allow_nan=False)
@@ -133,3 +145,25 @@ def test_the_format_has_a_version():
 def test_what_an_action_lacks_is_named(data, said):
     with pytest.raises(ValueError, match=f"^{said}$"):
         from_json(data)
+
+
+def test_one_action_or_several_are_taken():
+    assert actions_of("submit", Stop()) == (Stop(),)
+    assert actions_of("submit", iter([Stop(), Pick("cup")])) == (Stop(), Pick("cup"))
+    assert actions_of("submit", []) == ()
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("stop", "not str: engine.parse"),
+        ([Stop(), "stop"], "not str: engine.parse"),
+        ({"type": "stop"}, "not dict: from_json"),
+        (Stop, "not the class Stop: make one"),
+        (None, "not NoneType$"),
+        (b"stop", "not bytes$"),
+    ],
+)
+def test_what_is_no_action_is_refused_with_what_was_meant(given, said):
+    with pytest.raises(TypeError, match=rf"^submit takes actions \(Move, Turn, Stop, \.\.\.\), {said}"):
+        actions_of("submit", given)

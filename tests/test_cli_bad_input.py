@@ -184,6 +184,11 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             ["parse", "go", "to", "bed"],
             "'to bed' is too much\n    put words that belong together in quotes: intent-engine parse \"go to the ",
         ),
+        (
+            ["sample", "my.yaml"],
+            "'my.yaml' is too much\n    a grammar is an option here: intent-engine sample --grammar my",
+        ),
+        (["help"], "there is no verb 'help'\n    intent-engine --help tells of all verbs"),
         (["sample", "stop"], "'stop' is too much\n    sample takes options alone\n"),
         (["sample", "-n", "0"], "--count: 0 is out of range\n    give a whole number, 1 or more\n"),
         (["sample", "--seed", "x"], "--seed: 'x' is no whole number\n    give a whole number\n"),

@@ -75,6 +75,7 @@ def test_a_model_alone(intent_engine):
         (["examples/demo.jsonl"], 2, "examples/demo.jsonl:1: 'audio' is missing"),
         ([TEN, "--snr", "6"], 2, "--snr without --noise"),
         ([TEN, "--at-least", "nan"], 2, "--at-least: nan is no share\n    give a number from 0 to 100"),
+        ([TEN, "--at-least", "0.8"], 2, "--at-least 0.8 is 0.8 % of the commands\n    for 80 %: --at-least 80"),
         ([TEN, "--no-clean"], 2, "--no-clean without --noise leaves nothing to hear\n    name a recording"),
         ([TEN, "--noise", "examples/demo.flac", "--snr", "6;12"], 2, "--snr: '6;12' is no signal-to-noise ratio"),
         ([TEN, "--noise", "nothing.wav"], 3, "nothing.wav: no such file"),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
+
 import pytest
 
 from intent_engine.engine import IntentEngine
@@ -64,3 +67,54 @@ def test_all_names_that_are_missing_are_told_at_once_as_the_command_line_tells_t
     with pytest.raises(ConfigError, match=r"^no file nowhere\.yaml in grammars/") as alone:
         IntentEngine.from_files("nowhere")
     assert len(alone.value.problems) == 1
+
+
+def test_a_state_that_is_given_as_text_is_that_state(engine):
+    moving = engine.parse("don't move forward", state=["moving"])
+    assert moving.stops
+    assert engine.parse("don't move forward", state="moving") == moving  # and not the states m, o, v, ...
+
+
+def test_what_was_done_last_may_be_one_action(engine):
+    (turned,) = engine.parse("turn left ninety degrees").actions
+    assert engine.parse("again", last=turned).actions == (turned,)
+    assert engine.parse("again", last=[turned]).actions == (turned,)
+
+
+@pytest.mark.parametrize("text", ["again", "stop", "what a day"])
+@pytest.mark.parametrize(
+    ("last", "instead"),
+    [("turn left", "engine.parse"), (["turn left"], "engine.parse"), ({"type": "stop"}, "from_json"), (5, "not int")],
+    ids=repr,
+)
+def test_what_is_no_action_cannot_be_done_again(engine, text, last, instead):
+    with pytest.raises(TypeError, match=f"^last takes actions .*{instead}"):
+        engine.parse(text, last=last)
+    with pytest.raises(TypeError, match=r"^last takes actions .*: give its \.actions"):
+        engine.parse(text, last=engine.parse("turn left"))
+
+
+@pytest.mark.parametrize("given", [None, 5, b"en", {"language": "en"}, [5], [None]], ids=repr)
+def test_files_are_named_by_text_or_path(given):
+    with pytest.raises(TypeError, match=r"^grammars are given by path or name, not as "):
+        IntentEngine.from_files(given)
+    if given is not None and not isinstance(given, dict):
+        with pytest.raises(TypeError, match=r"^locations are "):
+            IntentEngine.from_files("en", locations=given)
+
+
+@pytest.mark.parametrize("given", ["en", (), ["en"]], ids=repr)
+def test_an_engine_is_made_of_grammars_that_are_read(given):
+    with pytest.raises(TypeError, match="from_files"):
+        IntentEngine(given)
+
+
+@pytest.mark.parametrize("copied", [pickle.dumps, copy.copy, copy.deepcopy], ids=lambda copied: copied.__name__)
+def test_an_engine_that_is_copied_says_what_to_do_instead(engine, copied):
+    with pytest.raises(TypeError, match="in each process"):
+        copied(engine)
+
+
+def test_what_an_engine_says_can_be_pickled(engine):
+    found = engine.parse("go to the kitchen and turn left")
+    assert pickle.loads(pickle.dumps(found)) == found

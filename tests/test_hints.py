@@ -11,3 +11,8 @@ from intent_engine.hints import did_you_mean
 )
 def test_did_you_mean(word, hint):
     assert did_you_mean(word, ["distance", "forward", "angle"]) == hint
+
+
+def test_capitals_are_no_other_letters():
+    assert did_you_mean("LOCATIONS", ["frame", "locations"]) == "did you mean 'locations'?"
+    assert did_you_mean("Move", ["mode", "move"]) == "did you mean 'move'?"

@@ -43,3 +43,10 @@ def test_everything_that_is_looked_for_is_put_into_the_wheel(root):
         kind = path.parent.name
         assert included[kind] == f"intent_engine/share/{kind}"
         assert (root / kind / path.name).is_file()
+
+
+def test_a_file_that_lies_here_is_named_where_a_bare_name_is_none(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "wave.yaml").write_text("language: en\n", "utf-8")
+    with pytest.raises(ConfigError, match=r"there is a file here: wave\.yaml"):
+        resources.find("grammars", "wave")

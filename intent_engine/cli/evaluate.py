@@ -137,6 +137,9 @@ def evaluate(
         raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
     if at_least is not None and math.isnan(at_least):  # no accuracy is less than that
         raise ConfigError(Problem("--at-least: nan is no share", hint="give a number from 0 to 100"))
+    if at_least is not None and 0 < at_least <= 1:
+        hint = f"for {at_least * 100:g} %: --at-least {at_least * 100:g}"
+        raise ConfigError(Problem(f"--at-least {at_least:g} is {at_least:g} % of the commands", hint=hint))
     if no_clean and not noise:
         raise ConfigError(
             Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")

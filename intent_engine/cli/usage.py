@@ -50,6 +50,8 @@ def usage_problem(error: Any, verb: str = "", example: str = "") -> Problem | No
         parameters = context.command.params if context is not None else ()
         takes = any(one.param_type_name == "argument" for one in parameters)
         hints = [f"put words that belong together in quotes: {example}" if takes else f"{verb} takes options alone"]
+        if not takes and found[1].endswith((".yaml", ".yml")) and any("--grammar" in one.opts for one in parameters):
+            hints = [f"a grammar is an option here: {NAME} {verb} --grammar {found[1]}"]
     hints.append(f"{NAME} {verb} --help".replace("  ", " ") + " tells all of it")
     return Problem(message, hint="\n    ".join(filter(None, hints)))
 

@@ -187,7 +187,8 @@ class Verbs(TyperGroup):
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         if args and not args[0].startswith("-") and args[0] not in self.commands:
-            hint = did_you_mean(args[0], self.commands) or f"there is {', '.join(self.commands)}"
+            asked = "intent-engine --help tells of all verbs" if args[0] == "help" else None
+            hint = asked or did_you_mean(args[0], self.commands) or f"there is {', '.join(self.commands)}"
             raise ConfigError(Problem(f"there is no verb {args[0]!r}", hint=hint))
         self._asked = args[0] if args else ""
         return super().resolve_command(ctx, args)

@@ -58,13 +58,14 @@ def checked(
 ) -> list[Terms]:
     """The terms of each action of an utterance, when what a program gave to ``submit`` makes sense.
 
-    Raises:
-        TypeError: something that is not an action, or a guard that cannot be called.
-        ValueError: an unknown keep, not one for each action, not a guard for each, or a time that is none.
+        Raises:
+    <<<<<<< HEAD
+            TypeError: something that is not an action, or a guard that cannot be called.
+            ValueError: an unknown keep, not one for each action, not a guard for each, or a time that is none.
+    =======
+            ValueError: an unknown keep, not one for each action, or a time that is none.
+    >>>>>>> wt-newcomer
     """
-    for action in actions:
-        if not isinstance(getattr(action, "type", None), str):
-            raise TypeError(f"submit takes actions (Move, Turn, Stop, ...), not {type(action).__name__}")
     keeps = [Keep(each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
     if len(keeps) != len(actions):
         raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")

@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import TracebackType
 
-from intent_engine.actions import Action, Stop
+from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import shutdown
 from intent_engine.execution.admission import Admission, Policy, check_robot, checked
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
@@ -161,9 +161,11 @@ class Executor:
             ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
                 that is none.
         """
-        listed: list[Action] = list(actions) if isinstance(actions, Iterable) else [actions]
+        several = isinstance(actions, Iterable) and not isinstance(actions, Mapping)
+        listed: list[Action] = list(actions) if several else [actions]  # type: ignore[arg-type, list-item]
         if listed and isinstance(listed[0], Stop):
             self.stop()  # whatever may be wrong with the rest
+        actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
         if not listed:
             return []
@@ -256,7 +258,12 @@ class Executor:
 
         A handler registered under the type of an action (``pick``) is used where the robot cannot do it itself.
         It runs in a thread of its own; what it raises aborts its goal and nothing else.
+
+        Raises:
+            TypeError: the name is no text, or nothing can be called.
         """
+        if not isinstance(name, str) or not callable(handler):
+            raise TypeError(f"register takes a name and a function, not {name!r} and {handler!r:.80}")
         with self._lock:
             self._admission.handlers[name] = handler
 

@@ -7,7 +7,6 @@ Three forms are read: our own YAML (``frame:``, ``locations:``), the waypoint fi
 from __future__ import annotations
 
 import json
-import math
 import reprlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,17 +15,25 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
-from intent_engine.language.maps.map_draft import DEFAULT_FRAME, FIELDS, Draft, Location, Row, Teller, checked
+from intent_engine.language.maps.map_draft import (
+    DEFAULT_FRAME,
+    FIELDS,
+    WHOLE_TURN,
+    Draft,
+    Location,
+    Row,
+    Teller,
+    checked,
+)
 from intent_engine.language.maps.map_rows import read_map
 from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
 
 __all__ = ["Location", "LocationMap", "from_text", "load"]
-
-_WHOLE_TURN = 2 * math.pi + 1e-3
 
 
 @dataclass(frozen=True)
@@ -141,7 +148,8 @@ def _quickly(path: Path) -> tuple[Places, str] | None:
         for name, fields in found.particulars.items()
     }
     places = Places(found.names, found.poses, particulars, frame)
-    return (places, frame) if _said_differently(places) else None
+    turned = max(map(abs, found.poses[2::3]), default=0.0)
+    return (places, frame) if turned <= WHOLE_TURN and _said_differently(places) else None
 
 
 def _said_differently(places: Places) -> bool:
@@ -177,6 +185,8 @@ def _draft(source: YamlSource) -> Draft:
         return Draft(problems=[empty if problem.message == "is empty" else problem for problem in source.problems])
     if isinstance(source.data, dict) and "intents" in source.data and "locations" not in source.data:
         return Draft(problems=[Problem("is a grammar, not a map", source.file, hint="give it as grammar")])
+    if isinstance(source.data, dict) and (other := _other_form(source)) is not None:
+        return Draft(problems=[*source.problems, other])
     source.problems.extend(schema_problems(source, _schema()))
     if not isinstance(source.data, dict) or not isinstance(source.data.get("locations"), dict):
         return Draft(problems=source.problems)
@@ -194,6 +204,33 @@ def _draft(source: YamlSource) -> Draft:
             rows.append(Row(name, pose, _teller(source, path)))
     draft.rows = rows
     return draft
+
+
+def _other_form(source: YamlSource) -> Problem | None:
+    """What to do about a file without ``locations`` that is plainly something else."""
+    keys = list(source.data)
+    if "locations" in keys or not keys:
+        return None
+    if {"image", "resolution"} <= set(keys):
+        hint = "write a file of places: 'locations: {kitchen: {x: 5.0, y: 2.0}}', poses in this map's frame"
+        return Problem("is the picture of a floor, as map_server reads it, and names no places", source.file, hint=hint)
+    poses = [value for value in source.data.values() if _like_a_pose(value)]
+    if len(poses) == len(keys):
+        place = source.place((keys[0],), key=True)
+        hint = f"as in  locations: {{{keys[0]}: {{x: 5.0, y: 2.0, yaw: 0.0}}}}"
+        message = "the places stand at the top, and belong below 'locations'"
+        return Problem(message, source.file, place.line, place.column, place.source, hint)
+    if len(keys) == 1 and isinstance(source.data[keys[0]], dict) and did_you_mean(keys[0], ["locations"]) is None:
+        place = source.place((keys[0],), key=True)
+        message = f"unknown key {keys[0]!r}: places are listed below 'locations'"
+        return Problem(message, source.file, place.line, place.column, place.source, "write locations: in its place")
+    return None
+
+
+def _like_a_pose(value: Any) -> bool:
+    if isinstance(value, list):
+        return len(value) in (2, 3) and all(isinstance(number, int | float) for number in value)
+    return isinstance(value, dict) and "x" in value and "y" in value
 
 
 def _lines(source: YamlSource, path: YamlPath, pose: dict[str, Any]) -> Iterator[int]:
@@ -246,7 +283,7 @@ def _schema() -> dict[str, Any]:
 
 
 def _doubts(places: LocationMap) -> Iterator[Problem]:
-    """Names that will hardly ever be understood as a place, and angles that look like degrees."""
+    """Names that will hardly ever be understood as a place."""
     from intent_engine.language.loading.grammar_file import default_operators, phrase
 
     operators = default_operators("en")
@@ -267,6 +304,3 @@ def _doubts(places: LocationMap) -> Iterator[Problem]:
             elif all(word.isdigit() for word in name_words(spoken)):
                 hint = 'a number alone is easily taken for a distance; say what it is, as "bay 3"'
                 yield Problem(f"{spoken!r}, a name of {name!r}, is only a number", file, hint=hint)
-        if abs(place.yaw) > _WHOLE_TURN:
-            hint = f"yaw is in rad; {place.yaw:g} degrees are {math.radians(place.yaw):.4f} rad"
-            yield Problem(f"yaw of {name!r} is more than a whole turn: {place.yaw:g}", file, hint=hint)

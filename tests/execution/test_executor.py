@@ -368,6 +368,22 @@ def test_what_is_no_action_is_a_type_error_and_moves_nothing(stage, wrong):
     assert s.robot.written == []
 
 
+def test_a_stop_stops_though_what_follows_is_no_action(stage):
+    s = stage()
+    (goal,) = s.executor.submit(FORWARD)
+    s.clock.advance(1.0)
+    with pytest.raises(TypeError, match="submit takes actions"):
+        s.executor.submit([Stop(), "go"])
+    assert goal.reason is Reason.STOP
+    assert s.robot.written[-1].linear == 0
+
+
+@pytest.mark.parametrize(("name", "handler"), [("wave", None), ("wave", "wave"), (5, print), (print, "wave")])
+def test_a_handler_is_a_name_and_a_function(stage, name, handler):
+    with pytest.raises(TypeError, match="register takes a name and a function"):
+        stage().executor.register(name, handler)
+
+
 def test_a_goal_can_be_awaited():
     async def drive():
         with Executor(SimulatedRobot(), clock=MonotonicClock(), handle_sigterm=False) as executor:

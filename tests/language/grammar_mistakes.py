@@ -208,6 +208,33 @@ MISTAKES: dict[str, str | bytes] = {
     "a misspelt result of an example": wave("sentences: [wave]", "examples:", "  - 'do not wave': rejcted"),
     "an example with a slot that there is not": wave("sentences: [wave]", "examples:", "  - wave: {person: me}"),
     "an example of two sentences": wave("sentences: [wave]", "examples:", "  - {wave: {}, bow: {}}"),
+    # -- what beginners of YAML write
+    "an apostrophe between single quotes": wave("sentences:", "  - 'don't bow'"),
+    "words behind a quote": wave("sentences:", '  - "wave" now'),
+    "a quote that is closed by that of the next line": wave("sentences:", '  - "wave at me', '  - "wave"'),
+    "a backslash between double quotes": wave('regex: "wave \\d+"'),
+    "a slot alone": wave("sentences:", "  - {person}"),
+    "an optional alone": wave("sentences:", "  - [please]", "  - wave"),
+    "a star alone": wave("sentences:", "  - *"),
+    "a dash without a blank": wave("sentences:", "  -wave", "  -bow"),
+    "a colon without a blank": "language:en\nintents:\n  wave: {action: custom, sentences: [wave]}\n",
+    "a blank that is no space": wave("sentences: [wave]").replace("    action", "\u00a0\u00a0\u00a0\u00a0action"),
+    "a key that is indented less than its neighbours": wave("sentences: [wave]").replace("    sent", "   sent"),
+    "a key of an intent beside the intent": wave("sentences: [wave]").replace("    sent", "  sent"),
+    "an intent beside the intents": "language: en\nintents:\nwave:\n  action: custom\n  sentences: [wave]\n",
+    "a slot beside the slots": "language: en\nslots:\nway: {type: distance}\n" + wave("sentences: [wave]")[13:],
+    "intents as a list": "language: en\nintents:\n  - name: wave\n    action: custom\n",
+    "a confidence in percent": wave("sentences: [wave]", "min_confidence: 70"),
+    # -- what other programs call it
+    "a whole number by its name in Python": slot("int"),
+    "a fraction by its name in Python": slot("float"),
+    "a list of values by another name": slot("enum"),
+    "a turn by another name": wave("sentences: [spin]").replace("{type: custom, name: wave}", "rotate"),
+    # -- numbers that are never meant
+    "degrees without their unit": slot("{type: angle, max: 90}"),
+    "a slot of the action, misspelt": wave("sentences: [wave]", before="slots:\n  person: text\n").replace(
+        "name: wave}", "name: wave, who: '{persn}'}"
+    ),
     # -- many at once
     "everything at once": move("defaults: {sped: 1}", "examples:", "  - yes", sentence="'go {driection} (now'").replace(
         "max: 1 m/s", "max: 1 m"

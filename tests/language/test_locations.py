@@ -120,12 +120,29 @@ def test_everything_wrong_with_a_dictionary_is_told_at_once():
 
 
 def test_names_that_will_be_taken_for_orders_are_warned_of():
-    places = LocationMap.from_mapping(
-        {"stop": (1, 2), "no": (1, 2), "7": (1, 2), "east": (1, 2, 90.0), "bus stop": (1, 2)}
-    )
+    places = LocationMap.from_mapping({"stop": (1, 2), "no": (1, 2), "7": (1, 2), "bus stop": (1, 2)})
     messages = [warning.message for warning in places.warnings]
-    assert [message.split("'")[1] for message in messages] == ["stop", "no", "7", "east"]
-    assert "rad" in str(places.warnings[3].hint)
+    assert [message.split("'")[1] for message in messages] == ["stop", "no", "7"]
+
+
+@pytest.mark.parametrize("yaw", [90.0, -90.0, 360.0, 6.3])
+def test_a_yaw_of_more_than_a_turn_is_degrees_and_refused_in_every_form(tmp_path, yaw):
+    rad = f"{math.radians(yaw):.4f}"
+    for name, text in {
+        "quick.yaml": f"locations:\n  east: {{x: 1, y: 2, yaw: {yaw}}}\n",
+        "slow.yaml": f'locations: {{"east": {{"x": 1, "y": 2, "yaw": {yaw}}}}}\n',
+        "map.csv": f"name,x,y,yaw\neast,1,2,{yaw}\n",
+    }.items():
+        (tmp_path / name).write_text(text)
+        with pytest.raises(ConfigError, match=f"degrees are {rad}"):
+            load(tmp_path / name)
+    with pytest.raises(ConfigError, match=f"degrees are {rad}"):
+        LocationMap.from_mapping({"east": (1, 2, yaw)})
+
+
+def test_a_yaw_of_a_whole_turn_may_be_rounded_up(tmp_path):
+    (tmp_path / "map.yaml").write_text("locations:\n  east: {x: 1, y: 2, yaw: -6.2832}\n")
+    assert load(tmp_path / "map.yaml")["east"].yaw == -6.2832
 
 
 def test_a_map_is_a_mapping_of_frozen_places():

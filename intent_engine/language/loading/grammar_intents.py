@@ -20,6 +20,7 @@ from intent_engine.language.grammar import (
     Slot,
 )
 from intent_engine.language.loading.grammar_parts import PartReader
+from intent_engine.language.loading.other_words import ACTIONS, meant
 from intent_engine.language.loading.yaml_source import YamlPath
 from intent_engine.language.template_tree import Node, references
 
@@ -142,7 +143,8 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
         return ActionSpec("custom", name)
     if isinstance(spec, str):
         if spec not in ACTION_PARAMETERS:
-            near = did_you_mean(spec, ACTION_PARAMETERS) or f"one of: {', '.join(ACTION_PARAMETERS)};"
+            near = meant(spec, ACTIONS, ACTION_PARAMETERS)
+            near = f"{near};" if near and not near.endswith("?") else near or f"one of: {', '.join(ACTION_PARAMETERS)};"
             own = f" for your own: action: {{type: custom, name: {spec}}}" if spec.isidentifier() else ""
             source.problem(path, f"no action is called {spec!r}", near + own)
             parts.draft.partial.add(name)

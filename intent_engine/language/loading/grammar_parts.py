@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from intent_engine.errors import Problem
-from intent_engine.hints import did_you_mean
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot, problem_at
+from intent_engine.language.loading.other_words import TYPES, meant
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.template import TemplateError, parse_template
@@ -40,7 +41,8 @@ _UNITS: Mapping[str, str] = {
 USUAL_WORDS, MOST_WORDS = 4, 12
 """Words of a text, where its slot says no number; and of one that is dictated, in a sentence of several commands."""
 MANY = 10
-"""From here on a plain number for a percentage is hardly meant as it is written: 80 would be 8,000 percent."""
+"""From here on a plain number for a percentage or an angle is hardly meant as it is written: 80 would be 8,000
+percent, and 90, in rad, fourteen turns."""
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
@@ -159,7 +161,7 @@ class PartReader:
             return None
         kind = str(spec.get("type", "choice" if "values" in spec else ""))
         if kind not in SLOT_TYPES:
-            hint = did_you_mean(kind, SLOT_TYPES) or f"the types are {', '.join(SLOT_TYPES)}"
+            hint = meant(kind, TYPES, SLOT_TYPES) or f"the types are {', '.join(SLOT_TYPES)}"
             message = f"slot {name!r} has no type that is known: {kind!r}" if kind else f"slot {name!r} needs a type"
             source.problem(path, message, hint)
             return None
@@ -276,6 +278,10 @@ class PartReader:
                 message = f"{raw} is {raw * 100:,.0f} percent: a plain number is a part of one"
                 self.source.problem(path, message, f"write {raw} %", key=key)
                 return None
+            if kind == "angle" and abs(raw) >= MANY:
+                message = f"{raw} is {raw} rad, which is {abs(raw) / math.tau:.1f} turns: a plain number is in rad"
+                self.source.problem(path, message, f"write {raw} deg, or {raw} rad if you mean it", key=key)
+                return None
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
         if value is None:
@@ -289,7 +295,11 @@ class PartReader:
     def finite(self, path: YamlPath, raw: Any) -> bool:
         """Whether a value is no infinite or endless number; told if it is."""
         if isinstance(raw, (int, float)) and not -LARGEST <= raw <= LARGEST:
-            self.source.problem(path, f"{raw if isinstance(raw, float) else 'this'} is no number that a robot can use")
+            self.source.problem(
+                path,
+                f"{raw if isinstance(raw, float) else 'this'} is no number that a robot can use",
+                "leave it out if there is none",
+            )
             return False
         return True
 

@@ -145,7 +145,9 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
             if label not in labels and label not in intent.defaults and not _patterns(intent):
                 missing.add(parameter)
                 message = f"the action takes {taken}, which no sentence of {intent.name!r} has"
-                yield places.problem((*base, parameter), message, _near(label, labels) if labels else None)
+                yield places.problem(
+                    (*base, parameter), message, _near(label, labels) if labels else _takes(label, grammar)
+                )
         elif parameter == "direction":
             yield from _direction(action.type, taken, (*base, parameter), places)
     for parameter, kind in ACTION_PARAMETERS[action.type].items():
@@ -166,6 +168,10 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
                 yield from _direction(action.type, value, at, places, f" (slot {slot.name!r})")
     for sentence, own in zip(intent.all_sentences, given, strict=True):
         yield from _complete(intent, sentence, own, missing)
+
+
+def _takes(label: str, grammar: Grammar) -> str:
+    return did_you_mean(label, grammar.slots) or f"add {{{label}}} to a sentence, or write a value"
 
 
 def _a(kind: str) -> str:

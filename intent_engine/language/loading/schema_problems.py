@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable
 from functools import lru_cache
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.yaml_source import YamlSource
 
@@ -28,6 +30,8 @@ _WORDS = {
 }
 _SLIP = 70
 """Percent of the letters that a misspelt key has of the one that was meant; "small" has as many as 60 of "allow"."""
+_OF_AN_INTENT = {"action", "sentences", "examples", "defaults", "description", "then", "regex", "lark", "when"}
+"""Keys of an intent that nobody calls an intent."""
 _YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 
 
@@ -101,7 +105,9 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         yield _at(source, path, f"{name} is empty", "write something, or remove it")
     elif error.validator in ("minimum", "maximum"):
         most = "at least" if error.validator == "minimum" else "at most"
-        yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}")
+        part = error.validator == "maximum" and wanted == 1 and 1 < instance <= 100
+        less = f"it is a part of one: {instance / 100:g}" if part else None
+        yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}", less)
     elif error.validator == "exclusiveMinimum":
         yield _at(source, path, f"{name} must be more than {wanted}, not {instance}")
     else:
@@ -129,11 +135,40 @@ def _bare_values(path: tuple[Any, ...], instance: dict[Any, Any], schema: Any) -
 
 def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schema: Any) -> Problem:
     key, known = str(path[-1]), list(schema.get("properties", ()))
-    near = did_you_mean(key, known)
+    section = _section_of(instance[key], known)
+    if section is not None and len(path) == 1:
+        message = f"{key!r} stands beside {section!r}, and belongs below it"
+        return _at(source, path, message, f"indent it, and all of its lines, further than {section}:", key=True)
+    if path[:1] == ("locations",):
+        if key in ("z", "roll", "pitch"):
+            return _at(source, path, f"unknown key {key!r}", "a place lies on the floor: leave it out", key=True)
+        near = meant(key, FIELDS_OF_A_PLACE, known)
+    else:
+        near = did_you_mean(key, known)
     if near is None and len(instance) == 1 and known[:1] == ["say"]:
         value = source.raw.get(path, instance[key])
+        if value == "":
+            sentence = f"{{{key}}}" if _begins(source, path[:-1], "{") else f"{key}:"
+            return _at(
+                source, path, "YAML reads this sentence as a key without a value", f'quote it: "{sentence}"', True
+            )
         return _at(source, path, "YAML reads this sentence as a key and its value", f'quote it: "{key}: {value}"', True)
     return _at(source, path, f"unknown key {key!r}", near or f"known here: {', '.join(known)}", key=True)
+
+
+def _section_of(value: Any, known: list[str]) -> str | None:
+    """The section of a grammar to which a mapping belongs by its keys; None for any other value or file."""
+    if not isinstance(value, dict) or "intents" not in known:
+        return None
+    if "action" in value or "sentences" in value:
+        return "intents"
+    return "slots" if "type" in value else None
+
+
+def _begins(source: YamlSource, path: tuple[Any, ...], sign: str) -> bool:
+    """Whether a value is written with this sign in front."""
+    place = source.place(path)
+    return place.source[place.column - 1 : place.column] == sign
 
 
 def _misspelt(strange: Any, key: str, known: list[str]) -> bool:
@@ -167,11 +202,44 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         sign = "-" if path and isinstance(path[-1], int) else ":"
         return _at(source, path, message, f'quote it: "{raw}"' if raw else f"something is missing after the {sign!r}")
     hint = "write lines of the form  key: value" if not path else None
+    if path[:1] == ("intents",) and len(path) == 2 and path[1] in _OF_AN_INTENT:
+        return _at(source, path, f"{name} stands where an intent's name stands", "indent it below the intent", key=True)
+    if path[:1] == ("locations",) and (pose := _pose(path, instance)) is not None:
+        hint = pose
+    elif "string" in wanted and _begins(source, path, "[") and isinstance(path[-1], int):
+        hint = f'quote it: "[{", ".join(map(str, instance))}]"'
+    elif "object" in wanted and isinstance(instance, list) and path:
+        hint = "write each as a line  name: ...  without a '-' or brackets"
     if raw == "":
         hint = "something is missing after the ':'"
+    elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
+        hint = "a blank belongs behind each '-'"
     elif "array" in wanted and isinstance(instance, str):
         hint = f"write it as a list: [{instance}]" if len(instance) < 30 else "write each on a line that begins with -"
     return _at(source, path, message, hint)
+
+
+def _pose(path: tuple[Any, ...], instance: Any) -> str | None:
+    """What to write for a pose, or a number of one, that is in another form: ``[5.0, 2.0, 0.0]``, ``90 deg``."""
+    if len(path) == 3 and isinstance(instance, str):
+        degrees = (
+            re.fullmatch(r"\s*([-+]?[0-9.]+)\s*(?:°|deg|degs|degrees?)\s*", instance) if path[2] == "yaw" else None
+        )
+        if degrees is not None:
+            return f"in rad, without a unit: {math.radians(float(degrees[1])):.4f}"
+        return "a plain number, in " + ("rad" if path[2] == "yaw" else "m")
+    numbers = (
+        instance
+        if isinstance(instance, list)
+        else re.findall(r"[^\s(),]+", instance)
+        if isinstance(instance, str)
+        else ()
+    )
+    if len(path) != 2 or len(numbers) not in (2, 3):
+        return None
+    return (
+        "write {" + ", ".join(f"{key}: {value}" for key, value in zip(("x", "y", "yaw"), numbers, strict=False)) + "}"
+    )
 
 
 def _at(source: YamlSource, path: tuple[Any, ...], message: str, hint: str | None = None, key: bool = False) -> Problem:

@@ -95,7 +95,8 @@ def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the 
             return source
         text = file.read_text("utf-8-sig")
     except FileNotFoundError:
-        near = did_you_mean(file.name, (other.name for other in _neighbours(file)))
+        alike = [other.name for other in _neighbours(file) if did_you_mean(file.stem, [other.stem])]
+        near = did_you_mean(file.name, alike)
         source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
         return source
     except IsADirectoryError:
@@ -190,12 +191,20 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     what = str(error.problem or error.context)
     message = f"is not valid YAML: {what}"
     indent = shown[: len(shown) - len(shown.lstrip())]
+    if (other := _spoilt_before(source.lines, line)) is not None:
+        return Problem(other[1], source.file, other[0] + 1, None, source.lines[other[0]], other[2])
     if "\t" in indent:
         message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"
     elif "another document" in what:
         message, hint = "a second document begins here", "remove the ---; write a second file and include: it"
     elif "undefined alias" in what:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
+    elif "unknown escape" in what:
+        hint = "write it in single quotes: between double ones YAML reads \\ as the beginning of a sign"
+    elif (quoted := _after_a_quote(shown, column)) is not None:
+        hint = quoted
+    elif column == len(indent) and re.search("expected (?:'-'|key|<block end>)", what):
+        hint = "check that this line is indented like its neighbours"
     elif opened is not None and _BARE_IN_A_LIST.search(shown[: column + 1]):
         hint = "quote a sentence that holds { or ["
     elif opened is not None and what.startswith("did not find expected ',' or"):
@@ -208,11 +217,41 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         hint = "quote a sentence that begins with { or ["
     elif "mapping values are not allowed" in what:
         hint = "quote text that holds ': ', and check that this line is indented like its neighbours"
-    elif re.search(r"[:-]\s+[%@`]", shown):
+    elif re.search(r"[:-]\s+[%@`*&]", shown):
         hint = "quote text that begins with this character"
     elif "could not find expected ':'" in what or "expected <block end>" in what or "block mapping" in what:
         hint = "check that this line is indented like its neighbours, and that quotes are closed"
     return Problem(message, source.file, line + 1, column + 1, shown, hint)
+
+
+def _spoilt_before(lines: list[str], line: int) -> tuple[int, str, str] | None:
+    """A line, up to the one at which the parser gave up, with a blank that is none, or none behind its first ':';
+    what is wrong with it, and what to do."""
+    for at in range(line, max(line - 3, -1), -1):
+        shown = lines[at] if at < len(lines) else ""
+        lead = shown[: len(shown) - len(shown.lstrip())]
+        if strange := next((sign for sign in lead if sign not in " \t"), None):
+            return at, f"a blank of this line is no space, but U+{ord(strange):04X}", "type its blanks anew"
+        if re.match(r"\s*[a-z_]+:[^\s:/]", shown):
+            return (
+                at,
+                "is not valid YAML: no blank stands behind this ':'",
+                f"write {shown.strip().replace(':', ': ', 1)}",
+            )
+    return None
+
+
+def _after_a_quote(shown: str, column: int) -> str | None:
+    """What to do about words behind a quote that is closed; None if there is none in front of a column."""
+    before = shown[:column].rstrip()
+    quote = before[-1:]
+    if quote not in ("'", '"') or not quote:
+        return None
+    if before.count(quote) % 2:
+        return "this quote closes one that is opened further up: close that on its own line"
+    if quote == "'":
+        return "the text ends at its second '; write an apostrophe in double quotes: \"don't\""
+    return "put all of the text between the quotes"
 
 
 class _Earlier(str):

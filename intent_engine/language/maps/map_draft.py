@@ -10,13 +10,15 @@ from numbers import Real
 from typing import Any
 
 from intent_engine.errors import Problem
-from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.name_words import name_words
 
 __all__ = ["DEFAULT_FRAME", "Draft", "Location", "Row", "checked"]
 
 DEFAULT_FRAME = "map"
 """The fixed frame of a map (REP 105)."""
+WHOLE_TURN = math.tau + 1e-3
+"""rad; nobody writes more for the way a robot looks, but many write degrees."""
 FIELDS = ("x", "y", "yaw", "frame", "aliases", "tags")
 
 Teller = Callable[[str, str, str | None], Problem]
@@ -100,7 +102,7 @@ def _place(row: Row, frame: str, problems: list[Problem]) -> Location | None:
     before = len(problems)
     for key in values:
         if key not in FIELDS:
-            hint = did_you_mean(str(key), FIELDS) or f"known here: {', '.join(FIELDS)}"
+            hint = meant(str(key), FIELDS_OF_A_PLACE, FIELDS) or f"known here: {', '.join(FIELDS)}"
             problems.append(row.tell(str(key), f"place {row.name!r} has an unknown key {str(key)!r}", hint))
     pose = []
     for key in ("x", "y", "yaw"):
@@ -112,6 +114,11 @@ def _place(row: Row, frame: str, problems: list[Problem]) -> Location | None:
         if number is None:
             message = f"{key} of {row.name!r} must be a finite number, not {reprlib.repr(value)}"
             problems.append(row.tell(key, message, "poses are finite numbers, x, y in m and yaw in rad"))
+            continue
+        if key == "yaw" and abs(number) > WHOLE_TURN:
+            message = f"yaw of {row.name!r} is more than a whole turn: {number:g} rad"
+            hint = f"yaw is in rad; {number:g} degrees are {math.radians(number):.4f}"
+            problems.append(row.tell(key, message, hint))
             continue
         pose.append(number)
     its_frame = values.get("frame", frame)

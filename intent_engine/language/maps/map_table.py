@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import Problem
-from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.maps.map_draft import FIELDS, Draft, Row
 
 __all__ = ["read_table"]
@@ -39,14 +39,24 @@ def read_table(path: Path, text: str) -> Draft:
     top, header = rows[0]
     columns = [cell.strip().lower() for cell in header]
     missing = [column for column in ("name", "x", "y") if column not in columns]
+    if missing and len(columns) == 1 and ";" in columns[0]:
+        draft.problems.append(
+            problem("has its columns parted by ';'", top, 1, "part them by ',', and write 5.5 for 5,5")
+        )
+        return draft
     if missing:
         draft.problems.append(problem(f"has no column {' or '.join(missing)}", top, 1, _HINT))
         return draft
     for column in columns:
         if column not in COLUMNS or columns.count(column) > 1:
             what = "stands twice" if column in COLUMNS else "is not known"
-            draft.problems.append(problem(f"column {column!r} {what}", top, 1, did_you_mean(column, COLUMNS) or _HINT))
+            hint = meant(column, FIELDS_OF_A_PLACE, COLUMNS) or _HINT
+            draft.problems.append(problem(f"column {column!r} {what}", top, 1, hint))
             return draft
+    if len(rows) == 1:
+        draft.problems.append(
+            problem("has no place below its header", top, 1, "add a line for each: kitchen,5.0,2.0,0.0")
+        )
     found: list[Row] = []
     for line, cells in rows[1:]:
         if len(cells) > len(columns):

@@ -172,3 +172,11 @@ def test_a_file_that_cannot_be_had(tmp_path):
     assert (problem.message, problem.hint) == ("no such file", "did you mean 'grammar.yaml'?")
     (problem,) = read_yaml(tmp_path).problems
     assert problem.message == "is a folder, not a file"
+
+
+def test_an_ending_alone_makes_no_file_the_one_that_was_meant(tmp_path):
+    (tmp_path / "wave.yaml").write_text("a: 1\n", "utf-8")
+    (problem,) = read_yaml(tmp_path / "nowhere.yaml").problems
+    assert problem.hint == "give the path of a YAML file"
+    (problem,) = read_yaml(tmp_path / "wav.yaml").problems
+    assert problem.hint == "did you mean 'wave.yaml'?"

@@ -38,6 +38,29 @@ MISTAKES = {
     ),
     "aliases as text": ("locations:\n  hall: {x: 1, y: 2, aliases: foyer}\n", ["2:31 'aliases' must be a list"]),
     "a list": ("locations:\n- hall\n", ["2:1 'locations' must be a mapping"]),
+    "the tutorial's tuple": (
+        "locations:\n  hall: [5.0, 2.0, 0.5]\n",
+        ["2:9 'hall' must be a mapping (key: value) (write {x: 5.0, y: 2.0, yaw: 0.5})"],
+    ),
+    "the same as Python has it": (
+        "locations:\n  hall: (5.0, 2.0)\n",
+        ["2:9 'hall' must be a mapping (key: value) (write {x: 5.0, y: 2.0})"],
+    ),
+    "the tutorial's dictionary": (
+        '{"hall": [5.0, 2.0, 0.0], "lab": {"x": 1, "y": 2}}',
+        ["1:2 the places stand at the top, and belong below 'locations' (as in  locations: {hall: {x"],
+    ),
+    "another name for locations": ("places:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'places': places are listed"]),
+    "locations in capitals": ("LOCATIONS:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'LOCATIONS' (did you mean 'loc"]),
+    "the picture of a map": ("image: map.pgm\nresolution: 0.05\norigin: [-1, -1, 0]\n", ["is the picture of a floor"]),
+    "units": (
+        "locations:\n  hall: {x: 1 m, y: 2, yaw: 90 deg}\n",
+        ["2:13 'x' must be a number (a plain number, in m)", "2:29 'yaw' must be a number (in rad, without a unit"],
+    ),
+    "other words for the fields": (
+        "locations:\n  hall: {x: 1, y: 2, z: 0}\n  lab: {x: 1, y: 2, theta: 0}\n",
+        ["2:22 unknown key 'z' (a place lies on the floor", "3:21 unknown key 'theta' (that is yaw, in rad)"],
+    ),
     "empty": ("", ["is empty"]),
     "several at once": (
         "frame: 5\nlocations:\n  hall: {x: 1}\n  lab: {x: .nan, y: 2}\n  c: {x: 1, y: 2, yow: 3}\n  off: {x: 1, y: 2}",
@@ -56,6 +79,9 @@ def test_mistakes_in_yaml(tmp_path, case):
 
 
 CSV_MISTAKES = {
+    "semicolons": ("name;x;y\nhall;5,5;2\n", ["1:1 has its columns parted by ';' (part them by ','"]),
+    "degrees": ("name,x,y,yaw_deg\nhall,1,2,90\n", ["1:1 column 'yaw_deg' is not known (that is yaw, in rad: 90"]),
+    "a header alone": ("name,x,y\n", ["1:1 has no place below its header"]),
     "no number": ("name,x,y\nhall,five,2\n", ["2:6 x of 'hall' must be a finite number, not 'five'"]),
     "nan": ("name,x,y\nhall,1,nan\n", ["2:8 y of 'hall' must be a finite number, not nan"]),
     "missing": ("name,x,y\nhall,1\n", ["2:1 place 'hall' needs 'y'"]),

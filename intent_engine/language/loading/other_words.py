@@ -1,0 +1,42 @@
+"""What other programs call the types of slots, the actions and the fields of a place, and their names here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from intent_engine.hints import did_you_mean
+
+__all__ = ["ACTIONS", "FIELDS_OF_A_PLACE", "TYPES", "meant"]
+
+TYPES: Mapping[str, str] = {
+    **dict.fromkeys(("int", "integer", "count"), "number, with whole: true"),
+    **dict.fromkeys(("float", "double", "real", "decimal"), "number"),
+    **dict.fromkeys(("str", "string", "word", "words", "any"), "text"),
+    **dict.fromkeys(("list", "enum", "literal", "options", "color", "colour"), "choice, with values: [one, another]"),
+    **dict.fromkeys(("place", "waypoint", "room", "pose"), "location"),
+    **dict.fromkeys(("length", "meters", "metres"), "distance"),
+    **dict.fromkeys(("time", "seconds"), "duration"),
+    **dict.fromkeys(("velocity", "linear_velocity"), "speed"),
+    **dict.fromkeys(("angular_velocity", "turn_speed"), "angular_speed"),
+    **dict.fromkeys(("degrees", "yaw", "rotation"), "angle"),
+    "bool": "boolean",
+}
+ACTIONS: Mapping[str, str] = {
+    **dict.fromkeys(("drive", "go", "cmd_vel", "forward", "backward"), "move"),
+    **dict.fromkeys(("rotate", "spin", "left", "right"), "turn"),
+    **dict.fromkeys(("goto", "go_to", "navigation", "navigate_to_pose", "nav2"), "navigate"),
+    **dict.fromkeys(("grab", "grasp", "take", "pick_up"), "pick"),
+    **dict.fromkeys(("put", "drop", "put_down"), "place"),
+    **dict.fromkeys(("halt", "cancel", "emergency_stop"), "stop"),
+}
+FIELDS_OF_A_PLACE: Mapping[str, str] = {
+    **dict.fromkeys(("theta", "heading", "angle", "th", "yaw_rad"), "yaw, in rad"),
+    **dict.fromkeys(("yaw_deg", "degrees", "deg", "theta_deg"), "yaw, in rad: 90 degrees are 1.5708"),
+    **dict.fromkeys(("frame_id",), "frame"),
+}
+
+
+def meant(word: str, others: Mapping[str, str], known: Iterable[str]) -> str | None:
+    """A hint what an unknown word is called here, or which known one is spelled like it; None if none is."""
+    other = others.get(word.lower())
+    return f"that is {other}" if other else did_you_mean(word, known)
