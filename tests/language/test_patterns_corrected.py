@@ -41,6 +41,11 @@ def engine(engine_of) -> IntentEngine:
         ("refill bin b 12 with apples, no, pears", "refill bin b 12 with pears"),
         ("refill bin b 12 with apples, sorry, with pears", "refill bin b 12 with pears"),
         ("scan code a 12, no, b 13", "scan code b 13"),
+        ("refill b 12, no, 13 with apples", "refill b 13 with apples"),
+        ("refill b twelve, no, thirteen with apples", "refill b 13 with apples"),
+        ("refill b, no, c 12", "refill c 12"),
+        ("refill b 12, no, c 13", "refill c 13"),
+        ("refill b 12 with apples, no, c 13 with pears", "refill c 13 with pears"),
         ("refill b 12, no, scan code b 13", "scan code b 13"),
         ("refill b 12, no, wave twice", "wave twice"),
         ("wave twice, no, refill b 12", "refill b 12"),
@@ -71,3 +76,24 @@ def test_the_last_number_counts(engine, old, new, shelf, corrects):
         engine.parse(f"refill {shelf} {old}, {corrects}, {new}").actions
         == engine.parse(f"refill {shelf} {new}").actions
     )
+
+
+@given(
+    st.sampled_from("abc"),
+    st.tuples(st.integers(1, 40), st.integers(1, 40)),
+    st.tuples(st.sampled_from(("apples", "pears")), st.sampled_from(("apples", "pears"))),
+    st.sampled_from(("refill {s} {n}, no, {m} with {f}", "refill {s} {n} with {f}, no, {m} with {g}")),
+)
+def test_a_pattern_is_corrected_as_the_template_that_says_the_same(both, shelf, bins, fruits, said):
+    written, templated = both
+    text = said.format(s=shelf, n=bins[0], m=bins[1], f=fruits[0], g=fruits[1])
+    found, other = (engine.parse(text) for engine in (written, templated))
+    assert found.slots == other.slots
+    assert bool(found.actions) == bool(other.actions)
+
+
+@pytest.fixture(scope="module")
+def both(engine_of) -> tuple[IntentEngine, IntentEngine]:
+    head, _, rest = GRAMMAR.partition("    regex:")
+    template = '    sentences: ["refill [bin] {shelf} {bin} [with {fruit}]"]\n' + rest.partition("\n")[2]
+    return engine_of(GRAMMAR), engine_of(head + template)

@@ -114,7 +114,7 @@ class Replacements:
         begins = [place for place in range(1, len(said)) if said[place] == meant[0] and place not in held]
         for at, after in [(begin, end) for begin in begins for end in range(begin + 1, len(said) + 1)]:
             words = said[:at] + meant + said[after:]
-            reading = next(iter(self._matcher.read(words)), None)
+            reading = next(iter(self._commands.readings(words)), None)
             if reading is None or reading.problem or any(slot.slot.type in _FREE for slot in reading.slots):
                 continue
             stop, moved = at + len(meant), at + len(meant) - after
@@ -141,7 +141,7 @@ class Replacements:
         """
         found: dict[tuple[Any, ...], _Stretch] = {}
         for length in range(1, len(meant)):
-            begun = next(iter(self._matcher.read(said + meant[length:])), None)
+            begun = next(iter(self._commands.readings(said + meant[length:])), None)
             if begun is None or begun.problem:
                 continue
             spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
@@ -152,7 +152,7 @@ class Replacements:
                     continue
                 for at in beginnings(said, meant[:length], slot.start):
                     words = said[:at] + meant
-                    reading = next(iter(self._matcher.read(words)), None)
+                    reading = next(iter(self._commands.readings(words)), None)
                     if reading is None or reading.problem or reading.intent is not begun.intent:
                         continue
                     if not same_but(begun, spoken[index:], len(said), reading, at, at + length):
@@ -191,7 +191,7 @@ class Replacements:
             edges = itertools.product(beginnings(said, meant, run[0].start), ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
-                reading = next(iter(self._matcher.read(words, after=before)), None)
+                reading = next(iter(self._commands.readings(words, before)), None)
                 if reading is None or reading.problem or reading.intent is not first.intent:
                     continue
                 stop = at + len(meant)
