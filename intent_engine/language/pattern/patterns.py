@@ -18,6 +18,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar, Intent, Sentence
 from intent_engine.language.loading.grammar_parts import Places
+from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.pattern.pattern_tree import Part, UnsayableError
 from intent_engine.language.template_tree import Word
@@ -34,7 +35,8 @@ MAX_LARK_WORDS = 40
 """Words that a Lark grammar is tried on: an ambiguous one costs the cube of the length."""
 PROBES = ("", "qwx", "qwx vbn", "qwx vbn zrt", "vbn zrt plk qwx djf")
 """What nobody says. A pattern that fits one of these fits everything, and a robot would act on any noise."""
-
+_BEGIN_NUMBERS = frozenset(("a", "an", "zero"))
+"""Words with which numbers begin that are no cardinals by themselves: "a hundred", "a dozen"."""
 
 _Span: TypeAlias = tuple[int, int]
 """Where what a slot holds begins in a text, and where it ends."""
@@ -108,6 +110,22 @@ def _decimals(words: Sequence[str]) -> list[str]:
             found[-2:] = [f"{found[-2]}.{word}"]
         else:
             found.append(word)
+    return found
+
+
+def _in_figures(words: Sequence[str]) -> list[str]:
+    """Words with those English numbers in figures that are no whole cardinal: "2.5" for "two and a half", "100" for "a
+    hundred", "0" for "zero"."""
+    found: list[str] = []
+    at = 0
+    while at < len(words):
+        value, end = next(english.numbers_at(words, at), (0.0, at))
+        if end > at and (words[at] in _BEGIN_NUMBERS or not value.is_integer()):
+            found.append(f"{value:.12g}")
+            at = end
+        else:
+            found.append(words[at])
+            at += 1
     return found
 
 
@@ -223,8 +241,9 @@ class Patterns:
         """Words as they are; in English also with their numbers in digits, and in words."""
         yield words
         if self._grammar.language == "en":
-            for other in (_decimals(in_digits(words)), in_words(words)):
-                if other != words:
+            digits = _decimals(in_digits(words))
+            for other in (digits, in_words(words), _decimals(in_digits(_in_figures(words)))):
+                if other != words and (other is digits or other != digits):
                     yield other
 
     def _changing(self, words: list[str]) -> set[int]:

@@ -217,3 +217,37 @@ def test_what_was_heard_otherwise_is_told_with_its_own_words(tmp_path, text, hea
     assert found.reason.startswith(f"heard {heard!r} as")
     (slot,) = found.slots.values()
     assert slot in ("kitchen", "forward")
+
+
+NUMBERS = """
+language: en
+slots: {level: {type: percent, max: 100 %}, cue: {type: number, max: 200}}
+intents:
+  dim: {action: custom, regex: "dim to (?P<level>\\\\d+(?:\\\\.\\\\d+)? percent)"}
+  run:
+    action: custom
+    lark: |
+      start: "run cue " cue
+      cue: /\\d+(\\.\\d+)?/
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("dim to zero percent", {"level": 0.0}),
+        ("dim to a hundred percent", {"level": 1.0}),
+        ("dim to twelve and a half percent", {"level": 0.125}),
+        ("run cue two and a half", {"cue": 2.5}),
+        ("run cue a hundred and five", {"cue": 105.0}),
+    ],
+)
+def test_figures_of_a_pattern_are_said_in_words_of_every_kind(engine_of, said, slots):
+    assert engine_of(NUMBERS).parse(said).slots == slots
+
+
+@pytest.mark.parametrize(
+    "said", ["dim to a hundred and one percent", "dim to a percent", "run cue five ten", "run cue a"]
+)
+def test_what_is_no_number_or_too_much_fits_no_figures(engine_of, said):
+    assert not engine_of(NUMBERS).parse(said).actions
