@@ -1,6 +1,6 @@
-"""English words that are mostly said as one: "what is" and "what's", "I would" and "I'd".
+"""Words that are shortened beside others: "what's" of "what is", "d'un mètre" of "de un mètre".
 
-Without its apostrophe, as all words are here. None that denies is among them: "don't" is for
+Without their apostrophe, as all words are here. None that denies is among them: "don't" is for
 :mod:`~intent_engine.language.meaning.negation`.
 """
 
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-__all__ = ["apart", "together"]
+__all__ = ["apart", "in_full", "together"]
 
 _PRONOUNS = frozenset(
     ("i", "you", "he", "she", "it", "we", "they", "that", "there", "this", "who", "what", "where", "when", "how")
@@ -24,6 +24,24 @@ _ENDINGS: Mapping[str, tuple[str, frozenset[str] | None]] = {
 """What is left of the second word, and the words after which it is so; None: any ("the music's too loud")."""
 _OTHERS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))
 """Other words, which are said as often."""
+
+_ELIDED: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    "fr": {
+        "c": ("ce",), "d": ("de",), "j": ("je",), "jusqu": ("jusque",), "l": ("le", "la"), "m": ("me",), "qu": ("que",),
+        "s": ("se",), "t": ("te",),
+    },
+    "it": {
+        "all": ("allo", "alla"), "c": ("ci",), "d": ("di",), "dall": ("dallo", "dalla"), "dell": ("dello", "della"),
+        "l": ("lo", "la"), "m": ("mi",), "nell": ("nello", "nella"), "quell": ("quello", "quella"),
+        "sull": ("sullo", "sulla"), "t": ("ti",), "un": ("una",), "v": ("vi",),
+    },
+}  # fmt: skip
+"""What is written before a vowel, and the words that it may be there."""
+
+
+def in_full(word: str, language: str) -> tuple[str, ...]:
+    """The words that a normalised one may be short for before a vowel: "le" and "la" of "l"."""
+    return _ELIDED.get(language, {}).get(word, ())
 
 
 def together(first: str, second: str) -> str | None:

@@ -296,6 +296,8 @@ class Grammar:
     """What may be dictated though it is nothing but fillers: "say hello"."""
     hesitations: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which something may be said anew: "left, uh, right"."""
+    ways_back: tuple[tuple[str, ...], ...] = ()
+    """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

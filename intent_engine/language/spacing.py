@@ -10,7 +10,7 @@ from functools import cached_property
 from itertools import permutations
 from typing import TypeAlias
 
-from intent_engine.language.contractions import apart, together
+from intent_engine.language.contractions import apart, in_full, together
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.utterance import Utterance
@@ -21,6 +21,8 @@ __all__ = ["Spacing"]
 LEAST_LETTERS = 2
 """Of a part: "alight" is no "a light"."""
 
+_VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü")
+"""What a word may begin with before which others are shortened."""
 
 _Words: TypeAlias = frozenset[str]
 _Ends: TypeAlias = tuple[_Words, _Words, bool]
@@ -40,7 +42,7 @@ class Spacing:
         A word that the grammar does not have is parted where two of its words follow each other, and two words become
         one that it has. None that changes what is meant ("not") is part of it.
         """
-        words, breaks = list(said.words), list(said.breaks)
+        words, breaks = self._unelided(said.words), list(said.breaks)
         for place in range(len(words) - 1, -1, -1):
             if (parts := self._parted(words[place], words[place + 1 :])) is not None:
                 words[place : place + 1] = parts
@@ -51,6 +53,16 @@ class Spacing:
                 words[place : place + 2] = [one]
                 del breaks[place + 1]
         return Utterance(words, breaks) if words != said.words else None
+
+    def _unelided(self, words: list[str]) -> list[str]:
+        """Words before a vowel as the grammar has them, in full: of "le" and "la" the one that may follow there."""
+        full = list(words)
+        for place, word in enumerate(words[:-1]):
+            known = [one for one in in_full(word, self._grammar.language) if one in self._words]
+            follows = [one for one in known if place and self._follow(full[place - 1], one)]
+            if known and words[place + 1][0] in _VOWELS:
+                full[place] = (follows or known)[0]
+        return full
 
     def _parted(self, word: str, after: list[str]) -> tuple[str, str] | None:
         """The two words that a word is in the grammar."""

@@ -84,3 +84,38 @@ def test_a_thing_is_called_as_it_is_written(engine):
 )  # fmt: skip
 def test_what_is_no_command(engine, said):
     assert engine.parse(said).actions == ()
+
+
+SPELLED_OUT = """
+language: {language}
+slots:
+  distance: {{type: distance, max: 20 m}}
+  thing: object
+intents:
+  go: {{action: custom, sentences: ["{go}"]}}
+  take: {{action: custom, sentences: ["{take}"]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "go", "take", "said", "slots"),
+    [
+        ("fr", "avance [de] {distance}", "prends (le|la|les) {thing}", "avance d'un mètre", {"distance": 1.0}),
+        ("fr", "avance [de] {distance}", "prends (le|la|les) {thing}", "prends l'assiette", {"thing": "assiette"}),
+        ("fr", "avance [de] {distance}", "prends (le|la|les) {thing}", "prends l’échelle", {"thing": "échelle"}),
+        ("it", "vai avanti di {distance}", "prendi (lo|la|il) {thing}", "vai avanti d'un metro", {"distance": 1.0}),
+        ("it", "vai avanti di {distance}", "prendi (lo|la|il) {thing}", "prendi l'acqua", {"thing": "acqua"}),
+    ],
+)
+def test_words_written_in_full_are_understood_shortened(
+    engine_of, language: str, go: str, take: str, said: str, slots: dict[str, object]
+) -> None:
+    found = engine_of(SPELLED_OUT.format(language=language, go=go, take=take)).parse(said)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert found.slots == slots
+
+
+def test_before_a_consonant_nothing_is_short_for_anything(engine_of) -> None:
+    engine = engine_of(SPELLED_OUT.format(language="fr", go="avance [de] {distance}", take="prends (le|la) {thing}"))
+    for said in ("avance d trois mètres", "prends l verre"):
+        assert not engine.parse(said).actions, said

@@ -46,7 +46,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER, AROUND, GREETING, HESITATION = "filler", "around", "greeting", "hesitation"
+FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -60,7 +60,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION)
+    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -92,6 +92,11 @@ def default_greetings(language: str) -> tuple[str, ...]:
 def default_hesitations(language: str) -> tuple[str, ...]:
     """Sounds that people make while they think what to say: "uh"."""
     return _language_words(language).get(HESITATION, ())
+
+
+def default_ways_back(language: str) -> tuple[str, ...]:
+    """Words that are backward, or the way back to where one came from: "back"."""
+    return _language_words(language).get(WAY_BACK, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -294,6 +299,7 @@ class _Builder:
             around=self._said(default_around(self.language)) if self.fillers is None else (),
             greetings=self._said(default_greetings(self.language)),
             hesitations=self._said(default_hesitations(self.language)),
+            ways_back=self._said(default_ways_back(self.language)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Move, Navigate, Stop
 from intent_engine.language.action_builder import names_taken
 from intent_engine.language.meaning.command import Clause, Commands, described
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance import PhraseSet, Utterance
 
 __all__ = ["MAX_PARTS", "Compounds"]
 
@@ -30,6 +30,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
+        self._ways_back = PhraseSet(commands.matcher.grammar.ways_back)
 
     @step(Kind.COMMAND)
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
@@ -96,6 +97,8 @@ class Compounds:
                         onward = rest(after, depth + 1, name, after > end)
                     if onward is None and after == end:
                         onward = rest(after, depth + 1, "")
+                    if onward is not None:
+                        onward = self._unless_the_way_back(clause, onward)
                     later = onward is not None and _goes_on(onward[0])
                     if onward is not None and not later and not self._phrases.says_later(words[end:after]):
                         onward = self._unless_for_both(clause, onward)
@@ -151,6 +154,18 @@ class Compounds:
         reason = f"{' '.join(other.words[last.start :])!r} may be meant for both; say each command in full"
         return [Clause(one, reason=reason, alternatives=meanings, ambiguous=True)]
 
+    def _unless_the_way_back(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
+        """What goes on from a command, unless that went somewhere and what follows ends with "back" and says no more:
+        backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward."""
+        one, other = clause.reading, onward[0].reading
+        if one is None or other is None or not self._ways_back.ends(other.words):
+            return onward
+        if not _goes_somewhere(clause) or not isinstance(onward[0].action, Move) or _goes_somewhere(onward[0]):
+            return onward
+        either = (f"{described(one)}, then {described(other)}", f"{described(one)}, then the way back")
+        reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
+        return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
+
     def _goes_on_from(self, clause: Clause) -> str:
         """The intent of a command, if there are parts that go on from it; else nothing."""
         name = clause.reading.intent.name if clause.reading is not None else ""
@@ -200,6 +215,14 @@ def _goes_on(clause: Clause) -> bool:
     """Whether a command is one only behind another."""
     reading = clause.reading
     return reading is not None and any(reading.sentence is one for one in reading.intent.then)
+
+
+def _goes_somewhere(clause: Clause) -> bool:
+    """Whether a command has an end that one can come back from: a place, or how far it goes."""
+    if isinstance(clause.action, Navigate):
+        return True
+    slots = clause.reading.slots if clause.reading is not None else ()
+    return isinstance(clause.action, Move) and any(slot.slot.type in ("distance", "duration") for slot in slots)
 
 
 def _of_one_kind(clause: Clause, onward: Clause) -> bool:
