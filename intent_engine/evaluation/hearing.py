@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from intent_engine.actions import Action
+from intent_engine.actions import Action, Custom
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import Clock, VirtualClock
 from intent_engine.execution.executor import Executor
@@ -145,6 +145,7 @@ class Listener:
                 on_event=tell,
                 state=lambda: self._states,
             )
+            executor.register("custom", _done)  # whoever has a grammar of his own carries its actions out
             runtime.run(source)
 
 
@@ -167,6 +168,10 @@ class _Timed:
 
     def close(self) -> None:
         self._reflex.close()
+
+
+def _done(action: Custom) -> None:
+    """An action of the user's own, done at once."""
 
 
 def _next_frame(time: float) -> float:

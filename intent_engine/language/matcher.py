@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart
+from intent_engine.language.alternative_slots import alternatives
 from intent_engine.language.automaton import SOUND, Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
@@ -74,6 +76,7 @@ class Matcher:
             if intent.then
         }
         """By intent: what may follow a command of it and a joint; strictly, and loosely."""
+        self._alternatives_of: dict[int, Mapping[tuple[str, str], tuple[tuple[str, str], ...]]] = {}
 
     @cached_property
     def _alikes(self) -> Mapping[str, tuple[str, ...]]:
@@ -246,6 +249,8 @@ class Matcher:
             if not (_cut_off(trace, words) or _leads_to_a_number(trace, words, language))
         ]
         readings = [self._reading(trace, words) for trace in traces]
+        if loose:
+            readings = [way for reading in readings for way in self._otherwise(reading)]
         if len(readings) > 1:
             readings.sort(key=_preference)
         return readings
@@ -296,6 +301,27 @@ class Matcher:
         if len(slots) > 1:
             slots = numbers_apart(slots, heard, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
+
+    def _otherwise(self, reading: Reading) -> Iterator[Reading]:
+        """A reading; and with it those in which a name is one of another slot in the same place, unless it is exactly
+        one of its own. Of two slots that may hold the same words the automaton keeps the first."""
+        yield reading
+        for place, slot in enumerate(reading.slots):
+            if slot.status == "exact":
+                continue
+            for label, name in self._alternatives(reading.sentence).get((slot.label, slot.slot.name), ()):
+                other = self.grammar.slots[name]
+                if other.fuzzy and other.type in ("location", "choice"):
+                    read = self.values.read(other, label, list(reading.words), slot.start, slot.end, None, True)
+                    if not read.problem or read.status == "ambiguous":
+                        yield replace(reading, slots=(*reading.slots[:place], read, *reading.slots[place + 1 :]))
+
+    def _alternatives(self, sentence: Sentence) -> Mapping[tuple[str, str], tuple[tuple[str, str], ...]]:
+        found = self._alternatives_of.get(id(sentence))
+        if found is None:
+            found = alternatives(sentence.template, self.grammar.phrases)
+            self._alternatives_of[id(sentence)] = found
+        return found
 
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import soundfile
+from continuing_stage import Script, Voiced
 
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
@@ -13,7 +14,7 @@ from intent_engine.evaluation.scoring import Condition, Verdict
 from intent_engine.evaluation.sound import Noise, SamplesSource, load
 from intent_engine.evaluation.trial import Trial, scores
 from intent_engine.execution.robots.robot_file import load_robot
-from intent_engine.speech.audio import FRAME_SECONDS
+from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
 DECODE = 0.4
@@ -107,3 +108,18 @@ def test_a_robot_may_be_in_a_state_all_the_time(engine_of, rows, robot, states, 
     dock = engine_of("intents: {leave: {action: stop, requires: [docked], sentences: [let us leave]}}")
     listener = Listener(dock, Scripted("let us leave"), robot, states=states)
     assert bool(listener.hear(SamplesSource(load(rows[2]))).acts) is done
+
+
+TWO_PLACES = """
+language: en
+slots: {room: [hall, office]}
+intents:
+  go: {action: custom, sentences: ["go to the {room}"], then: ["to the {room}"]}
+"""
+
+
+def test_actions_of_the_users_own_are_done_and_may_be_gone_on_from(engine_of, robot):
+    script = Script("go to the hall", "and then to the office", "go to the hall and then to the office")
+    listener = Listener(engine_of(TWO_PLACES), script, robot, voice=Voiced((0.5, 0.9), (1.2, 2.1)))
+    hearing = listener.hear(SamplesSource(np.zeros(int(4.0 * SAMPLE_RATE), np.float32)))
+    assert [action.slots["room"] for action in hearing.acts[-1].meaning.actions] == ["hall", "office"]
