@@ -10,7 +10,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-__all__ = ["homophones"]
+__all__ = ["LETTERS_BY_SOUND", "homophones"]
+
+LETTERS_BY_SOUND = {
+    "eh": "a", "hey": "a", "be": "b", "bee": "b", "see": "c", "sea": "c", "dee": "d", "eff": "f", "gee": "g",
+    "eye": "i", "jay": "j", "kay": "k", "el": "l", "ell": "l", "em": "m", "en": "n", "owe": "o", "pea": "p",
+    "pee": "p", "queue": "q", "cue": "q", "are": "r", "ess": "s", "tea": "t", "tee": "t", "you": "u", "ex": "x",
+    "why": "y", "zed": "z", "zee": "z",
+}  # fmt: skip
+"""What is written for a letter that was said: "well bee two", "aisle see"."""
 
 _ENGLISH = """
 add ad; aeroplane airplane; aid aide; air heir; aisle isle; aisles isles; allowed aloud; altar alter; aluminum

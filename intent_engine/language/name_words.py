@@ -11,6 +11,7 @@ import itertools
 import re
 from collections.abc import Iterator, Sequence
 
+from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers import english
 
@@ -40,18 +41,12 @@ _NUMBER_ALIKES = {
     "for": "four", "fore": "four", "fife": "five", "sicks": "six", "sex": "six", "ate": "eight", "hate": "eight",
     "nein": "nine", "tin": "ten",
 }  # fmt: skip
-_LETTER_ALIKES = {
-    "eh": "a", "hey": "a", "be": "b", "bee": "b", "see": "c", "sea": "c", "dee": "d", "eff": "f", "gee": "g",
-    "eye": "i", "jay": "j", "kay": "k", "el": "l", "ell": "l", "em": "m", "en": "n", "owe": "o", "pea": "p",
-    "pee": "p", "queue": "q", "cue": "q", "are": "r", "ess": "s", "tea": "t", "tee": "t", "you": "u", "ex": "x",
-    "why": "y", "zed": "z", "zee": "z",
-}  # fmt: skip
 _SPELLING_ALPHABET = (
     "alpha bravo charlie delta echo foxtrot golf hotel india juliet kilo lima mike november oscar papa quebec romeo "
     "sierra tango uniform victor whiskey xray yankee zulu"
 )
 ALIKES: dict[str, str] = {
-    **_LETTER_ALIKES,
+    **LETTERS_BY_SOUND,
     **{word: word[0] for word in (*_SPELLING_ALPHABET.split(), "alfa", "juliett", "whisky")},
     **_NUMBER_ALIKES,
 }

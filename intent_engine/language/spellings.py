@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.homophones import homophones
+from intent_engine.language.homophones import LETTERS_BY_SOUND, homophones
 from intent_engine.language.numbers.units import SIGNS, units
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
@@ -62,6 +62,9 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
     own = own_words(grammar)
     said = {**homophones(grammar.language), **_SCALES, **_of_signs(grammar.language)}
     found = {word: tuple(filter(own.__contains__, same)) for word, same in said.items()}
+    for word, letter in LETTERS_BY_SOUND.items() if grammar.language == "en" else ():
+        if letter in own and letter != "a":  # "row b" is written as "row be"; an "a" is an article everywhere
+            found[word] = (*found.get(word, ()), letter)
     return {word: same for word, same in found.items() if same}
 
 

@@ -177,3 +177,35 @@ def test_a_sign_is_its_word_in_any_language(engine_of, grammar, said, slots):
     """Recognisers write "90 °C" and "50%", whatever unit the author of a grammar counts with a plain number."""
     (action,) = engine_of(grammar).parse(said).actions
     assert action.slots == slots
+
+
+WELLS = """
+language: en
+slots:
+  row: [A, B, C, T]
+  column: {type: number, min: 1, max: 12, whole: true}
+intents:
+  fill: {action: custom, sentences: ["fill well {row} {column}", "show row {row}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("fill well be too", {"row": "B", "column": 2}),
+        ("fill well-see one", {"row": "C", "column": 1}),
+        ("fill well sea four", {"row": "C", "column": 4}),
+        ("fill well tea 12", {"row": "T", "column": 12}),
+        ("show row bee", {"row": "B"}),
+        ("fill well a one", {"row": "A", "column": 1}),
+    ],
+)
+def test_a_letter_is_what_is_written_for_it(engine_of, said: str, slots: dict[str, object]) -> None:
+    found = engine_of(WELLS).parse(said)
+    assert found.status is Status.ACCEPTED, found.reason
+    assert found.slots == slots
+
+
+@pytest.mark.parametrize("said", ["show row you", "show row are", "show row why", "fill well dee one"])
+def test_letters_that_a_grammar_does_not_have_are_none(engine_of, said: str) -> None:
+    assert not engine_of(WELLS).parse(said).actions
