@@ -91,7 +91,10 @@ class Corrections:
             wanted_without = self._is_what_is_had(said, meant, piece.words) or (
                 not opens and self._is_a_free_thing(meant, piece.words, before)
             )
-            if denies and wanted_without:
+            if denies and meant == piece.words and self._is_said_again(said, meant, state):
+                reason = f"'{denies}' before what was said already may forbid it; say it once"
+                return Clause(reason=reason, alternatives=(" ".join(meant),), ambiguous=True)
+            if denies == _NONE_OF and wanted_without:
                 either = (" ".join(meant), " ".join(said))
                 reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
                 return Clause(reason=reason, alternatives=either, ambiguous=True)
@@ -155,6 +158,15 @@ class Corrections:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
 
+    def _is_said_again(self, said: list[str], meant: list[str], state: Collection[str]) -> bool:
+        """Whether ``meant`` is the very command that was said, from its verb on: "go forward no go forward" corrects
+        nothing, and "no go forward" may forbid."""
+        one, other = self._commands.exact(said, state), self._commands.exact(meant, state)
+        if one is None or other is None or one.reading is None or other.reading is None:
+            return False
+        same = one.action == other.action and one.reading.intent is other.reading.intent
+        return other.accepted and same and self._commands.opens_with_a_verb(other.reading)
+
     def _is_a_free_thing(self, words: list[str], meant: list[str], before: str) -> bool:
         """Whether ``meant`` has become free words, or begins with them: "cook pasta, no cheese" is as likely without.
         Nothing tells that it excludes what was said, as one value of a list does another, and a place or a number."""
@@ -183,10 +195,10 @@ class Corrections:
         known = thing_words(self._matcher.grammar.language)
         return meant[0] in known.articles | known.having or self._matcher.is_number(meant[0])
 
-    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, bool]]:
-        """What stands between the words of correction, and whether it follows a "no" in one breath."""
+    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, str]]:
+        """What stands between the words of correction, each with the "no" that it follows in one breath, if it does."""
         start = position = 0
-        denies = False
+        denies = ""
         while position < len(part):
             length = self._correction.at(part.words, position)
             if length and position == 0 and self._begins_a_sentence(part, length):
@@ -197,9 +209,10 @@ class Corrections:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position), denies
-                denies = part.words[position : position + length] == [_NONE_OF]
+                denies = part.words[position] if length == 1 and part.words[position] in _MAY_FORBID else ""
                 start = position = position + length
-                denies = denies and not self._pause_after(part, start)
+                if self._pause_after(part, start):
+                    denies = ""
             else:
                 position += 1
         yield part.part(start, len(part)), denies
