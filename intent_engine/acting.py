@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from typing import Any
 
-from intent_engine.actions import Action
 from intent_engine.continuing import Continuing, Understood
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
@@ -16,6 +15,7 @@ from intent_engine.heard import HeardKind, Summary, Tell
 from intent_engine.holding import Holding
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
+from intent_engine.language.references import Before
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
 __all__ = ["Acting"]
@@ -53,7 +53,7 @@ class Acting:
         self._base = 0.0
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
-        self.last: tuple[Action, ...] = ()
+        self.last: Before = ()
         """What was last understood, for words that point back to it."""
 
     def begin(self, base: float) -> None:
@@ -111,7 +111,7 @@ class Acting:
         self._holding.release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
-        self.last = meaning.actions
+        self.last = meaning
         goals = self._submit(understood, utterance)
         self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
 

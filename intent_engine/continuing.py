@@ -16,12 +16,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from intent_engine.actions import Action
 from intent_engine.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
+from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
@@ -106,7 +106,7 @@ class Continuing:
         self._said = self._stopped = self._missed = None
 
     def heard_with(
-        self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action], *, held: bool = False
+        self, utterance: SpokenUtterance, state: Collection[str], last: Before, *, held: bool = False
     ) -> Samples | None:
         """The sound together with which an utterance is to be heard anew, since it is no command by itself, or was
         hardly heard as one; None: there is none, or it has been already.
@@ -129,7 +129,7 @@ class Continuing:
         sure = alone.status is Status.ACCEPTED and (alone.stops or clearly)
         return None if sure else said.sound
 
-    def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
+    def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
         """What an utterance means that was decoded, by itself or together with the command before. Nothing, if it goes
         on ("and go to the kitchen") from what was not understood just before: that may have had to be done first."""
         found = self._meant(utterance, state, last)
@@ -142,7 +142,7 @@ class Continuing:
         self._missed = None if said else utterance.last_voice
         return found
 
-    def _meant(self, utterance: SpokenUtterance, state: Collection[str], last: Sequence[Action]) -> Understood:
+    def _meant(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
         heard, alone = utterance.result, utterance.alone
         assert heard is not None
         said = self._before(utterance)

@@ -10,7 +10,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from intent_engine.actions import Action, actions_of
+from intent_engine.actions import actions_of
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
@@ -20,7 +20,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.nearest import Nearest
-from intent_engine.language.references import resolve
+from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import Utterance, plain
 from intent_engine.language_tag import language_of
 from intent_engine.needs import MOVING
@@ -232,7 +232,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
-        last: Sequence[Action] | Action | None = None,
+        last: Before | None = None,
     ) -> Interpretation:
         """What a text means. Never raises on text; the same text gives the same interpretation.
 
@@ -242,8 +242,9 @@ class IntentEngine:
                 every utterance that begins with a stop word a stop). A text is the one state of that name.
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one.
-            last: the actions of the utterance before, which "again" and "it" point to, or the one that it was; empty
-                if there was none; None: not known, then such words are left as they are.
+            last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
+                states in which that could not be said. Or only its actions, or the one that it was: then nobody asks.
+                Empty if there was none; None: not known, then such words are left as they are.
 
         Raises:
             TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
@@ -259,7 +260,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
-        last: Sequence[Action] | Action | None = None,
+        last: Before | None = None,
     ) -> Explanation:
         """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
         from intent_engine.language.explain import Witness
@@ -327,11 +328,14 @@ def _understood(
     text: str,
     state: Collection[str],
     spoken: bool,
-    last: Sequence[Action] | Action | None,
+    last: Before | None,
 ) -> tuple[Interpretation, _Parser]:
     """What a text means, with what it points back to, and the parser that says so."""
     if isinstance(state, str):  # each of its letters would be a state, and "moving" none of them
         state = (state,)
+    asked = last.needs if isinstance(last, Interpretation) else ()
+    if isinstance(last, Interpretation):
+        last = last.actions
     before = None if last is None else actions_of("last", last)
     parser = parsers[0]
     try:
@@ -342,7 +346,7 @@ def _understood(
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
     if before is not None or len(found.actions) > 1:
-        found = resolve(found, before, parser.matcher.grammar.operators.pronoun)
+        found = resolve(found, before, parser.matcher.grammar.operators.pronoun, asked, state)
     return found, parser
 
 

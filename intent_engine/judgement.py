@@ -11,13 +11,14 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from intent_engine.actions import Action, Move, Turn
+from intent_engine.actions import Move, Turn
 from intent_engine.amending import can_be_amended
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent
 from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.references import Before
 from intent_engine.language.utterance import PhraseSet, plain
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.hypotheses.corrections import as_meant
@@ -83,7 +84,7 @@ class Judge:
         self.continuing = continuing
 
     def outlook(
-        self, transcript: Transcript, state: Collection[str], last: Sequence[Action]
+        self, transcript: Transcript, state: Collection[str], last: Before
     ) -> tuple[Interpretation | None, Outlook]:
         """What the words so far mean, and whether more can be expected."""
         if not transcript.text:
@@ -127,7 +128,7 @@ class Judge:
     def _grammar(self, transcript: Transcript) -> Grammar:
         return self.engine.matcher(self._language(transcript)).grammar
 
-    def meaning(self, transcript: Transcript, state: Collection[str], last: Sequence[Action]) -> Interpretation:
+    def meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:
         """What a transcript means; nothing, where it is too unlike what was heard."""
         language = self._language(transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
@@ -151,7 +152,7 @@ class Judge:
         return meaning
 
     def _with_reason(
-        self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Sequence[Action]
+        self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Before
     ) -> Interpretation:
         """What is refused, for the reason that the words heard have when they are typed, if they clearly name a place
         that is not on the map: of "go to the moon" the nearest command tells nothing. It stays refused."""

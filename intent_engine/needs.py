@@ -28,6 +28,10 @@ class Needs:
             return f"{self.intent} cannot be done while the robot is {' and '.join(sorted(present))}"
         return ""
 
+    def joined(self, other: Needs) -> Needs:
+        """What both ask, in the name of this one."""
+        return Needs(self.intent, self.requires | other.requires, self.excludes | other.excludes)
+
     def guard(self, state: Callable[[], Collection[str]]) -> Callable[[], str] | None:
         """What tells, whenever it is called, why it cannot be done now; None: there is nothing to ask.
 

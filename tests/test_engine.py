@@ -91,7 +91,7 @@ def test_what_is_no_action_cannot_be_done_again(engine, text, last, instead):
     with pytest.raises(TypeError, match=f"^last takes actions .*{instead}"):
         engine.parse(text, last=last)
     with pytest.raises(TypeError, match=r"^last takes actions .*: give its \.actions"):
-        engine.parse(text, last=engine.parse("turn left"))
+        engine.parse(text, last=[engine.parse("turn left")])
 
 
 @pytest.mark.parametrize("given", [None, 5, b"en", {"language": "en"}, [5], [None]], ids=repr)

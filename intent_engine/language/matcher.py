@@ -14,7 +14,7 @@ from intent_engine.language.automaton import SOUND, Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
-from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.network import NAMED, Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
@@ -246,7 +246,11 @@ class Matcher:
         traces = [
             trace
             for trace in automaton.read(words)
-            if not (_cut_off(trace, words) or _leads_to_a_number(trace, words, language))
+            if not (
+                _cut_off(trace, words)
+                or _leads_to_a_number(trace, words, language)
+                or _names_no_number(trace, words, language)
+            )
         ]
         readings = [self._reading(trace, words) for trace in traces]
         if loose:
@@ -344,6 +348,23 @@ def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> boo
         and is_number(words[position], language)
         for position, mark in trace
     )
+
+
+def _names_no_number(trace: Trace, words: Sequence[str], language: str) -> bool:
+    """Whether what stands for the number of a name is not one whole number that is said as it is: "drawer 7 and 8",
+    "drawer 7.5", "drawer minus seven". No drawer is called so, and the first of two is not the one that is meant."""
+    begin = 0
+    heard: list[str] = []
+    for position, mark in trace:
+        if mark[:2] == ("open", NAMED):
+            begin, heard = position, [*words]
+        elif mark[0] == "alike" and heard:
+            heard[position - 1] = mark[1]
+        elif mark == ("close", NAMED):
+            number = quantities.evaluate(heard[begin:position], "number", language)
+            if not (isinstance(number, float) and number >= 0 and number.is_integer()):
+                return True
+    return False
 
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:

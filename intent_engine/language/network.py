@@ -13,10 +13,12 @@ from typing import Any, TypeAlias
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
-__all__ = ["NEVER", "Call", "Edge", "Network", "Networks", "State"]
+__all__ = ["NAMED", "NEVER", "Call", "Edge", "Network", "Networks", "State"]
 
 NEVER = "\0never"
 """A word that nobody says: where a language has nothing that may stand there."""
+NAMED = ("named",)
+"""The mark of a number that is a part of a name, without being a slot: "drawer 7"."""
 
 
 Name: TypeAlias = tuple[tuple[str, ...], str]

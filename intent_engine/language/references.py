@@ -7,11 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from intent_engine.actions import Action, Custom, Move, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.needs import Needs
 
-__all__ = ["AGAIN", "resolve"]
+__all__ = ["AGAIN", "Before", "resolve"]
+
+Before: TypeAlias = Interpretation | Sequence[Action] | Action
+"""What was done before: as it was understood, with what its intents ask of the states of the robot, or its actions."""
 
 AGAIN = "again"
 """Name of the custom action that repeats the last one, ``scale`` times as far."""
@@ -21,7 +26,11 @@ NOTHING_DONE = "nothing was done yet that could be done again"
 
 
 def resolve(
-    found: Interpretation, last: Sequence[Action] | None, pronouns: Collection[tuple[str, ...]]
+    found: Interpretation,
+    last: Sequence[Action] | None,
+    pronouns: Collection[tuple[str, ...]],
+    asked: Sequence[Needs] = (),
+    state: Collection[str] = (),
 ) -> Interpretation:
     """An interpretation with what it points back to put in.
 
@@ -30,20 +39,26 @@ def resolve(
         last: the actions of the utterance before, empty if there was none; None if that is not known: then words
             that point out of the utterance are left as they are.
         pronouns: words for a thing that was named before.
+        asked: what each of the actions of ``last`` asks of the states of the robot; empty if that is not known.
+        state: those in which it is.
 
     Returns:
-        The same object if nothing points back. Rejected if something does and there is nothing to point at.
+        The same object if nothing points back. Rejected if something does and there is nothing to point at, or what it
+        points at cannot be done in these states.
     """
     if not found.actions:
         return found
     before = last[-1] if last else None
+    needed = asked[-1] if last and len(asked) == len(last) else None
     things = {" ".join(words) for words in pronouns}
     thing = _thing(before, things)
     named = list(dict.fromkeys(one for action in last or () if (one := _thing(action, things)) is not None))
     actions: list[Action] = []
+    needs = list(found.needs)
     changed = False
-    for action in found.actions:
+    for place, action in enumerate(found.actions):
         meant = action
+        own = needs[place] if len(needs) == len(found.actions) else None
         if isinstance(action, Custom) and action.name == AGAIN:
             if before is None and last is not None:
                 return _rejected(found, NOTHING_DONE)
@@ -52,17 +67,21 @@ def resolve(
                 if repeated is None:
                     return _rejected(found, f"{_name(before)} is not something to do a little more of")
                 meant = repeated
+                if needed is not None and (unmet := needed.unmet(state)):
+                    return _rejected(found, unmet)
+                if needed is not None and own is not None:
+                    own = needs[place] = needed.joined(own)
         elif thing is not None:
             meant = _with_thing(action, thing, things)
             if meant is not action and len(named) > 1 and not SEVERAL.isdisjoint(_objects(action)):
                 return _rejected(found, f"more than one thing was named: {', '.join(named)}; say what to do with each")
         changed = changed or meant is not action
         actions.append(meant)
-        before = meant
+        before, needed = meant, own
         thing = _thing(meant, things) or thing
         if thing is not None and thing not in named:
             named.append(thing)
-    return replace(found, actions=tuple(actions)) if changed else found
+    return replace(found, actions=tuple(actions), needs=tuple(needs)) if changed else found
 
 
 def _again(action: Action, scale: object) -> Action | None:

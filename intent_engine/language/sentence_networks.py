@@ -10,7 +10,7 @@ from intent_engine.language import quantities
 from intent_engine.language.automaton import SOUND
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Sentence, Slot
-from intent_engine.language.network import NEVER, Call, Networks
+from intent_engine.language.network import NAMED, NEVER, Call, Networks
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.digit_by_digit import template_of
 from intent_engine.language.numbers.spelled import number_otherwise
@@ -161,7 +161,7 @@ class SentenceNetworks:
         return numbers_either_way(node) if self._grammar.language == "en" else node
 
     def _scope(self, node: Node) -> dict[str, Call]:
-        scope = {"#": Call("quantity:number")}  # a numeral in a template of the file may be said in words
+        scope = {"#": Call("quantity:number", NAMED)}  # a numeral in a template of the file may be said in words
         for reference in references(node):
             name, label = reference.name, reference.label
             slot = self._grammar.slots.get(name)

@@ -34,7 +34,7 @@ class Noise(StrEnum):
     NEGATION = "negation"
     """A word that negates, before or in the sentence. Nothing may move."""
     CORRECTION = "correction"
-    """A value or the whole command said again, after "no" or "I mean". The last word counts."""
+    """A value said again, or a command of another intent, after "no" or "I mean". The last word counts."""
 
 
 CONTRACTED = {("do", "not"): "don't", ("should", "not"): "shouldn't", ("can", "not"): "can't"}

@@ -98,9 +98,13 @@ class ReferenceMatcher:
         found: dict[int, set[Slots]] = {}
         for number, ways in enumerate(self.sentences):
             for way in ways:
-                if len(way.pieces) == len(words) and self._begins(way, words):
+                if self._is(way, words) and _named_by_whole_numbers(way, words):
                     found.setdefault(number, set()).add(self._slots(way, words))
         return found
+
+    def ends(self, words: list[str]) -> bool:
+        """Whether the words are a sentence, whatever its numbers are."""
+        return any(self._is(way, words) for ways in self.sentences for way in ways)
 
     def begins(self, words: list[str]) -> bool:
         """Whether any sentence begins with the words."""
@@ -120,6 +124,9 @@ class ReferenceMatcher:
         )
 
     # -- how ----------------------------------------------------------------------------------------------------
+
+    def _is(self, way: Way, words: list[str]) -> bool:
+        return len(way.pieces) == len(words) and self._begins(way, words)
 
     def _begins(self, way: Way, words: list[str]) -> bool:
         return len(words) <= len(way.pieces) and all(
@@ -184,3 +191,8 @@ class ReferenceMatcher:
         for value, node in slot.values:
             for way in self._ways(node):
                 yield Way(way.pieces, (Hole(label, 0, len(way.pieces), value),))
+
+
+def _named_by_whole_numbers(way: Way, words: list[str]) -> bool:
+    """Whether no number of a name is a part of one, or below zero."""
+    return all(word.isdigit() for piece, word in zip(way.pieces, words, strict=True) if piece.numeral)

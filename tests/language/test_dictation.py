@@ -161,6 +161,35 @@ def test_a_greeting_may_be_dictated(notes, said, text):
 
 
 @pytest.mark.parametrize(
+    ("said", "text"),
+    [
+        ("note hello, goodbye", "hello, goodbye"),
+        ("note thank you for the music", "thank you for the music"),
+        ("note thank you, next", "thank you, next"),
+        ("note: hello, world", "hello, world"),
+        ("note: okay, computer", "okay, computer"),
+        ("please note down that thank you for the cake", "thank you for the cake"),
+        ("tell my mother that hello, it is late", "hello, it is late"),
+        ("take a note, thank you, the door is closed", "the door is closed"),
+        ("take a note, thank you so much, Anna", "thank you so much, Anna"),
+    ],
+)
+def test_a_text_that_begins_with_a_greeting_is_kept_whole(notes, said, text):
+    """After a pause it thanks whoever is to write, unless it goes on."""
+    assert text in notes.parse(said, state=["online"]).slots.values()
+
+
+GREETING = st.sampled_from(("hello", "hi", "hey", "thanks", "thank you"))
+
+
+@given(GREETING, st.sampled_from(("", ",", ".")), st.lists(st.sampled_from(("it", "fell,", "I", "x")), min_size=1))
+def test_a_greeting_in_one_breath_with_the_command_is_never_lost(notes, greeting, pause, words):
+    text = f"{greeting}{pause} {' '.join(words)} x"
+    assert notes.parse(f"write down that {text}").slots == {"note": text}
+    assert notes.parse(f"go back 20 cm and write down that {text}").slots["steps"][1]["slots"] == {"note": text}
+
+
+@pytest.mark.parametrize(
     "said", ["note, thanks", "take a note please", "take a note, thank you", "note now", "note uh"]
 )
 def test_what_goes_with_a_command_is_nothing_to_dictate(notes, said):

@@ -36,6 +36,25 @@ def radio(engine_of) -> IntentEngine:
     return engine_of(RADIO)
 
 
+DRAWERS = """
+language: en
+slots:
+  ward: {type: choice, values: {ward: "ward {#}", dock: "dock {#} b"}}
+intents:
+  open:
+    action: custom
+    sentences: ["open drawer {#}"]
+    then: ["drawer {#}"]
+  show: {action: custom, sentences: ["show {ward}"]}
+"""
+SCHUBLADEN = "language: de\nintents:\n  auf: {action: custom, sentences: ['öffne schublade {#}']}\n"
+
+
+@pytest.fixture(scope="module")
+def drawers(engine_of) -> IntentEngine:
+    return engine_of(DRAWERS)
+
+
 @pytest.fixture(scope="module")
 def places() -> IntentEngine:
     return IntentEngine.from_files("grammars/en.yaml", locations=MAP)
@@ -141,3 +160,52 @@ def test_another_number_is_another_place(places: IntentEngine, text: str) -> Non
 def test_a_template_without_numbers_that_are_said_is_left_as_it_is(text: str) -> None:
     node = parse_template(text)
     assert template_text(numbers_either_way(node)) == template_text(node)
+
+
+NAMED = st.sampled_from(("open drawer {}", "show ward {}", "show dock {} b"))
+
+
+@given(NAMED, st.integers(0, 99_999), st.booleans())
+def test_a_number_of_a_name_is_one_whole_number(drawers: IntentEngine, text: str, number: int, spoken: bool) -> None:
+    said = " ".join(in_words([str(number)])) if spoken else str(number)
+    assert len(drawers.parse(text.format(said)).actions) == 1
+
+
+@given(NAMED, st.integers(0, 999), st.integers(1, 9), st.booleans())
+def test_no_part_of_a_number_and_none_below_zero_is_one_of_a_name(
+    drawers: IntentEngine, text: str, number: int, tenths: int, spoken: bool
+) -> None:
+    whole = " ".join(in_words([str(number)])) if spoken else str(number)
+    part = f"{whole} point {in_words([str(tenths)])[0]}" if spoken else f"{whole}.{tenths}"
+    below = f"minus {whole} {in_words([str(tenths)])[0]}" if spoken else f"-{number + 1}"
+    for said in (part, below, f"{whole} and a half"):
+        assert not drawers.parse(text.format(said)).actions
+
+
+@given(st.sampled_from(("show ward {}", "show dock {} b")), st.integers(0, 99), st.integers(0, 99), st.booleans())
+def test_two_numbers_are_none_of_a_name(drawers: IntentEngine, text: str, one: int, other: int, spoken: bool) -> None:
+    pair = [" ".join(in_words([str(number)])) if spoken else str(number) for number in (one, other)]
+    assert not drawers.parse(text.format(" and ".join(pair))).actions
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        *(("open drawer 7 and 8", 0), ("open drawer seven and eight", 0), ("open drawer 100 and 5", 1)),
+        *(("open drawer 7 and drawer 8", 2), ("open drawer seven and drawer eight", 2)),
+    ],
+)
+def test_of_two_numbers_each_needs_its_name(drawers: IntentEngine, text: str, count: int) -> None:
+    assert len(drawers.parse(text).actions) == count
+
+
+def test_a_number_of_a_name_that_sounds_like_a_word_is_one(drawers: IntentEngine) -> None:
+    assert drawers.parse("show dock for b").actions
+
+
+@pytest.mark.parametrize(
+    ("said", "opens"),
+    [("7", True), ("sieben", True), ("einundzwanzig", True), ("siebeneinhalb", False), ("minus sieben", False)],
+)
+def test_it_is_one_in_any_language(engine_of, said: str, opens: bool) -> None:
+    assert bool(engine_of(SCHUBLADEN).parse(f"öffne schublade {said}").actions) is opens

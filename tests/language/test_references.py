@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine import IntentEngine
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
@@ -12,6 +14,52 @@ from intent_engine.interpretation import Status
 @pytest.fixture(scope="module")
 def engine() -> IntentEngine:
     return IntentEngine.from_files("grammars/en.yaml", locations="locations/home.yaml")
+
+
+GREETER = """
+language: en
+include: [en]
+intents:
+  wave: {action: custom, excludes: [docked], sentences: [wave]}
+  bow: {action: custom, requires: [seen, awake], sentences: [bow]}
+  shout: {action: custom, excludes: [moving], sentences: [shout]}
+  repeat: {action: {type: custom, name: again}, requires: [asked], sentences: ["as I said"]}
+"""
+STATES = st.frozensets(st.sampled_from(("docked", "seen", "awake", "moving", "asked")))
+
+
+@pytest.fixture(scope="module")
+def greeter(engine_of) -> IntentEngine:
+    return engine_of(GREETER)
+
+
+@given(st.sampled_from(("wave", "bow", "shout", "turn left")), STATES, STATES, st.sampled_from(("again", "as I said")))
+def test_again_needs_what_the_command_needs_that_it_repeats(
+    greeter: IntentEngine, command: str, before: frozenset[str], state: frozenset[str], again: str
+) -> None:
+    last, anew = greeter.parse(command, state=before), greeter.parse(command, state=state)
+    repeated = greeter.parse(again, state=state, last=last)
+    if last.actions and (again == "again" or "asked" in state):
+        assert (repeated.actions, repeated.reason) == (anew.actions, anew.reason)
+        assert greeter.parse("again", state=state, last=repeated).actions == anew.actions, "and so does another one"
+    else:
+        assert not repeated.actions
+
+
+@given(STATES)
+def test_a_repetition_is_asked_again_when_its_turn_comes(greeter: IntentEngine, state: frozenset[str]) -> None:
+    """For what its command needs, and for what it needs itself."""
+    both = greeter.parse("wave and then as I said", state=["asked"])
+    assert [action.name for action in both.actions] == ["wave", "wave"]
+    first, second = (guard is not None and guard() for guard in both.guards(lambda: state))
+    assert bool(first) == ("docked" in state)
+    assert bool(second) == ("docked" in state or "asked" not in state)
+
+
+def test_of_mere_actions_nobody_knows_what_they_need(greeter: IntentEngine) -> None:
+    waved = greeter.parse("wave")
+    assert greeter.parse("again", state=["docked"], last=waved.actions).actions == waved.actions
+    assert not greeter.parse("again", last=greeter.parse("what a day")).actions
 
 
 LEFT = Turn(1.0, 0.5, 2.0)

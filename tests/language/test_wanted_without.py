@@ -16,10 +16,16 @@ slots:
   extra: [{", ".join(EXTRAS)}]
   count: {{type: number, whole: true}}
   topping: {{type: text, max_words: 2}}
+  dish: {{type: text, max_words: 3}}
+  guest: [Anna, Tom]
 intents:
   brew: {{action: custom, sentences: ["make me a {{drink}} [with [the] {{extra}}]"]}}
   sweeten: {{action: custom, sentences: ["sweeten it with {{count}} sugars"]}}
   bake: {{action: custom, sentences: ["bake a pizza with {{topping}}"]}}
+  cook:
+    action: custom
+    sentences: ["cook [the] {{dish}} [for {{guest}}]"]
+    then: ["the {{dish}}"]
 """
 
 
@@ -36,6 +42,12 @@ def engine(engine_of) -> IntentEngine:
         "make me a coffee with the milk, no sugar please",
         "make me a tea with milk no lemon no sugar",
         "bake a pizza with cheese, no onions",
+        "cook pasta, no cheese",
+        "cook pasta no cheese",
+        "cook the red beans, no bacon",
+        "cook the red beans, no green beans",
+        "cook pasta for Anna, no cheese",
+        "cook pasta for Anna, no rice for Tom",
     ],
 )
 def test_it_is_asked_whether_there_shall_be_none(engine: IntentEngine, said: str) -> None:
@@ -53,6 +65,12 @@ def test_it_is_asked_whether_there_shall_be_none(engine: IntentEngine, said: str
         ("make me a coffee with milk no the sugar", {"drink": "coffee", "extra": "sugar"}),
         ("make me a coffee with milk I mean sugar", {"drink": "coffee", "extra": "sugar"}),
         ("make me a coffee no tea", {"drink": "tea"}),
+        ("make me a coffee, no tea", {"drink": "tea"}),
+        ("cook pasta, no, cheese", {"dish": "cheese"}),
+        ("cook pasta, no the beans", {"dish": "beans"}),
+        ("cook the pasta, no cook cheese", {"dish": "cheese"}),
+        ("cook pasta, I mean cheese", {"dish": "cheese"}),
+        ("cook pasta for Anna, no Tom", {"dish": "pasta", "guest": "Tom"}),
         ("sweeten it with two sugars no three", {"count": 3}),
     ],
 )
@@ -66,3 +84,15 @@ def test_what_can_only_correct_does(engine: IntentEngine, said: str, slots: dict
 def test_nothing_is_brewed_with_what_may_be_unwanted(engine: IntentEngine, first: str, other: str, pause: str) -> None:
     found = engine.parse(f"make me a coffee with {first}{pause} no {other}")
     assert not found.actions or found.slots["extra"] == first
+
+
+THINGS = st.lists(st.sampled_from(("cheese", "red", "beans", "rice")), min_size=1, max_size=3).map(" ".join)
+
+
+@given(first=THINGS, other=THINGS, pause=st.sampled_from(["", ","]), article=st.sampled_from(["", "the "]))
+def test_no_free_thing_is_taken_for_another_in_one_breath_with_a_no(
+    engine: IntentEngine, first: str, other: str, pause: str, article: str
+) -> None:
+    assert engine.parse(f"cook {article}{first}{pause} no {other}").status is Status.AMBIGUOUS
+    corrected = engine.parse(f"cook {article}{first}{pause} no, {other}")
+    assert corrected.slots == {"dish": other}, corrected.reason

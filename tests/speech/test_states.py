@@ -68,6 +68,34 @@ def test_a_state_that_cannot_be_told_ends_listening(engine):
         done(engine, "wave", state=unknown)
 
 
+def test_again_is_not_done_in_a_state_that_forbids_what_it_repeats(engine_of):
+    greeter = engine_of(
+        "language: en\ninclude: [en]\nintents: {wave: {action: custom, excludes: [docked], sentences: [wave]}}\n"
+    )
+
+    def names(*docked: bool) -> list[str]:
+        """What is done of "wave", at 0.5 s, and "again", at 4 s, by a robot that may dock in between."""
+        clock = VirtualClock()
+        waved: list[str] = []
+        with Executor(SimulatedRobot(clock), clock=clock) as executor:
+            executor.register("wave", lambda action: waved.append(action.name))
+            runtime = Runtime(
+                greeter,
+                executor,
+                Says("wave", "again"),
+                voice=Voiced((0.5, 1.5), (4.0, 5.0)),
+                noise_filter=None,
+                speculate=False,
+                state=lambda: ["docked"] if docked[clock.now() > 3.0] else [],
+            )
+            runtime.run(Frames(framed(np.zeros(7 * SAMPLE_RATE, np.float32))))
+            executor.wait()
+        return waved
+
+    assert names(False, False) == ["wave", "wave"]
+    assert names(False, True) == ["wave"]
+
+
 # -- what waits its turn -----------------------------------------------------------------------------------------------
 
 LATER = f"""

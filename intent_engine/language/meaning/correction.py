@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
@@ -87,7 +88,13 @@ class Corrections:
             said, meant = current.words, replaced.words
             if leaves_one_of_two(said, meant, piece.words, lambda words: self._commands.readings(words, before)):
                 return None
-            if denies and self._is_what_is_had(said, meant, piece.words):
+            wanted_without = self._is_what_is_had(said, meant, piece.words) or (
+                not opens and self._is_a_free_thing(meant, piece.words, before)
+            )
+            if denies and meant == piece.words and self._is_said_again(said, meant, state):
+                reason = f"'{denies}' before what was said already may forbid it; say it once"
+                return Clause(reason=reason, alternatives=(" ".join(meant),), ambiguous=True)
+            if denies == _NONE_OF and wanted_without:
                 either = (" ".join(meant), " ".join(said))
                 reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
                 return Clause(reason=reason, alternatives=either, ambiguous=True)
@@ -151,25 +158,47 @@ class Corrections:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
 
+    def _is_said_again(self, said: list[str], meant: list[str], state: Collection[str]) -> bool:
+        """Whether ``meant`` is the very command that was said, from its verb on: "go forward no go forward" corrects
+        nothing, and "no go forward" may forbid."""
+        one, other = self._commands.exact(said, state), self._commands.exact(meant, state)
+        if one is None or other is None or one.reading is None or other.reading is None:
+            return False
+        same = one.action == other.action and one.reading.intent is other.reading.intent
+        return other.accepted and same and self._commands.opens_with_a_verb(other.reading)
+
+    def _is_a_free_thing(self, words: list[str], meant: list[str], before: str) -> bool:
+        """Whether ``meant`` has become free words, or begins with them: "cook pasta, no cheese" is as likely without.
+        Nothing tells that it excludes what was said, as one value of a list does another, and a place or a number."""
+        if words == meant or self._corrects(meant):
+            return False
+        reading = next(iter(self._commands.readings(words, before)), None)
+        free = [slot.start for slot in reading.slots if slot.slot.type in FREE_KINDS] if reading is not None else []
+        return any(words[at : at + len(meant)] == meant for at in free)
+
     def _is_what_is_had(self, said: list[str], words: list[str], meant: list[str]) -> bool:
         """Whether ``meant`` has become what something is to be *with*: "with milk, no sugar" is as likely without any.
 
         What begins with an article, a number or the "with" itself can only correct: "no, with sugar", "no the sugar".
         """
-        known = thing_words(self._matcher.grammar.language)
-        leading = known.articles | known.having
-        if meant[0] in leading or self._matcher.is_number(meant[0]):
+        if self._corrects(meant):
             return False
+        known = thing_words(self._matcher.grammar.language)
         both = enumerate(zip(said, words, strict=False))  # less may be left than was said: "move up", no, "move"
         at = next((at for at, (old, new) in both if old != new), min(len(said), len(words)))
         while at and words[at - 1] in known.articles:
             at -= 1
         return at > 0 and words[at - 1] in known.having
 
-    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, bool]]:
-        """What stands between the words of correction, and whether it follows a "no" in one breath."""
+    def _corrects(self, meant: list[str]) -> bool:
+        """Whether words behind a "no" can only correct: such as begin with an article, a number or "with"."""
+        known = thing_words(self._matcher.grammar.language)
+        return meant[0] in known.articles | known.having or self._matcher.is_number(meant[0])
+
+    def _split(self, part: Utterance) -> Iterator[tuple[Utterance, str]]:
+        """What stands between the words of correction, each with the "no" that it follows in one breath, if it does."""
         start = position = 0
-        denies = False
+        denies = ""
         while position < len(part):
             length = self._correction.at(part.words, position)
             if length and position == 0 and self._begins_a_sentence(part, length):
@@ -180,9 +209,10 @@ class Corrections:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position), denies
-                denies = part.words[position : position + length] == [_NONE_OF]
+                denies = part.words[position] if length == 1 and part.words[position] in _MAY_FORBID else ""
                 start = position = position + length
-                denies = denies and not self._pause_after(part, start)
+                if self._pause_after(part, start):
+                    denies = ""
             else:
                 position += 1
         yield part.part(start, len(part)), denies

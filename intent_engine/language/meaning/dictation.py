@@ -71,7 +71,7 @@ class Dictation:
         for count in range(min(len(written) - 1, LONGEST), 0, -1):
             if (found := self._parted(written, count, state, spoken)) is None:
                 continue
-            for earlier in range(self._filled_from(written, count), count):
+            for earlier in self._filled_from(written, count):
                 if (longer := self._parted(written, earlier, state, spoken)) is not None:
                     return longer  # "say please wait" says "please wait"
             return found
@@ -107,13 +107,15 @@ class Dictation:
                 return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
         return None
 
-    def _filled_from(self, written: list[str], count: int) -> int:
-        """Where the words begin that say nothing and lead to what is dictated in one breath; without any, the count."""
-        start = count
-        if written[count - 1][-1] not in PAUSES:
-            while start > 1 and self._says_nothing(" ".join(written[start - 1 : count])):
-                start -= 1
-        return start
+    def _filled_from(self, written: list[str], count: int) -> Iterator[int]:
+        """Where words begin that say nothing and lead to what is dictated in one breath: "please wait". With a pause
+        behind them only a greeting does, and what is announced: "hello, goodbye", but "please, check the brakes"."""
+        paused = written[count - 1][-1] in PAUSES
+        for start in range(1, count):
+            before, filler = written[start - 1], " ".join(written[start:count])
+            leads = not paused or before[-1] in ANNOUNCES or self._greets(filler, before)
+            if leads and self._says_nothing(filler):
+                yield start
 
     def _says_nothing(self, text: str) -> bool:
         """Whether there is nothing in it to dictate: "write down, please"."""
