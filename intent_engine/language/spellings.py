@@ -62,10 +62,19 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
     own = own_words(grammar)
     said = {**homophones(grammar.language), **_SCALES, **_of_signs(grammar.language)}
     found = {word: tuple(filter(own.__contains__, same)) for word, same in said.items()}
-    for word, letter in LETTERS_BY_SOUND.items() if grammar.language == "en" else ():
-        if letter in own and letter != "a":  # "row b" is written as "row be"; an "a" is an article everywhere
+    letters = _letters(grammar) if grammar.language == "en" else frozenset()
+    for word, letter in LETTERS_BY_SOUND.items() if letters else ():
+        if letter in letters:
             found[word] = (*found.get(word, ()), letter)
     return {word: same for word, same in found.items() if same}
+
+
+def _letters(grammar: Grammar) -> frozenset[str]:
+    """Letters that are values of lists: "row B". None of a sentence ("you turned left" is no U-turn), and no "a", which
+    is an article everywhere."""
+    values = [node for slot in grammar.slots.values() for _, node in slot.values]
+    nodes = [item for node in values for item in (node.items if isinstance(node, Choice) else (node,))]
+    return frozenset(node.text for node in nodes if isinstance(node, Word) and len(node.text) == 1) - {"a"}
 
 
 def _of_signs(language: str) -> dict[str, tuple[str, ...]]:
