@@ -16,7 +16,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.sampler import sample
 from intent_engine.language.thing_words import thing_words
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 GRAMMARS = ("grammars/en.yaml", "grammars/de.yaml", "examples/coffee/coffee.yaml")
 
 
