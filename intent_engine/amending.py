@@ -65,6 +65,11 @@ class CarriedOut:
         down"."""
         return self.begins(whole) and whole.actions == self.meaning.actions
 
+    def says_more(self, whole: Interpretation) -> bool:
+        """Whether it is the beginning of a longer sentence that means something else: "spin it" of "spin it for two
+        minutes"."""
+        return self.begins(whole) and whole.actions != self.meaning.actions
+
     def step_to(self, whole: Interpretation) -> Step | None:
         """What is to be done if this was the beginning of a longer command; None: it was not, or it is too late."""
         if not self.begins(whole):

@@ -40,6 +40,7 @@ ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
 _AFTER_NOTHING = "what was said before it was not understood, and may come first; say both again"
+_TOO_LATE = "it belongs to {!r}, which is being done and cannot be changed; say the whole command again"
 _WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
 
 
@@ -154,6 +155,7 @@ class Continuing:
             return Understood(own, whole, Step((), goes_on=True))
         if alone is None:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
+        too_late = False
         if said is not None:
             exact = self._judge.together(said.command.meaning.text, alone, state)
             done = said.command.meaning
@@ -162,6 +164,7 @@ class Continuing:
                 step = said.command.step_to(whole) if whole is not None else None
                 if whole is not None and step is not None and self._belongs(said, step, whole, alone, by_itself):
                     return Understood(transcript, whole, step)
+                too_late = too_late or (whole is not None and step is None and said.command.says_more(whole))
         meaning = by_itself
         withdrawn = False
         if said is not None and meaning.status is not Status.ACCEPTED:
@@ -172,6 +175,8 @@ class Continuing:
                 self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=taken_back)
             if withdrawn:
                 meaning = replace(meaning, reason=_WITHDRAWN)
+            elif too_late:
+                meaning = replace(meaning, reason=_TOO_LATE.format(said.command.meaning.text))
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
 
     def _still_stopping(

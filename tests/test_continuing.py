@@ -345,7 +345,10 @@ def test_nothing_goes_on_over_a_gap_in_the_sound():
 
 def test_what_cannot_be_taken_back_is_not_gone_on_with():
     script = Script("get me a latte", "with soy milk", "get me a latte with soy milk")
-    assert Said(script, engine=ORDERS).orders == [{"coffeeDrink": "latte"}]
+    said = Said(script, engine=ORDERS)
+    assert said.orders == [{"coffeeDrink": "latte"}]
+    refused = next(event for event in reversed(said.events) if event.interpretation is not None)
+    assert "'get me a latte', which is being done and cannot be changed" in refused.interpretation.reason
 
 
 def test_it_can_be_switched_off():
