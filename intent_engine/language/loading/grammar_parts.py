@@ -61,6 +61,7 @@ class Written:
     name: str
     """Of the phrase, the slot or the intent."""
     node: Node
+    text: str
     source: YamlSource
     path: YamlPath
 
@@ -130,7 +131,7 @@ class PartReader:
         except TemplateError as error:
             self.source.problem(path, error.message, error.hint, offset=error.column)
             return None
-        self.draft.written.append(Written(kind, name, node, self.source, path))
+        self.draft.written.append(Written(kind, name, node, text, self.source, path))
         return node
 
     def alternatives(self, path: YamlPath, templates: Any, kind: Literal["phrase", "slot"], name: str) -> Node | None:
