@@ -208,13 +208,16 @@ class PartReader:
             values=values,
             max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
             dictation=spec.get("dictation", False),
-            allow=frozenset(word for text in spec.get("allow", ()) for word in plain_phrase(text)),
-            without=frozenset(word for text in spec.get("without", ()) for word in plain_phrase(text)),
-            known=frozenset(word for text in spec.get("known", ()) for word in plain_phrase(text)),
-            tags=frozenset(spec.get("tags", ())),
+            allow=self._words((*path, "allow"), spec.get("allow")),
+            without=self._words((*path, "without"), spec.get("without")),
+            known=self._words((*path, "known"), spec.get("known")),
+            tags=frozenset(text for _, _, text in source.entries((*path, "tags"), spec.get("tags"))),
             fuzzy=spec.get("fuzzy", True),
             place=source.place(path, key=True),
         )
+
+    def _words(self, path: YamlPath, texts: Any) -> frozenset[str]:
+        return frozenset(word for _, _, text in self.source.entries(path, texts) for word in plain_phrase(text))
 
     def _values(self, path: YamlPath, name: str, kind: str, values: Any) -> tuple[tuple[Any, Node], ...]:
         source = self.source
