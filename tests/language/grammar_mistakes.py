@@ -34,6 +34,10 @@ MISTAKES: dict[str, str | bytes] = {
     "an empty alternative": says("wave (at||to)"),
     "a slot and its second name the other way round": says("wave {far:way}", "slots:\n  way: distance\n"),
     "a percentage as a plain number": slot("{type: percent, min: 0, max: 80}"),
+    "a speed as a plain number that is none": move("defaults: {speed: 50}"),
+    "a turning speed in degrees": (
+        "language: en\nintents:\n  spin:\n    action: {type: turn, direction: left, speed: 90}\n    sentences: [spin]\n"
+    ),
     "a file that holds nothing": "null\n",
     "an alternative without brackets that is empty": says("|wave"),
     "an empty optional": says("wave []"),

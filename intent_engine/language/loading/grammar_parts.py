@@ -42,7 +42,12 @@ USUAL_WORDS, MOST_WORDS = 4, 12
 """Words of a text, where its slot says no number; and of one that is dictated, in a sentence of several commands."""
 MANY = 10
 """From here on a plain number for a percentage or an angle is hardly meant as it is written: 80 would be 8,000
-percent, and 90, in rad, fourteen turns."""
+percent, and 90, in rad, fourteen turns; and 50, of a robot's speed, 180 km/h."""
+_SPEEDS: Mapping[str, tuple[str, tuple[float, str], str]] = {
+    "speed": ("m/s", (3.6, "km/h"), "cm/s"),
+    "angular_speed": ("rad/s", (1 / math.tau, "turns a second"), "deg/s"),
+}
+"""Kind -> the unit of a plain number, how it is told how much that is, and a unit that may be meant."""
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
@@ -285,6 +290,12 @@ class PartReader:
             if kind == "angle" and abs(raw) >= MANY:
                 message = f"{raw} is {raw} rad, which is {abs(raw) / math.tau:.1f} turns: a plain number is in rad"
                 self.source.problem(path, message, f"write {raw} deg, or {raw} rad if you mean it", key=key)
+                return None
+            if kind in _SPEEDS and abs(raw) >= MANY:
+                unit_of, too_much, other = _SPEEDS[kind]
+                message = f"{raw} is {raw} {unit_of}, which is {abs(raw) * too_much[0]:.4g} {too_much[1]}"
+                hint = f"write {raw} {other}, or {raw} {unit_of} if you mean it"
+                self.source.problem(path, f"{message}: a plain number is in {unit_of}", hint, key=key)
                 return None
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None
