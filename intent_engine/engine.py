@@ -22,7 +22,7 @@ from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import Utterance, plain
-from intent_engine.language_tag import language_of
+from intent_engine.language_tag import code_of, language_of
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 
@@ -219,7 +219,10 @@ class IntentEngine:
         interpreter = self._loaded.interpreters.get(language_of(language))
         if interpreter is None:
             there = ", ".join(self.languages)
-            hint = f"ask for one of these, or load a grammar with language: {language or 'fr'}"
+            named = code_of(language)
+            hint = f"ask for one of these, or load a grammar with language: {named or language or 'fr'}"
+            if named in self.languages:
+                hint = f"write {named!r}"
             raise ConfigError(Problem(f"no grammar of language {language!r} is loaded; there is {there}", hint=hint))
         return interpreter
 

@@ -203,8 +203,12 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
         ),
         (
             ["parse", "--language", "english", "stop"],
-            "--language: there is no grammar for 'english'\n    there is one for de, en; for another language give "
-            "your own, with language: fr in it",
+            "--language: there is no grammar for 'english'\n    write --language en\n",
+        ),
+        (
+            ["parse", "--language", "Italiano", "stop"],
+            "--language: there is no grammar for 'Italiano'\n    there is one for de, en; for another language give "
+            "your own, with language: it in it",
         ),
         (["parse", "--language", "fr-CA", "stop"], "--language: there is no grammar for 'fr'\n"),
         (["parse", "--language", "", "stop"], "--language: there is no grammar for ''\n    there is one for de, en;"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -49,6 +50,8 @@ def check(
     untried = 0
     for group in [names] if together else [[name] for name in names]:
         found, reports = _checked([find("grammars", name) for name in group], maps)
+        if not locations:  # which map it is for was not said
+            found = [replace(one, level="note") if one.topic == "place" else one for one in found]
         count.update(finding.level for finding in found)
         untried += sum((finding.topic, finding.level) == ("example", "note") for finding in found)
         if as_json:

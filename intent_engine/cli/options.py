@@ -10,7 +10,7 @@ import typer
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.grammar_states import unknown_states
-from intent_engine.language_tag import language_of
+from intent_engine.language_tag import code_of, language_of
 from intent_engine.resources import default_grammar, default_locations, find, names
 
 if TYPE_CHECKING:
@@ -91,10 +91,15 @@ def _grammar_of(language: str | None) -> Path:
         return default_grammar()
     known = names("grammars")
     if language not in known:
-        name = language if re.fullmatch("[a-z]{2,3}", language) else "fr"
+        named = code_of(language)
+        name = language if re.fullmatch("[a-z]{2,3}", language) else named or "fr"
         hint = (
-            f"there is one for {', '.join(known)}; for another language give your own, with language: {name} in it: "
-            f"--grammar my_grammar.yaml --language {name}"
+            f"write --language {named}"
+            if named in known
+            else (
+                f"there is one for {', '.join(known)}; for another language give your own, with language: {name} in "
+                f"it: --grammar my_grammar.yaml --language {name}"
+            )
         )
         raise ConfigError(Problem(f"--language: there is no grammar for {language!r}", hint=hint))
     return default_grammar(language)

@@ -12,6 +12,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.exploration import Exploration, Meeting, explore
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, problem_at
 from intent_engine.language.grammar_figures import Size, grammar_size
+from intent_engine.language.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
@@ -37,7 +38,8 @@ class Finding:
     level: str
     """``error``: it cannot be used; ``warning``: it is hardly meant; ``note``: it works, and this is how."""
     topic: str
-    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``pattern``, ``alike`` or ``example``."""
+    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``pattern``, ``alike``, ``place`` (of a map)
+    or ``example``."""
     problem: Problem
 
     def to_json(self) -> dict[str, Any]:
@@ -104,6 +106,8 @@ def check_grammar(grammar: Grammar, locations: LocationMap | None) -> Report:
     if locations is not None:
         findings += [Finding("warning", "file", problem) for problem in locations.warnings]
         findings += [Finding("warning", "alike", problem) for problem in _alike_places(locations)]
+        findings += [Finding("warning", "place", problem) for problem in places_missing(grammar, locations)]
+        findings += met.names(locations)
     states, arcs = walk.matcher.networks.size()
     figures = Figures(
         size=grammar_size(grammar, locations),
@@ -137,6 +141,17 @@ class _Meetings:
     """Sentence that was read, though another won: who, and on which words first."""
     _told: set[tuple[int, int]] = field(default_factory=set)
 
+    _names: dict[str, tuple[str, Reading]] = field(default_factory=dict)
+    """Places whose name may be a part of a command: the first words that may be both, and the command."""
+
+    def names(self, locations: LocationMap) -> Iterator[Finding]:
+        """Names of places that are in the way of commands; after ``findings``."""
+        for name, (words, command) in self._names.items():
+            yield Finding("warning", "ambiguous", name_or_command(locations, name, words, command))
+        told = (*self._names, *locations.doubtful)
+        for problem in named_like_commands(self.walk.matcher, locations, told):
+            yield Finding("warning", "place", problem)
+
     def findings(self) -> list[Finding]:
         interpreter = Interpreter(self.walk.matcher, Nearest(self.walk.matcher))
         found: list[Finding] = []
@@ -154,7 +169,8 @@ class _Meetings:
             self._won.update(id(one.sentence) for one in level)
             if level and interpreter.interpret(" ".join(meeting.words)).status is Status.AMBIGUOUS:
                 self.ambiguous += 1
-                found.extend(self._ambiguous(first, other, meeting) for other in level if self._new(first, other))
+                rows = [self._ambiguous(first, other, meeting) for other in level if self._new(first, other)]
+                found.extend(row for row in rows if row is not None)
             found.extend(self._overlap(first, other, meeting) for other in rivals if self._new(first, other))
         self._see_later()
         return [*found, *self._never()]
@@ -166,7 +182,7 @@ class _Meetings:
             whole = [one for one in self.walk.matcher.read(list(meeting.words)) if not one.problem]
             winners = [*whole, *readings]
             for reading in readings:
-                if reading is winners[0]:
+                if reading is winners[0] or one_is_a_name(reading, winners[0]) is not None:
                     self._won.add(id(reading.sentence))
                 else:
                     self._lost.setdefault(id(reading.sentence), (winners[0], meeting))
@@ -178,7 +194,7 @@ class _Meetings:
         self._told.update((pair, pair[::-1]))
         return True
 
-    def _ambiguous(self, first: Reading, other: Reading, meeting: Meeting) -> Finding:
+    def _ambiguous(self, first: Reading, other: Reading, meeting: Meeting) -> Finding | None:
         words = " ".join(meeting.words)
         message = (
             f"{words!r} could be this sentence of {other.intent.name!r} or that of {first.intent.name!r}"
@@ -186,6 +202,9 @@ class _Meetings:
         )
         if self._far_fetched(first) or self._far_fetched(other):
             return Finding("note", "ambiguous", problem_at(other.sentence.place, message))
+        if (named := one_is_a_name(first, other)) is not None:
+            self._names.setdefault(named[0], (words, named[1]))
+            return None
         hint = "let one of them need another word, or give one intent a priority"
         return Finding("warning", "ambiguous", problem_at(other.sentence.place, message, hint))
 

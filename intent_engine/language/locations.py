@@ -33,7 +33,17 @@ from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
 
-__all__ = ["Location", "LocationMap", "from_text", "load"]
+__all__ = ["OTHER_MEANINGS", "Location", "LocationMap", "from_text", "load"]
+
+
+OTHER_MEANINGS: Mapping[str, str] = {
+    "stop": "stops the robot",
+    "negation": "says no",
+    "cancel": "takes an order back",
+    "correction": "corrects",
+    "pronoun": "points to what was named before",
+}
+"""Operators that are no name of a place: key -> what it does when it is said."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +105,15 @@ class LocationMap(Mapping[str, Location]):
     @cached_property
     def warnings(self) -> tuple[Problem, ...]:
         """What is allowed, but hardly meant."""
+        return tuple(problem for _, problem in self._doubts)
+
+    @property
+    def doubtful(self) -> frozenset[str]:
+        """The places of which these warnings are."""
+        return frozenset(name for name, _ in self._doubts)
+
+    @cached_property
+    def _doubts(self) -> tuple[tuple[str, Problem], ...]:
         return tuple(_doubts(self))
 
 
@@ -282,25 +301,19 @@ def _schema() -> dict[str, Any]:
 # -- doubts ---------------------------------------------------------------------------------------------------
 
 
-def _doubts(places: LocationMap) -> Iterator[Problem]:
-    """Names that will hardly ever be understood as a place."""
+def _doubts(places: LocationMap) -> Iterator[tuple[str, Problem]]:
+    """Names that will hardly ever be understood as a place, each with the place."""
     from intent_engine.language.loading.grammar_file import default_operators, phrase
 
     operators = default_operators("en")
-    kinds = {
-        "stop": "stops the robot",
-        "negation": "says no",
-        "cancel": "takes an order back",
-        "correction": "corrects",
-    }
-    meaning = {phrase(text): why for kind, why in kinds.items() for text in operators.get(kind, ())}
+    meaning = {phrase(text): why for kind, why in OTHER_MEANINGS.items() for text in operators.get(kind, ())}
     file = places.files[0] if len(places.files) == 1 else None
     for name, place in places.items():
         for spoken in (name, *place.aliases):
             why = meaning.get(raw_words(spoken))
             if why is not None:
                 hint = "give the place another name; this one will be taken for the order"
-                yield Problem(f"{spoken!r}, a name of {name!r}, {why} when it is said", file, hint=hint)
+                yield name, Problem(f"{spoken!r}, a name of {name!r}, {why} when it is said", file, hint=hint)
             elif all(word.isdigit() for word in name_words(spoken)):
                 hint = 'a number alone is easily taken for a distance; say what it is, as "bay 3"'
-                yield Problem(f"{spoken!r}, a name of {name!r}, is only a number", file, hint=hint)
+                yield name, Problem(f"{spoken!r}, a name of {name!r}, is only a number", file, hint=hint)

@@ -124,6 +124,37 @@ def test_names_that_sound_alike(tmp_path):
     assert found(check(tmp_path, text.replace("crimsen]}", "crimsen]}, fuzzy: false"))) == []
 
 
+def test_a_place_that_is_not_on_the_map(tmp_path):
+    text = HEAD + (
+        "  use: {action: custom, sentences: ['see {thing}', 'visit {place}', 'paint it {colour}']}\n"
+        "  a: {action: {type: navigate, location: kichen}, sentences: [dine]}\n"
+        "  b: {action: navigate, defaults: {location: attic}, sentences: [climb]}\n"
+        "  c: {action: {type: navigate, location: '{place}'}, sentences: [{say: sleep, slots: {place: bed}}]}\n"
+        "  d: {action: custom, defaults: {place: cellar}, sentences: ['drink [at {place}]']}\n"
+        "  e: {action: {type: navigate, location: '{colour}'}, sentences: ['run {colour}']}\n"
+        "  f: {action: {type: navigate, location: kitchen}, sentences: [cook]}\n"
+        "  g: {action: {type: custom, location: nowhere}, sentences: [dream]}\n"
+    )
+    report = check(tmp_path, text)
+    rows = [(one.problem.line, one.problem.message.split("'")[3]) for one in report.findings if one.topic == "place"]
+    assert rows == [(2, "green"), (2, "blue"), (5, "kichen"), (6, "attic"), (7, "bed"), (8, "cellar")]
+    assert next(one for one in report.findings if one.problem.line == 5).problem.hint == "did you mean 'kitchen'?"
+
+
+def test_names_of_places_that_are_commands(tmp_path, root):
+    places = {name: (float(at), 0.0) for at, name in enumerate(("left", "back", "it", "stop", "turn left", "kitchen"))}
+    engine = IntentEngine.from_files(root / "grammars/en.yaml", locations=places)
+    report = check_grammar(engine.grammar, engine.locations)
+    rows = [one.problem.message for one in report.findings if one.level == "warning" and one.problem.file is None]
+    assert sorted(row.split(" (")[0] for row in rows) == [
+        "'go back' could be the place 'back' or a command of 'move'",
+        "'go left' could be the place 'left' or a command of 'turn'",
+        "'it', a name of 'it', points to what was named before when it is said",
+        "'stop', a name of 'stop', stops the robot when it is said",
+        "'turn left', a name of 'turn left', is a command of 'turn' when it is said",
+    ]
+
+
 def test_aliases_of_one_place_are_no_rivals():
     assert list(alike([(("kitchen",), "kitchen"), (("kitchin",), "kitchen")])) == []
 
@@ -193,7 +224,8 @@ def test_sizes_count_values_and_names(tmp_path):
 def test_a_large_map_is_cut_to_what_may_clash(tmp_path):
     places = {f"bay {number}": (float(number), 0.0) for number in range(5_000)} | {"paper": (0.0, 1.0)}
     report = check(tmp_path, intents(use=USE, a="'visit paper'"), places)
-    assert ("warning", "ambiguous", 5) in found(report)
+    (finding,) = (one for one in report.findings if one.topic == "ambiguous")
+    assert "could be the place 'paper' or a command of 'a'" in finding.problem.message
     assert report.figures.size.names == 5_001
     assert report.figures.word_states < 1_000
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot, problem_at
+from intent_engine.language.loading.grammar_doubts import grammar_doubts
 from intent_engine.language.loading.grammar_parts import Draft, Places, Written, plain_phrase
 from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
@@ -16,9 +16,8 @@ from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, references
+from intent_engine.language.template_tree import Choice, Node, Sequence, references
 from intent_engine.language.utterance import PhraseSet
-from intent_engine.language.vocabulary import words_in
 
 __all__ = ["check_meaning"]
 
@@ -62,9 +61,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
                 problems += example_problems(intent, labels, places)
     problems += pattern_problems(grammar, places, draft.broken if not draft.blind else None)
     if not problems and not draft.blind:
-        warnings += _unused(grammar, draft, places)
-        warnings += _denials(grammar, draft)
-        warnings += _neighbours(grammar, draft)
+        warnings += grammar_doubts(grammar, draft, places)
     return problems, warnings
 
 
@@ -301,51 +298,3 @@ def _sentences(intent: Intent, places: Places, shapes: Shapes, *, whole: bool, b
             if count > 1:
                 message = f"slot {label!r} can be said {count} times in one sentence; only one value would be kept"
                 yield problem_at(sentence.place, message, f"give one of them another name: {{{label}:other}}")
-
-
-def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
-    used = {reference.name for written in draft.written for reference in references(written.node)}
-    free = any(intent.regex or intent.lark for intent in grammar.intents.values())
-    for section, names in (("slots", grammar.slots), ("phrases", grammar.phrases)):
-        for name in names:
-            if name not in used and not (free and section == "slots"):
-                what = section.removesuffix("s")
-                yield places.problem((section, name), f"{what} {name!r} is used by no sentence", key=True)
-
-
-def _denials(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
-    """Sentences that say "not" and yet do something: each is done, whatever the negation says."""
-    negation = {words[0] for words in grammar.operators.negation if len(words) == 1}
-    for written in draft.written:
-        if written.kind == "sentence" and grammar.intents[written.name].action.type != "stop":
-            for word in words_in(written.node):
-                if word in negation:
-                    message = f"this sentence says {word!r}, and yet the robot will act on it"
-                    hint = "the engine knows what it means; keep it only where the action is to hold the robot back"
-                    yield written.problem(message, hint)
-                    break
-
-
-def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
-    """Free text beside free text: each takes as many words as it likes, and nobody knows where one ends."""
-
-    def free(node: Node) -> Reference | None:
-        node = node.item if isinstance(node, Optional) else node
-        if isinstance(node, Reference) and node.name in grammar.slots:
-            return node if grammar.slots[node.name].type in ("text", "object") else None
-        return None
-
-    def pairs(node: Node) -> Iterator[tuple[Reference, Reference]]:
-        items = node.items if isinstance(node, (Choice, Sequence, AnyOrder)) else ()
-        if isinstance(node, Sequence):
-            for left, right in pairwise(items):
-                one, other = free(left), free(right)
-                if one is not None and other is not None:
-                    yield one, other
-        for item in (*items, *((node.item,) if isinstance(node, Optional) else ())):
-            yield from pairs(item)
-
-    for written in draft.written:
-        for one, other in pairs(written.node):
-            message = f"nobody can tell where {one.label!r} ends and {other.label!r} begins: both are free text"
-            yield written.problem(message, "put a word between them, or make a choice of one", other.column)

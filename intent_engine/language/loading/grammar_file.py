@@ -12,7 +12,7 @@ from typing import Any
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.as_written import as_written, texts_in
-from intent_engine.language.grammar import Grammar, Intent, Operators, Slot
+from intent_engine.language.grammar import Grammar, Intent, Operators, Place, Slot
 from intent_engine.language.loading.contracted import with_contractions
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
@@ -21,6 +21,7 @@ from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.template_tree import Node
+from intent_engine.language_tag import language_of
 
 __all__ = ["default_operators", "load_grammars", "phrase", "schema"]
 
@@ -200,7 +201,7 @@ def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
 
 def _language(source: YamlSource) -> str:
     language = source.data.get("language", "en")
-    return language.split("-")[0] if isinstance(language, str) and ("language",) not in source.broken else "en"
+    return language_of(language) if isinstance(language, str) and ("language",) not in source.broken else "en"
 
 
 class _Builder:
@@ -264,8 +265,9 @@ class _Builder:
                     self.intents[name] = intent
                     continue
                 if old.action != intent.action and name not in self.draft.partial:
-                    message = f"intent {name!r} already exists with another action"
-                    parts.source.problem(at, message, "give this one another name", key=True)
+                    message = f"intent {name!r} already exists with another action{_where(old.place, parts.source)}"
+                    hint = "write its action as there to add to it, or give this one another name"
+                    parts.source.problem(at, message, hint, key=True)
                 if old.lark and intent.lark:
                     message = f"intent {name!r} has a lark grammar already"
                     parts.source.problem((*at, "lark"), message, "one intent has one; add rules to that", key=True)
@@ -274,7 +276,13 @@ class _Builder:
     def _once(self, source: YamlSource, path: YamlPath, name: str) -> bool:
         kind = "slot" if name in self.slots else "phrase" if name in self.phrases else None
         if kind is not None:
-            source.problem(path, f"{name!r} is already the name of a {kind}", "give it another name", key=True)
+            at = (f"{kind}s", name)
+            first = next((parts.source for parts in self.parts if at in parts.source.key_marks), source)
+            message = f"{name!r} is already the name of a {kind}{_where(first.place(at, key=True), source)}"
+            hint = "give it another name"
+            if first.file != source.file:
+                hint += ", and use it in sentences of your own; the other can be changed only in a copy of its file"
+            source.problem(path, message, hint, key=True)
         return kind is None
 
     def _alikes_of(self, grammar: Grammar) -> dict[str, tuple[str, ...]]:
@@ -335,6 +343,13 @@ class _Builder:
             said = [*phrases, *(spec.get(key) for spec in specs for key in ("sentences", "then", "examples"))]
             found |= as_written(texts_in(slots)) | as_written(texts_in(said), sentences=True)
         return found
+
+
+def _where(place: Place | None, source: YamlSource) -> str:
+    """Where something stands, seen from a file."""
+    if place is None:
+        return ""
+    return f" (line {place.line})" if place.file == source.file else f" ({place.file}:{place.line})"
 
 
 def _section(source: YamlSource, name: str) -> list[tuple[YamlPath, Any, Any]]:

@@ -57,6 +57,8 @@ def read_intent(
                 parts.draft.partial.add(name)
             else:
                 templates.append((at, entry, node))
+        if (*path, key) in source.broken:
+            parts.draft.partial.add(name)
     before = known.intents.get(name)
     nodes = [node for templates in read.values() for _, _, node in templates]
     nodes += [one.template for one in (before.all_sentences if before else ())]

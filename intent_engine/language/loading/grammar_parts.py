@@ -42,7 +42,12 @@ USUAL_WORDS, MOST_WORDS = 4, 12
 """Words of a text, where its slot says no number; and of one that is dictated, in a sentence of several commands."""
 MANY = 10
 """From here on a plain number for a percentage or an angle is hardly meant as it is written: 80 would be 8,000
-percent, and 90, in rad, fourteen turns."""
+percent, and 90, in rad, fourteen turns; and 50, of a robot's speed, 180 km/h."""
+_SPEEDS: Mapping[str, tuple[str, tuple[float, str], str]] = {
+    "speed": ("m/s", (3.6, "km/h"), "cm/s"),
+    "angular_speed": ("rad/s", (1 / math.tau, "turns a second"), "deg/s"),
+}
+"""Kind -> the unit of a plain number, how it is told how much that is, and a unit that may be meant."""
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
@@ -61,6 +66,7 @@ class Written:
     name: str
     """Of the phrase, the slot or the intent."""
     node: Node
+    text: str
     source: YamlSource
     path: YamlPath
 
@@ -130,7 +136,7 @@ class PartReader:
         except TemplateError as error:
             self.source.problem(path, error.message, error.hint, offset=error.column)
             return None
-        self.draft.written.append(Written(kind, name, node, self.source, path))
+        self.draft.written.append(Written(kind, name, node, text, self.source, path))
         return node
 
     def alternatives(self, path: YamlPath, templates: Any, kind: Literal["phrase", "slot"], name: str) -> Node | None:
@@ -207,13 +213,16 @@ class PartReader:
             values=values,
             max_words=spec.get("max_words", MOST_WORDS if spec.get("dictation") else USUAL_WORDS),
             dictation=spec.get("dictation", False),
-            allow=frozenset(word for text in spec.get("allow", ()) for word in plain_phrase(text)),
-            without=frozenset(word for text in spec.get("without", ()) for word in plain_phrase(text)),
-            known=frozenset(word for text in spec.get("known", ()) for word in plain_phrase(text)),
-            tags=frozenset(spec.get("tags", ())),
+            allow=self._words((*path, "allow"), spec.get("allow")),
+            without=self._words((*path, "without"), spec.get("without")),
+            known=self._words((*path, "known"), spec.get("known")),
+            tags=frozenset(text for _, _, text in source.entries((*path, "tags"), spec.get("tags"))),
             fuzzy=spec.get("fuzzy", True),
             place=source.place(path, key=True),
         )
+
+    def _words(self, path: YamlPath, texts: Any) -> frozenset[str]:
+        return frozenset(word for _, _, text in self.source.entries(path, texts) for word in plain_phrase(text))
 
     def _values(self, path: YamlPath, name: str, kind: str, values: Any) -> tuple[tuple[Any, Node], ...]:
         source = self.source
@@ -281,6 +290,12 @@ class PartReader:
             if kind == "angle" and abs(raw) >= MANY:
                 message = f"{raw} is {raw} rad, which is {abs(raw) / math.tau:.1f} turns: a plain number is in rad"
                 self.source.problem(path, message, f"write {raw} deg, or {raw} rad if you mean it", key=key)
+                return None
+            if kind in _SPEEDS and abs(raw) >= MANY:
+                unit_of, too_much, other = _SPEEDS[kind]
+                message = f"{raw} is {raw} {unit_of}, which is {abs(raw) * too_much[0]:.4g} {too_much[1]}"
+                hint = f"write {raw} {other}, or {raw} {unit_of} if you mean it"
+                self.source.problem(path, f"{message}: a plain number is in {unit_of}", hint, key=key)
                 return None
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None

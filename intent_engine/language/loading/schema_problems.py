@@ -13,6 +13,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.yaml_source import YamlSource
+from intent_engine.language_tag import code_of
 
 if TYPE_CHECKING:
     from jsonschema import ValidationError
@@ -93,6 +94,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
                 yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key), key=True)
         if path[:1] == ("intents",) and len(path) == 2:
             broken = (*path, "action")  # the rest of it can be read
+    elif error.validator == "pattern" and "array" in schema.get("type", ()):
+        yield _wrong_type(source, path, name, ["array"], instance)
     elif error.validator == "pattern":
         if "propertyNames" in error.schema_path:
             broken = (*path, str(instance))
@@ -183,8 +186,7 @@ def _missing_hint(key: str) -> str | None:
 
 
 def _language_hint(given: str) -> str:
-    names = {"english": "en", "german": "de", "deutsch": "de", "spanish": "es", "french": "fr", "italian": "it"}
-    near = names.get(given.lower()) or (given.lower() if len(given) == 2 else None)
+    near = code_of(given)
     return f"write {near}" if near else "two letters, as en or de"
 
 
@@ -215,7 +217,8 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
         hint = "a blank belongs behind each '-'"
     elif "array" in wanted and isinstance(instance, str):
-        hint = f"write it as a list: [{instance}]" if len(instance) < 30 else "write each on a line that begins with -"
+        short = len(instance) < 30 and "\n" not in instance
+        hint = f"write it as a list: [{instance}]" if short else "write each on a line that begins with -"
     return _at(source, path, message, hint)
 
 

@@ -13,6 +13,7 @@ import yaml
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
+from intent_engine.language.loading.json_mistakes import json_problem
 
 __all__ = ["YamlSource", "read_yaml"]
 
@@ -53,9 +54,20 @@ class YamlSource:
     broken: set[YamlPath] = field(default_factory=set)
     """Values of which a problem has been told already; nobody should look at them again."""
 
+    folded: set[YamlPath] = field(default_factory=set)
+    """Texts without quotes that stand on several lines, which YAML reads as one."""
+
     def entries(self, path: YamlPath, value: Any) -> Iterator[tuple[YamlPath, Any, Any]]:
-        """(path, key or index, value) of what a mapping or list holds, without what is broken; nothing if it is so."""
+        """(path, key or index, value) of what a mapping or list holds, without what is broken; nothing if it is so. A
+        text is a list of one, unless it looks like several."""
         if path in self.broken:
+            return
+        if isinstance(value, str):
+            if path in self.folded:
+                self.broken.add(path)
+                self.problem(path, "YAML reads these lines as one text", "begin each with '- ', or quote what is one")
+                return
+            yield path, 0, value
             return
         pairs = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
         for key, item in pairs:
@@ -142,7 +154,8 @@ def parse_yaml(text: str, source: YamlSource, shortest: str = "") -> YamlSource:
         if source.data is None and not source.problems:
             source.problems.append(Problem("is empty", source.file, hint=shortest))
     except yaml.MarkedYAMLError as error:
-        source.problems.append(_syntax_problem(error, source))
+        found = json_problem(text, source.file) if source.file.endswith(".json") else None
+        source.problems.append(found or _syntax_problem(error, source))
     except yaml.reader.ReaderError as error:
         source.problems.append(_character_problem(error, text, source))
     except (yaml.YAMLError, ValueError) as error:
@@ -285,6 +298,8 @@ class _Reader:
         else:
             self._met.add(id(node))
         if isinstance(node, yaml.ScalarNode):
+            if not node.style and node.end_mark.line > node.start_mark.line:
+                source.folded.add(path)
             return _scalar(node, path, source)
         if id(node) in above:
             raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")

@@ -32,7 +32,8 @@ class Phrases:
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
         self.whole = PhraseSet(words for words in fillers if not _may_be_cut(words, self.fillers, own))
         """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
-        self.hesitation = PhraseSet(words for words in grammar.hesitations if words in fillers)
+        says_nothing = (*fillers, *operators.opener)
+        self.hesitation = PhraseSet(words for words in grammar.hesitations if words in says_nothing)
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
         """Operators, of which no filler takes a part."""
         self._operators = PhraseSet(

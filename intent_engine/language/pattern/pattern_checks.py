@@ -13,6 +13,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
+from intent_engine.language.pattern.pattern_signs import unsaid_sign
 from intent_engine.language.sampler import Sampler
 
 if TYPE_CHECKING:
@@ -34,11 +35,15 @@ def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterato
     interpreter = Interpreter(matcher, Nearest(matcher))
     for intent in patterned:
         read = []
+        unsaid = sum(unsaid_sign(text) is not None for text in intent.regex)
+        """Regexes that are told of by themselves."""
         for sentence in sampler.sentences(intent.name):
+            if unsaid and sentence.text in intent.regex and unsaid_sign(sentence.text) is not None:
+                continue
             texts = _texts(sampler, sentence)
             read.append({text: interpreter.interpret(text, intent.requires) for text in texts})
         found = [found for found in read if found]
-        if len(found) < len(intent.regex) + (intent.lark is not None):
+        if len(found) < len(intent.regex) - unsaid + (intent.lark is not None):
             message = f"how a pattern of {intent.name!r} is said cannot be told"
             hint = "it is understood as it is; speech is not helped by it, and no sentences are sampled"
             yield "note", "pattern", problem_at(intent.place, message, hint)

@@ -25,10 +25,11 @@ from intent_engine.language.template_tree import Word
 from intent_engine.language.utterance import PhraseSet
 
 if TYPE_CHECKING:
+    from intent_engine.language.loading.yaml_source import YamlPath
     from intent_engine.language.matcher import Matcher
     from intent_engine.language.reading import Reading
 
-__all__ = ["Patterns", "pattern_problems", "said_by_patterns"]
+__all__ = ["Patterns", "pattern_problems", "said_by_patterns", "unsaid_patterns"]
 
 
 MAX_LARK_WORDS = 40
@@ -129,6 +130,12 @@ def _in_figures(words: Sequence[str]) -> list[str]:
     return found
 
 
+def _at(intent: Intent, index: int, places: Places) -> YamlPath:
+    """Where a regex stands: in a list, or alone."""
+    alone = ("intents", intent.name, "regex")
+    return (*alone, index) if places.of((*alone, 0)) != places.of(alone) else alone
+
+
 def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] | None) -> Iterator[Problem]:
     """What is wrong with the patterns of a grammar.
 
@@ -137,9 +144,8 @@ def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] |
         broken: names of slots that exist though they are not in the grammar; None: any name may exist.
     """
     for intent in grammar.intents.values():
-        many = places.of(("intents", intent.name, "regex", 0)) != places.of(("intents", intent.name, "regex"))
         for index, text in enumerate(intent.regex):
-            at = ("intents", intent.name, "regex", index) if many else ("intents", intent.name, "regex")
+            at = _at(intent, index, places)
             compiled = _regex(text)
             if compiled.pattern is None:
                 yield places.problem(at, *compiled.problem)
@@ -152,6 +158,18 @@ def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] |
             compiled = _lark(intent.lark)
             if compiled.pattern is None:
                 yield places.problem(("intents", intent.name, "lark"), *compiled.problem, line=compiled.line)
+
+
+def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
+    """Regexes of a grammar that was checked that nobody can say, because of a sign that no word has."""
+    from intent_engine.language.pattern.pattern_signs import unsaid_sign
+
+    for intent in grammar.intents.values():
+        for index, text in enumerate(intent.regex):
+            if (sign := unsaid_sign(text)) is not None:
+                message = f"the regex asks for {sign!r}, and what is said is words and numbers, without signs"
+                hint = "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
+                yield places.problem(_at(intent, index, places), message, hint)
 
 
 def said_by_patterns(grammar: Grammar) -> Iterator[Part]:

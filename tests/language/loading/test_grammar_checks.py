@@ -81,6 +81,13 @@ FINE = {
         'slots: {who: text}\nintents:\n  x:\n    action: custom\n    lark: |\n      start: "wave" " " who\n'
         "      who: /[a-z]+/\n"
     ),
+    "a stop among the words of another sentence": (
+        "slots: {what: [music, game]}\nintents:\n"
+        "  x: {action: custom, sentences: ['stop [the] {what}', 'play freeze']}\n"
+    ),
+    "a stroke between units": "intents:\n  x: {action: custom, sentences: ['spin at {#} rpm/s', 'mix 1/2 cup']}\n",
+    "signs that a regex can do without": "intents:\n  x: {action: custom, regex: 'hop,? now[!.]?'}\n",
+    "signs of numbers": "intents:\n  x: {action: custom, regex: 'add (-?\\d+|\\d+/\\d+|\\d+\\.5|2\\.5) cups'}\n",
     "stop in one's own words": "intents:\n  x: {action: stop, sentences: ['do not move']}\n",
 }
 
@@ -96,6 +103,21 @@ DOUBTFUL = {
     "intents:\n  x: {action: custom, sentences: [go,\n    go]}\n": (3, "the same sentence stands already at line 2"),
     "intents:\n  x: {action: custom, sentences: ['never go']}\n": (
         2, "this sentence says 'never', and yet the robot will act on it",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['(stop|bow) now']}\n": (
+        2, "'stop now' stops the robot in every grammar, and is never one of 'x'",
+    ),
+    "slots: {a: [hop, halt]}\nintents:\n  x: {action: custom, sentences: ['please {a}']}\n": (
+        3, "'please halt' stops the robot in every grammar, and is never one of 'x'",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['wave/greet']}\n": (
+        2, "'wave/greet' would have to be said as 'wave per greet'",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['{a}']}\nphrases:\n  a: [bow, wave/greet]\n": (
+        4, "'wave/greet' would have to be said as 'wave per greet'",
+    ),
+    "intents:\n  x: {action: custom, regex: [bow, 'hop, now!']}\n": (
+        2, "the regex asks for ',', and what is said is words and numbers, without signs",
     ),
     "slots: {a: text, b: text}\nintents:\n  x: {action: custom, sentences: ['mix {a} [{b}]', 'mix {a} and {b}']}\n": (
         3, "nobody can tell where 'a' ends and 'b' begins: both are free text",

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+import yaml
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
@@ -220,8 +222,50 @@ def test_a_circle_of_includes_is_told():
 
 
 def test_another_action_for_the_same_intent_is_told():
-    with pytest.raises(ConfigError, match=r"grammar.yaml:3:3: intent 'halt' already exists with another action"):
+    with pytest.raises(ConfigError, match=r"grammar.yaml:3:3: intent 'halt' already .* another action \(a.yaml:2\)"):
         load("include: [a.yaml]\nintents:\n  halt: {action: custom, sentences: [hold]}\n", a="intents:\n" + STOP)
+
+
+def test_where_the_slot_stands_that_is_defined_again():
+    again = "include: [a.yaml]\nslots:\n  far: {type: distance, max: 1 m}\nintents:\n" + STOP
+    where = r"grammar.yaml:3:3: 'far' is already the name of a slot \(a.yaml:2\)\n(.*\n)*.*a copy of its file"
+    with pytest.raises(ConfigError, match=where):
+        load(again, a="slots:\n  far: distance\n")
+    with pytest.raises(ConfigError, match=r"grammar.yaml:2:9: 'far' is already the name of a phrase \(line 1\)\n"):
+        load("phrases: {far: away}\nslots: {far: distance}\nintents:\n" + STOP)
+
+
+TEXTS = st.from_regex(r"[a-z]{3,6}( [a-z]{3,6})?", fullmatch=True).filter(lambda text: yaml.safe_load(text) == text)
+LISTS = """language: en
+include: <a.yaml>
+fillers: <WORD>
+wake: <robot>
+operators: {negation: <nay>}
+sound_alikes: {hopp: <hop>}
+slots:
+  what: {type: text, allow: <WORD>, without: <mail>, known: <cup>}
+  where: {type: location, tags: <STATE>}
+intents:
+  x: {action: custom, sentences: <SAID>, then: <again>, requires: <STATE>, excludes: <un STATE>}
+  y: {action: custom, sentences: ['hop {what} {where}']}
+"""
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(said=TEXTS, state=TEXTS, word=TEXTS)
+def test_a_text_is_a_list_of_one(said, state, word):
+    assume({"not", "without", "stop", "never", "nay"}.isdisjoint(f"{said} {word}".split()))
+    text = LISTS.replace("WORD", word).replace("STATE", state).replace("SAID", said)
+    found = []
+    for begin, end in (("[", "]"), ("", "")):
+        grammar = load(text.replace("<", begin).replace(">", end), a="phrases: {}\n")
+        said_so = [(one.text, one.template) for intent in grammar.intents.values() for one in intent.all_sentences]
+        states = [(intent.requires, intent.excludes) for intent in grammar.intents.values()]
+        slots = [replace(slot, place=None) for slot in grammar.slots.values()]
+        words = (grammar.fillers, grammar.wake, grammar.operators, grammar.sound_alikes, grammar.files)
+        found.append((said_so, states, slots, words))
+    assert found[0] == found[1]
+    assert found[0][1][0] == ({state}, {f"un {state}"})
 
 
 def test_languages_are_grammars_of_their_own():

@@ -155,6 +155,8 @@ def test_entries_leave_out_what_is_broken():
     source.broken.update({("a", "x"), ("b", 1)})
     assert list(source.entries(("a",), source.data["a"])) == [(("a", "y"), "y", 2)]
     assert list(source.entries(("b",), source.data["b"])) == [(("b", 0), 0, 5)]
+    assert list(source.entries(("c",), source.data["c"])) == [(("c",), 0, "text")]
+    source.broken.add(("c",))
     assert list(source.entries(("c",), source.data["c"])) == []
 
 

@@ -9,7 +9,7 @@ from meanings import german, shipped
 
 from intent_engine import Status
 
-HESITATIONS = st.sampled_from(["uh", "um", "er", "hmm", "uh, um", "uh please"])
+HESITATIONS = st.sampled_from(["uh", "um", "er", "hmm", "uh, um", "uh please", "well", "I guess", "oh"])
 TURNS = st.sampled_from(["turn left", "turn right ninety degrees", "left", "turn around"])
 MOVES = st.sampled_from(["go forward", "backward", "go back two meters", "one meter forward"])
 

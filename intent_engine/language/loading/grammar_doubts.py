@@ -1,0 +1,142 @@
+"""What is doubtful in a grammar that can be used: what nothing uses, and what never does what its author means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+
+from intent_engine.errors import Problem
+from intent_engine.language.grammar import Grammar, Sentence, problem_at
+from intent_engine.language.loading.grammar_parts import Draft, Places, plain_phrase
+from intent_engine.language.numbers.units import units
+from intent_engine.language.pattern.patterns import unsaid_patterns
+from intent_engine.language.spellings import spellings
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, references
+from intent_engine.language.utterance import PhraseSet
+from intent_engine.language.vocabulary import words_in
+
+__all__ = ["grammar_doubts"]
+
+MAX_SPELLINGS = 256
+"""Ways to say a sentence that are looked at."""
+_STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
+
+
+def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
+    """Everything that is hardly meant in a grammar without a mistake."""
+    yield from _unused(grammar, draft, places)
+    yield from _stopping(grammar)
+    yield from _denials(grammar, draft)
+    yield from _neighbours(grammar, draft)
+    yield from _strokes(grammar, draft)
+    yield from unsaid_patterns(grammar, places)
+
+
+def _stopping(grammar: Grammar) -> Iterator[Problem]:
+    """Sentences of which some words stop the robot, whatever they are to do here: a stop goes before all else."""
+    stop = PhraseSet(grammar.operators.stop)
+    lists = {
+        slot.name: Choice(tuple(node for _, node in slot.values))
+        for slot in grammar.slots.values()
+        if slot.values and slot.name not in grammar.phrases
+    }
+    said = {**grammar.phrases, **lists}
+    others = (intent for intent in grammar.intents.values() if intent.action.type != "stop")
+    suspects = [
+        (intent.name, sentence)
+        for intent in others
+        for sentence in intent.sentences
+        if stop.may_stand_in(_all_words(sentence.template, said))
+    ]
+    if not suspects:
+        return
+    from intent_engine.language.meaning.phrases import Phrases  # which knows the words of grammars that are loaded
+
+    phrases = Phrases(grammar)
+    for name, sentence in suspects:
+        for words in spellings(sentence.template, said, MAX_SPELLINGS):
+            if phrases.only_stops(list(words), phrases.after_opening(list(words))):
+                yield _stopped(name, sentence, " ".join(words))
+                break
+
+
+def _stopped(name: str, sentence: Sentence, words: str) -> Problem:
+    message = f"{words!r} stops the robot in every grammar, and is never one of {name!r}"
+    hint = "say it in other words; or let the intent have action: stop"
+    return problem_at(sentence.place, message, hint)
+
+
+def _all_words(node: Node, said: Mapping[str, Node]) -> frozenset[str]:
+    """The words of a template, with those of the phrases and lists that it names."""
+    found: set[str] = set()
+    met: set[str] = set()
+    waiting = [node]
+    while waiting:
+        node = waiting.pop()
+        found.update(words_in(node))
+        names = {reference.name for reference in references(node)} - met
+        met |= names
+        waiting.extend(said[name] for name in names if name in said)
+    return frozenset(found)
+
+
+def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Words with a stroke between them: of units that is "per", and of all else nothing that anybody says."""
+    known = units(grammar.language)
+    names = known.names if known is not None else {}
+    for written in draft.written:
+        for match in _STROKE.finditer(written.text):
+            if any((word.lower(),) in names for word in match.groups()):
+                continue
+            heard = " ".join(plain_phrase(match.group()))
+            message = f"{match.group()!r} would have to be said as {heard!r}"
+            yield written.problem(message, f"for either of them write ({match[1]}|{match[2]})", match.start())
+
+
+def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
+    used = {reference.name for written in draft.written for reference in references(written.node)}
+    free = any(intent.regex or intent.lark for intent in grammar.intents.values())
+    for section, names in (("slots", grammar.slots), ("phrases", grammar.phrases)):
+        for name in names:
+            if name not in used and not (free and section == "slots"):
+                what = section.removesuffix("s")
+                yield places.problem((section, name), f"{what} {name!r} is used by no sentence", key=True)
+
+
+def _denials(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Sentences that say "not" and yet do something: each is done, whatever the negation says."""
+    negation = {words[0] for words in grammar.operators.negation if len(words) == 1}
+    for written in draft.written:
+        if written.kind == "sentence" and grammar.intents[written.name].action.type != "stop":
+            for word in words_in(written.node):
+                if word in negation:
+                    message = f"this sentence says {word!r}, and yet the robot will act on it"
+                    hint = "the engine knows what it means; keep it only where the action is to hold the robot back"
+                    yield written.problem(message, hint)
+                    break
+
+
+def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
+    """Free text beside free text: each takes as many words as it likes, and nobody knows where one ends."""
+
+    def free(node: Node) -> Reference | None:
+        node = node.item if isinstance(node, Optional) else node
+        if isinstance(node, Reference) and node.name in grammar.slots:
+            return node if grammar.slots[node.name].type in ("text", "object") else None
+        return None
+
+    def pairs(node: Node) -> Iterator[tuple[Reference, Reference]]:
+        items = node.items if isinstance(node, (Choice, Sequence, AnyOrder)) else ()
+        if isinstance(node, Sequence):
+            for left, right in pairwise(items):
+                one, other = free(left), free(right)
+                if one is not None and other is not None:
+                    yield one, other
+        for item in (*items, *((node.item,) if isinstance(node, Optional) else ())):
+            yield from pairs(item)
+
+    for written in draft.written:
+        for one, other in pairs(written.node):
+            message = f"nobody can tell where {one.label!r} ends and {other.label!r} begins: both are free text"
+            yield written.problem(message, "put a word between them, or make a choice of one", other.column)
