@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import Grammar, Sentence, problem_at
@@ -12,9 +13,21 @@ from intent_engine.language.loading.grammar_parts import Draft, Places, plain_ph
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import unsaid_patterns
 from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, references
+from intent_engine.language.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    references,
+)  # fmt: skip
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.vocabulary import words_in
+
+if TYPE_CHECKING:
+    from intent_engine.language.meaning.phrases import Phrases
 
 __all__ = ["grammar_doubts"]
 
@@ -43,22 +56,49 @@ def _stopping(grammar: Grammar) -> Iterator[Problem]:
     }
     said = {**grammar.phrases, **lists}
     others = (intent for intent in grammar.intents.values() if intent.action.type != "stop")
+    known: dict[str, frozenset[str]] = {}
     suspects = [
         (intent.name, sentence)
         for intent in others
         for sentence in intent.sentences
-        if stop.may_stand_in(_all_words(sentence.template, said))
+        if stop.may_stand_in(_all_words(sentence.template, said, known))
     ]
-    if not suspects:
-        return
-    from intent_engine.language.meaning.phrases import Phrases  # which knows the words of grammars that are loaded
-
-    phrases = Phrases(grammar)
+    # Most sentences have other words than those of a stop, and to make the phrases of a grammar takes long.
+    beside = (*grammar.operators.stop, *grammar.fillers, *grammar.around, *grammar.wake, *grammar.operators.opening)
+    stopping = {word for words in (*beside, *grammar.operators.correction) for word in words}
+    phrases: Phrases | None = None
     for name, sentence in suspects:
-        for words in spellings(sentence.template, said, MAX_SPELLINGS):
+        within = _within(sentence.template, said, stopping)
+        for words in spellings(within, said, MAX_SPELLINGS) if within is not None else ():
+            phrases = phrases or _phrases(grammar)
             if phrases.only_stops(list(words), phrases.after_opening(list(words))):
                 yield _stopped(name, sentence, " ".join(words))
                 break
+
+
+def _within(node: Node, said: Mapping[str, Node], words: Collection[str]) -> Node | None:
+    """What of a template can be said with some words alone; None: nothing."""
+    match node:
+        case Word(text):
+            return node if text in words else None
+        case Optional(item):
+            inner = _within(item, said, words)
+            return Optional(inner) if inner is not None else Sequence(())
+        case Choice(items):
+            ways = tuple(way for item in items if (way := _within(item, said, words)) is not None)
+            return Choice(ways) if ways else None
+        case Sequence(items) | AnyOrder(items):
+            ways = tuple(way for item in items if (way := _within(item, said, words)) is not None)
+            return type(node)(ways) if len(ways) == len(items) else None
+        case Reference(name) if name in said:
+            return _within(said[name], said, words)
+    return None
+
+
+def _phrases(grammar: Grammar) -> Phrases:
+    from intent_engine.language.meaning.phrases import Phrases  # which knows the words of grammars that are loaded
+
+    return Phrases(grammar)
 
 
 def _stopped(name: str, sentence: Sentence, words: str) -> Problem:
@@ -67,17 +107,15 @@ def _stopped(name: str, sentence: Sentence, words: str) -> Problem:
     return problem_at(sentence.place, message, hint)
 
 
-def _all_words(node: Node, said: Mapping[str, Node]) -> frozenset[str]:
-    """The words of a template, with those of the phrases and lists that it names."""
-    found: set[str] = set()
-    met: set[str] = set()
-    waiting = [node]
-    while waiting:
-        node = waiting.pop()
-        found.update(words_in(node))
-        names = {reference.name for reference in references(node)} - met
-        met |= names
-        waiting.extend(said[name] for name in names if name in said)
+def _all_words(node: Node, said: Mapping[str, Node], known: dict[str, frozenset[str]]) -> frozenset[str]:
+    """The words of a template, with those of the phrases and lists that it names, which are ``known`` once met."""
+    found = set(words_in(node))
+    for name in {reference.name for reference in references(node)}:
+        if name in said:
+            if name not in known:
+                known[name] = frozenset()  # where phrases name each other, whoever asked first has all words
+                known[name] = _all_words(said[name], said, known)
+            found |= known[name]
     return frozenset(found)
 
 
