@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,7 @@ from typing import Any
 from intent_engine.actions import Action, from_json
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import ACTION_PARAMETERS
 from intent_engine.language.template_tree import references
@@ -104,6 +105,8 @@ def find_labels(folder: Path) -> Path:
         hint = f"give the file itself: intent-engine evaluate {folder / others[0]}"
     else:
         hint = 'write one JSON object a line: {"audio": "one.wav", "text": "go forward two meters"}'
+        if strange := sorted(path.name for path in folder.glob("labels.*")):
+            hint = f"{strange[0]} is not read; {hint}"
     raise ConfigError(Problem(f"the folder has no {FILE}", file=str(folder), hint=hint))
 
 
@@ -130,7 +133,8 @@ def read_labels(path: Path, engine: IntentEngine) -> list[Row]:
         text = path.read_text("utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         why = error.strerror if isinstance(error, OSError) else "is not UTF-8"
-        raise ConfigError(Problem(f"cannot be read: {why}", file=str(path))) from None
+        hint = f"give the folder with it and {FILE}" if isinstance(error, UnicodeDecodeError) else None
+        raise ConfigError(Problem(f"cannot be read: {why}", file=str(path), hint=hint)) from None
     intents = {name for grammar in engine.grammars for name in grammar.intents}
     slots = {name: _slot_names(engine, name) for name in intents}
     for number, line in enumerate(text.split("\n"), 1):
@@ -347,7 +351,7 @@ class _Reader:
             self.wrong(
                 message,
                 "intent",
-                hint=f"it has {', '.join(sorted(self.intents))}; another grammar: --grammar FILE",
+                hint=_other_intent(step.intent, self.intents),
             )
             return
         known = self.slots[step.intent]
@@ -375,3 +379,12 @@ class _Reader:
         except ValueError as error:
             self.wrong(f"'actions': {error}", "actions")
             return None
+
+
+def _other_intent(name: str, known: Collection[str]) -> str:
+    """What to write for an intent that the grammar has not."""
+    if name in ("none", "null", "None", ""):
+        return "no command is null, without quotes"
+    listed = f"it has {', '.join(sorted(known))}; another grammar: --grammar FILE"
+    near = did_you_mean(name, known)
+    return f"{near} {listed}" if near else listed

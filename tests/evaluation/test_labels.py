@@ -98,6 +98,8 @@ def test_compound_commands_have_steps(engine, write):
         ({"audio": "a.wav"}, "labels.jsonl:1: says nothing of what is said"),
         ({"audio": "a.wav", "text": ["stop"]}, "labels.jsonl:1:20: 'text' must be a text, not ['stop']"),
         ({"audio": "a.wav", "intent": "fly"}, "labels.jsonl:1:20: intent 'fly' is not in the grammar"),
+        ({"audio": "a.wav", "intent": "trun"}, "is not in the grammar\n    did you mean 'turn'? it has again, "),
+        ({"audio": "a.wav", "intent": "none"}, "is not in the grammar\n    no command is null, without quotes"),
         ({"audio": "a.wav", "intent": "move", "slots": {"hight": 1}}, "intent 'move' has no slot 'hight'"),
         ({"audio": "a.wav", "text": "stop", "slots": {"distance": 1}}, "has 'slots' but no 'intent'"),
         ({"audio": "a.wav", "intent": None, "slots": {"distance": 1}}, "has 'slots' but no intent"),
@@ -164,8 +166,14 @@ def test_all_mistakes_are_told_at_once_and_a_wrong_grammar_once(engine, write):
 def test_files_without_labels(engine, tmp_path, content):
     path = tmp_path / "labels.jsonl"
     path.write_bytes(content)
-    with pytest.raises(ConfigError, match=r"holds no labels|not UTF-8"):
+    with pytest.raises(ConfigError, match=r"holds no labels|not UTF-8\n    give the folder with it and labels.jsonl"):
         read_labels(path, engine)
+
+
+def test_labels_in_another_form_are_told(tmp_path):
+    (tmp_path / "labels.csv").write_text("audio,text\na.wav,stop\n")
+    with pytest.raises(ConfigError, match=r"has no labels.jsonl\n    labels.csv is not read; write one JSON object"):
+        find_labels(tmp_path)
 
 
 def test_which_file_holds_the_labels(tmp_path):

@@ -68,6 +68,11 @@ simulation: {start: {x: 1, y: 2}, objects: {cup: kitchen}, seed: 4}
     [
         ("name: r\nlimits: {linear_velocty: 1}\n", 2, "did you mean 'linear_velocity'"),
         ("name: r\nlimits:\n  linear_velocity: fast\n", 3, "must be a number"),
+        ("name: r\nlimits:\n  linear_velocity: 50 cm/s\n", 3, "in SI units, without a unit: 0.5"),
+        ("name: r\nlimits:\n  angular_velocity: 90 deg/s\n", 3, "in SI units, without a unit: 1.5708"),
+        ("name: r\nrates: {rate: 20 Hz}\n", 2, "a plain number, in SI units"),
+        ("name: r\nlimits: {angular_velocity: 90}\n", 2, "in rad/s; 90 degrees a second are 1.571"),
+        ("name: r\nlimits: {angular_velocity: {max: 45, over: clamp}}\n", 2, "45 rad/s are 7.2 turns a second"),
         ("name: r\nlimits:\n  linear_velocity: -1\n", 3, "must be more than 0"),
         ("name: r\nlimits:\n  distance: .inf\n", 3, "finite"),
         ("name: r\nlimits: {over: clmp}\n", 2, "did you mean 'clamp'"),

@@ -21,6 +21,10 @@ from intent_engine.execution.robots.simulated import SimulatedRobot
 __all__ = ["Footprint", "RobotFile", "load_robot", "robot_schema"]
 
 
+IN_DEGREES = 20.0
+"""rad/s; who writes more for how fast a robot may turn wrote degrees, and it would turn as fast as it was told."""
+
+
 @dataclass(frozen=True, slots=True)
 class Footprint:
     """The ground that a robot covers: a circle, or a rectangle about its centre."""
@@ -130,6 +134,12 @@ def load_robot(path: str | os.PathLike[str]) -> RobotFile:
         value = _at(data, where)
         if isinstance(value, float) and not math.isfinite(value):
             problem(tuple(str(part) for part in where), f"{where[-1]!r} must be a finite number", "leave it out")
+    turning = data.get("limits", {}).get("angular_velocity")
+    fastest = turning["max"] if isinstance(turning, Mapping) else turning
+    if fastest is not None and IN_DEGREES <= fastest < math.inf:
+        message = f"{fastest:g} rad/s are {fastest / math.tau:.1f} turns a second, which limits no robot"
+        hint = f"in rad/s; {fastest:g} degrees a second are {math.radians(fastest):.4g}"
+        problem(("limits", "angular_velocity"), message, hint)
     rates = Rates()
     try:
         rates = Rates(**data.get("rates", {}))

@@ -13,6 +13,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.yaml_source import YamlSource
+from intent_engine.language.normalize import tokenize
 from intent_engine.language_tag import code_of
 
 if TYPE_CHECKING:
@@ -212,6 +213,8 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         hint = f'quote it: "[{", ".join(map(str, instance))}]"'
     elif "object" in wanted and isinstance(instance, list) and path:
         hint = "write each as a line  name: ...  without a '-' or brackets"
+    elif "number" in wanted and "string" not in wanted and isinstance(instance, str):
+        hint = _in_si(instance)
     if raw == "":
         hint = "something is missing after the ':'"
     elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
@@ -220,6 +223,18 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         short = len(instance) < 30 and "\n" not in instance
         hint = f"write it as a list: [{instance}]" if short else "write each on a line that begins with -"
     return _at(source, path, message, hint)
+
+
+def _in_si(text: str) -> str:
+    """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708."""
+    from intent_engine.language.quantities import evaluate
+
+    words = tuple(token.word for token in tokenize(text))
+    for kind in ("angular_speed", "angle", "speed", "distance", "duration"):
+        value = evaluate(words, kind, "en")
+        if isinstance(value, float):
+            return f"a plain number in SI units, without a unit: {value:.5g}"
+    return "a plain number, in SI units"
 
 
 def _pose(path: tuple[Any, ...], instance: Any) -> str | None:
