@@ -85,6 +85,9 @@ class Runtime:
         speculate: bool = True,
         patience: float = 10.0,
     ) -> None:
+        if not hasattr(engine, "languages") or not hasattr(executor, "submit"):
+            kinds = f"{type(engine).__name__} and {type(executor).__name__}"
+            raise TypeError(f"Runtime takes an IntentEngine and then an Executor, not {kinds}")
         self.engine = engine
         self.executor = executor
         self._endpoint = Endpointer(settings)
@@ -149,7 +152,10 @@ class Runtime:
             AudioError: the source cannot be read; the robot is stopped.
             DeviceError: the device is missing; the robot is stopped.
             BaseException: whatever ``on_event`` or ``state`` raised; the robot is stopped.
+            TypeError: ``source`` is none; a path is not.
         """
+        if not hasattr(source, "frames"):
+            raise TypeError(f"run takes a source of sound, not {source!r}: FileSource(path), Microphone() or another")
         self._source = source
         self._base = self.executor.clock.now()
         self._voice.reset()

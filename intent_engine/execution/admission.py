@@ -16,7 +16,7 @@ from intent_engine.execution.motion import Keep
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending, Handler
 
-__all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden"]
+__all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
 
 log = logging.getLogger(__name__)
 
@@ -89,6 +89,21 @@ def forbidden(goal: Goal, guard: Guard | None) -> Ending | None:
         log.exception("no guard of goal %d", goal.id)
         why = f"nobody can tell whether it may be done: {type(error).__name__}: {error}"
     return Ending(GoalState.ABORTED, Reason.FORBIDDEN, why) if why else None
+
+
+def limits_of(robot: object, given: Limits | None) -> Limits:
+    """What holds for a robot: what was given, else its own, else nothing but that numbers are numbers.
+
+    Raises:
+        TypeError: they are no ``Limits``, and so nobody could hold the robot to them.
+    """
+    found: object = getattr(robot, "limits", None) if given is None else given
+    if found is None:
+        return Limits()
+    if not isinstance(found, Limits):
+        how = "Limits(linear_velocity=0.5), or those of load_robot(file).limits"
+        raise TypeError(f"limits of a robot are {how}, not {found!r:.100}")
+    return found
 
 
 def check_robot(robot: object) -> None:

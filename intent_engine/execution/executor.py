@@ -23,7 +23,7 @@ from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import shutdown
-from intent_engine.execution.admission import Admission, Policy, check_robot, checked
+from intent_engine.execution.admission import Admission, Policy, check_robot, checked, limits_of
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor, Host
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
@@ -85,7 +85,7 @@ class Executor:
     ) -> None:
         check_robot(robot)
         self.robot = robot
-        self.limits: Limits = limits or getattr(robot, "limits", None) or Limits()
+        self.limits: Limits = limits_of(robot, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
         self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
         if hasattr(robot, "use_clock"):

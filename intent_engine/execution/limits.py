@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from numbers import Real
 from typing import Any
 
 from intent_engine.actions import Action, Move, Navigate, Turn
@@ -68,7 +69,10 @@ class Limits:
 
     def __post_init__(self) -> None:
         for name in (*_NAMES, "linear_deceleration", "angular_deceleration"):
-            value = getattr(self, name)
+            value: Any = getattr(self, name)
+            number = isinstance(value, Real) and not isinstance(value, bool)
+            if value is not None and not number:
+                raise TypeError(f"the limit {name} is a number in SI units, not {value!r}")
             if value is not None and not value > 0:
                 raise ValueError(f"the limit {name} must be positive, not {value}")
 

@@ -52,9 +52,15 @@ def sentences(
 
     Raises:
         ConfigError: there is nothing to say.
+        TypeError: ``engine`` is none.
         ValueError: an unknown kind of noise, or a negation together with a correction.
     """
-    kinds = frozenset(Noise(kind) for kind in ((noise,) if isinstance(noise, str) else noise))
+    if not isinstance(engine, IntentEngine):
+        raise TypeError(f"sentences takes an IntentEngine, not {engine!r}: IntentEngine.from_files(...) makes one")
+    given = (noise,) if isinstance(noise, str) else tuple(noise)
+    if strange := [kind for kind in given if kind not in list(Noise)]:
+        raise ValueError(f"there is no noise {strange[0]!r}; there is {', '.join(Noise)}")
+    kinds = frozenset(map(Noise, given))
     if {Noise.NEGATION, Noise.CORRECTION} <= kinds:
         raise ValueError("a sentence is negated or corrected; with both, nobody knows what is meant")
     grammar = engine.matcher(language).grammar

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from numbers import Real
 
 import numpy as np
 import numpy.typing as npt
@@ -100,6 +101,7 @@ def checked_rate(rate: int) -> int:
     Raises:
         AudioError: it is none.
     """
-    if not 1000 <= rate <= MAX_RATE:
-        raise AudioError(f"{rate} Hz is no sample rate of sound\n    give one from 1000 to {MAX_RATE}, such as 16000")
+    if not isinstance(rate, Real) or not 1000 <= rate <= MAX_RATE:
+        shown = f"{rate} Hz" if isinstance(rate, Real) else repr(rate)
+        raise AudioError(f"{shown} is no sample rate of sound\n    give one from 1000 to {MAX_RATE}, such as 16000")
     return rate
