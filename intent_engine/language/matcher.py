@@ -353,6 +353,11 @@ def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> boo
 def _names_no_number(trace: Trace, words: Sequence[str], language: str) -> bool:
     """Whether what stands for the number of a name is not one whole number that is said as it is: "drawer 7 and 8",
     "drawer 7.5", "drawer minus seven". No drawer is called so, and the first of two is not the one that is meant."""
+    for _, mark in trace:
+        if mark[1] is NAMED:
+            break
+    else:
+        return False  # as most are: few sentences have such numbers
     begin = 0
     heard: list[str] = []
     for position, mark in trace:

@@ -57,6 +57,8 @@ class WhosePlace:
         first name, what follows says where that one is, however it is parted: "pick up the cup on the table in the
         kitchen" takes a cup. All else is for the person to say.
         """
+        if reading.free_words < 2:  # no name goes on
+            return reading, (), ""
         slots = sorted(reading.slots, key=lambda slot: slot.start)
         for one, other in pairwise(slots):
             if not (self._may_go_on(reading, one) or self._may_go_on(reading, other)):
