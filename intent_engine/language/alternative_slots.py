@@ -19,41 +19,40 @@ def alternatives(node: Node, phrases: Mapping[str, Node]) -> dict[Labelled, tupl
 
     Args:
         node: the template.
-        phrases: those that it may name.
+        phrases: those that it may name, none in a circle.
     """
     found: dict[Labelled, dict[Labelled, None]] = {}
-    for choice in _choices(node, phrases, frozenset()):
-        alone = [slot for item in choice.items for slot in _alone(item, phrases, frozenset())]
+    for choice in _choices(node, phrases):
+        alone = [slot for item in choice.items for slot in _alone(item, phrases)]
         for one, other in permutations(dict.fromkeys(alone), 2):
             found.setdefault(one, {})[other] = None
     return {one: tuple(others) for one, others in found.items()}
 
 
-def _choices(node: Node, phrases: Mapping[str, Node], within: frozenset[str]) -> Iterator[Choice]:
+def _choices(node: Node, phrases: Mapping[str, Node]) -> Iterator[Choice]:
     match node:
         case Choice(items):
             yield node
             for item in items:
-                yield from _choices(item, phrases, within)
+                yield from _choices(item, phrases)
         case Sequence(items) | AnyOrder(items):
             for item in items:
-                yield from _choices(item, phrases, within)
+                yield from _choices(item, phrases)
         case Optional(item):
-            yield from _choices(item, phrases, within)
-        case Reference(name, _, _) if name in phrases and name not in within:
-            yield from _choices(phrases[name], phrases, within | {name})
+            yield from _choices(item, phrases)
+        case Reference(name, _, _) if name in phrases:
+            yield from _choices(phrases[name], phrases)
 
 
-def _alone(node: Node, phrases: Mapping[str, Node], within: frozenset[str]) -> Iterator[Labelled]:
+def _alone(node: Node, phrases: Mapping[str, Node]) -> Iterator[Labelled]:
     """The slots that may be all of a template."""
     match node:
         case Choice(items):
             for item in items:
-                yield from _alone(item, phrases, within)
+                yield from _alone(item, phrases)
         case Optional(item) | Sequence((item,)):
-            yield from _alone(item, phrases, within)
+            yield from _alone(item, phrases)
         case Reference(name, _, _) if name in phrases:
-            if name not in within:
-                yield from _alone(phrases[name], phrases, within | {name})
+            yield from _alone(phrases[name], phrases)
         case Reference(name, label, _):
             yield label, name

@@ -22,7 +22,7 @@ from intent_engine.language.template_tree import (
     Sequence,
     Word,
     references,
-)  # fmt: skip
+)
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.vocabulary import words_in
 
@@ -113,7 +113,6 @@ def _all_words(node: Node, said: Mapping[str, Node], known: dict[str, frozenset[
     for name in {reference.name for reference in references(node)}:
         if name in said:
             if name not in known:
-                known[name] = frozenset()  # where phrases name each other, whoever asked first has all words
                 known[name] = _all_words(said[name], said, known)
             found |= known[name]
     return frozenset(found)
