@@ -25,7 +25,7 @@ from intent_engine.speech.recognizer import Transcript
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "execution"))
 
-from execution_stage import MAP, RecordingRobot  # noqa: E402
+from execution_stage import MAP, FailingRobot  # noqa: E402
 
 GRAMMAR = f"""
 language: en
@@ -102,27 +102,13 @@ class Jumpy:
     def close(self) -> None: ...
 
 
-class Robot(RecordingRobot):
-    """Fails after some writes, once."""
-
-    fail_in: int | None = None
-
-    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
-        if self.fail_in is not None and (linear or angular):
-            self.fail_in -= 1
-            if self.fail_in < 0:
-                self.fail_in = None
-                raise OSError("the motor driver is gone")
-        super().velocity(linear, angular, valid_for)
-
-
 class Session:
     """A session that plays its steps, and is its own source of sound."""
 
     def __init__(self, engine: IntentEngine, plan: list[tuple], speculate: bool, ramps: bool, closes: bool) -> None:
         self.engine, self.plan, self.closes = engine, plan, closes
         self.clock = VirtualClock()
-        self.robot = Robot(self.clock, locations=MAP)
+        self.robot = FailingRobot(self.clock, locations=MAP)
         self.texts: list[str] = []
         self.states: tuple[str, ...] = ()
         self.heard: list[Heard] = []

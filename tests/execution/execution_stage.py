@@ -38,6 +38,34 @@ class RecordingRobot(SimulatedRobot):
         super().stop()
 
 
+class FailingRobot(RecordingRobot):
+    """Raises in the velocity write it is told to fail at, when it navigates, or in a stop (after having stopped)."""
+
+    fail_in: int | None = None
+    fails_to: str | None = None
+
+    def navigate(self, goal):
+        self._fail("navigate")
+        return super().navigate(goal)
+
+    def stop(self) -> None:
+        super().stop()
+        self._fail("stop")
+
+    def _fail(self, what: str) -> None:
+        if self.fails_to == what:
+            self.fails_to = None
+            raise OSError("the bus is off")
+
+    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
+        if self.fail_in is not None and (linear or angular):
+            self.fail_in -= 1
+            if self.fail_in < 0:
+                self.fail_in = None
+                raise OSError("the motor driver is gone")
+        super().velocity(linear, angular, valid_for)
+
+
 class Stage:
     """A virtual clock, a recording robot and an executor, wired."""
 

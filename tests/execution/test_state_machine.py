@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from execution_stage import MAP, RecordingRobot
+from execution_stage import MAP, FailingRobot
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
@@ -48,34 +48,6 @@ intents:
     sentences: ["{verb} {{direction}}"]
     defaults: {{speed: 0.5 m/s, duration: 2 s}}
 """
-
-
-class FailingRobot(RecordingRobot):
-    """Raises in the velocity write it is told to fail at, when it navigates, or in a stop (after having stopped)."""
-
-    fail_in: int | None = None
-    fails_to: str | None = None
-
-    def navigate(self, goal):
-        self._fail("navigate")
-        return super().navigate(goal)
-
-    def stop(self) -> None:
-        super().stop()
-        self._fail("stop")
-
-    def _fail(self, what: str) -> None:
-        if self.fails_to == what:
-            self.fails_to = None
-            raise OSError("the bus is off")
-
-    def velocity(self, linear: float, angular: float, valid_for: float) -> None:
-        if self.fail_in is not None and (linear or angular):
-            self.fail_in -= 1
-            if self.fail_in < 0:
-                self.fail_in = None
-                raise OSError("the motor driver is gone")
-        super().velocity(linear, angular, valid_for)
 
 
 class ExecutorMachine(RuleBasedStateMachine):
