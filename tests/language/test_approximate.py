@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
-from intent_engine.language.approximate import MOST_MOVES, UtteranceSearch
+from intent_engine.language.approximate import (
+    MAX_COMPARED,
+    MAX_HEARD,
+    MAX_SPAN,
+    MOST_MOVES,
+    WIDER,
+    WIDTH,
+    UtteranceSearch,
+)
 
 SENTENCES = (
     "go forward two meters",
@@ -70,7 +80,7 @@ def test_all_that_is_found_are_utterances_and_few_steps_are_taken(engine, heard)
     graph = Counting(engine.matcher().likely)
     found = UtteranceSearch(graph).nearest(heard, 5)
     # Three rounds for each number of words heard; steps that lead nowhere count as well.
-    assert graph.steps <= 2 * 3 * MOST_MOVES * (len(heard) + 1)
+    assert graph.steps <= 2 * 3 * MOST_MOVES * (WIDTH + WIDER) * (len(heard) + 1)
     assert len(found) <= 5
     assert len({words for words, _ in found}) == len(found)
     for words, cost in found:
@@ -136,3 +146,28 @@ def test_no_word_is_put_into_a_slot_that_does_not_take_it(engine):
     found = UtteranceSearch(engine.matcher().likely).nearest(heard)
     assert len(found) == 12
     assert all(engine.parse(" ".join(words)).reason != "'right' is nothing for slot 'thing'" for words, _ in found)
+
+
+def test_what_was_heard_long_ago_is_forgotten(engine):
+    """A robot that listens all day hears more than it can keep."""
+    search = UtteranceSearch(engine.matcher().likely)
+    first = search.nearest(["turn", "lefft"])
+    for number in range(MAX_COMPARED):
+        search.nearest([f"turn{number}"])
+    assert len(search._likeness) <= MAX_COMPARED + MAX_HEARD * MAX_SPAN
+    assert search.nearest(["turn", "lefft"]) == first
+
+
+def test_two_threads_that_ask_at_once_are_answered_as_one(engine):
+    heard = [["turn", "lefft", "ninty", "degrease"], ["drive", "too", "the", "kichen"]]
+    alone = [UtteranceSearch(engine.matcher().likely).nearest(one) for one in heard]
+    search = UtteranceSearch(engine.matcher().likely)
+    with ThreadPoolExecutor(2) as pool:
+        assert list(pool.map(search.nearest, heard * 3)) == alone * 3
+
+
+def test_sentences_that_others_crowd_out_are_found_too(engine):
+    """ "Going" and a number are sentences of a hundred beginnings, each of them nearer until the room is heard."""
+    heard = ["going", "on", "towards", "the", "sitting", "room"]
+    (nearest, _), *_ = UtteranceSearch(engine.matcher().likely).nearest(heard)
+    assert nearest == ("go", *heard[1:])

@@ -43,14 +43,24 @@ def as_meant(heard: Sequence[str], corrections: PhraseSet, alikes: Mapping[str, 
 
 def no_between(heard: Sequence[str], corrections: PhraseSet, language: str | None) -> list[str]:
     """English words with a "no" between two numbers that are not one: of "fifty, no, sixty" Whisper makes "50-060"."""
-    found = list(heard)
     if language not in (None, "en") or not corrections.at(["no"], 0):
-        return found
-    for place in range(1, len(heard)):
-        two = heard[place - 1 : place + 1]
-        if all(is_number(word, "en") for word in two) and evaluate(two, "number") is None:
-            return [*heard[:place], "no", *heard[place:]]
-    return found
+        return list(heard)
+    numbers = [is_number(word, "en") for word in heard]
+    for begin, here in enumerate(numbers):
+        if here and not (begin and numbers[begin - 1]):
+            end = next((at for at in range(begin, len(heard)) if not numbers[at]), len(heard))
+            place = _second_number(heard[begin:end])
+            if place:
+                return [*heard[: begin + place], "no", *heard[begin + place :]]
+    return list(heard)
+
+
+def _second_number(words: Sequence[str]) -> int:
+    """Where a second number begins in words of numbers; 0: they are one, or end in none."""
+    if evaluate(words, "number") is not None:  # "zero point two", though "zero point" is none
+        return 0
+    halves = ((at, evaluate(words[:at], "number"), evaluate(words[at:], "number")) for at in range(1, len(words)))
+    return next((at for at, first, second in halves if first is not None and second is not None), 0)
 
 
 def corrected_like(

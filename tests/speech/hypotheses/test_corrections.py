@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
+from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.corrections import MOST, corrected_like, no_between
@@ -71,11 +72,20 @@ def test_a_correction_is_found_in_a_grammar_that_says_nothing_of_it(tmp_path, he
         ("thirty four microliters", "thirty four microliters"),
         ("two hundred and fifty meters", "two hundred and fifty meters"),
         ("go forward two meters", "go forward two meters"),
+        ("drive at zero point two meters per second", "drive at zero point two meters per second"),
+        ("one three hundred thirty yards", "one no three hundred thirty yards"),
+        ("two meters three point five seconds", "two meters three point five seconds"),
     ],
 )
 def test_two_numbers_that_are_not_one_may_have_had_a_no_between_them(heard, spoken):
     assert " ".join(no_between(heard.split(), NO, "en")) == spoken
     assert no_between(heard.split(), PhraseSet([("nein",)]), "de") == heard.split()
+
+
+@given(st.floats(0, 9999), st.integers(0, 3))
+def test_a_number_is_not_taken_apart(value, places):
+    heard = ["at", *in_words([f"{value:.{places}f}"], "en"), "meters"]
+    assert no_between(heard, NO, "en") == heard
 
 
 @pytest.mark.parametrize("heard", ["go to the kitchen", "no the dock", "go to the lounge no", "there is no milk left"])
