@@ -155,8 +155,8 @@ class Compounds:
         return [Clause(one, reason=reason, alternatives=meanings, ambiguous=True)]
 
     def _unless_the_way_back(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
-        """What goes on from a command, unless that may have gone somewhere and what follows ends with "back" and says no
-        more: backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward. To turn
+        """What goes on from a command, unless that may have gone somewhere and what follows ends with "back" and says
+        no more: backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward. To turn
         in between goes nowhere else: "take the cup to the kitchen, turn around and go back"."""
         back = next((later for later in onward if not isinstance(later.action, Turn)), onward[0])
         one, other = clause.reading, back.reading
