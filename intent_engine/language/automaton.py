@@ -203,7 +203,7 @@ class Automaton:
             if (free or word in place.allowed)
             and not (self._refusing and word in place.refused)
             and not (named and word in place.yielded)
-            for target in (place.begun if word in place.begins else place.wild)
+            for target in place.swallowed(word)
         ]
         if not (onward or guessed or swallowed):
             return None

@@ -89,7 +89,7 @@ class Continuations:
             found.add(Continuation.NOTHING)
         if place.expand is not None:  # a list of names that nobody has gone into yet
             found.add(Continuation.CONTENT)
-        for targets in (*place.arcs.values(), place.numeral, place.number, place.wild, place.begun):
+        for targets in (*place.arcs.values(), place.numeral, place.number, place.wild, place.begun, place.led or ()):
             for target in targets:
                 found |= _joined({Continuation.WORDS}, self._tail(target))
         for edge in place.edges:

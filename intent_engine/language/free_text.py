@@ -39,12 +39,13 @@ class FreeText:
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
-        self._articles = words.articles or ARTICLES
+        self.articles = words.articles or ARTICLES
+        """Words before a name that are no part of it."""
         self._going_on = words.joining - words.may_begin
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
-        self._binding = words.joining | self._articles | words.binding
+        self._binding = words.joining | self.articles | words.binding
         self.unfinished = words.unfinished
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone
@@ -137,7 +138,7 @@ class FreeText:
             return False
         if said[0] not in self._words.persons:
             return self._fillers.cover(said)
-        return len(said) == 1 or said[1] in self._articles or said[1] in self._words.joining
+        return len(said) == 1 or said[1] in self.articles or said[1] in self._words.joining
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
         """The word that shows that words are not the name of one thing, in a slot that lists things."""
@@ -220,9 +221,13 @@ class FreeText:
         return word[:1].isdigit() or quantities.is_number_word(word, self._language)
 
     def _without_articles(self, words: Sequence[str]) -> Sequence[str]:
-        while len(words) > 1 and words[0] in self._articles and not _is_code(words):
+        while len(words) > 1 and words[0] in self.articles and not _is_code(words):
             words = words[1:]
         return words
+
+    def has_room(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether a slot takes so many words: its articles are none of them."""
+        return len(said if slot.dictation else self._without_articles(said)) <= slot.max_words
 
     def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents

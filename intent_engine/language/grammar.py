@@ -119,7 +119,7 @@ class Slot:
     values: tuple[tuple[Any, Node], ...] = ()
     """Choice: value and the template that spells it."""
     max_words: int = 4
-    """Text: at most so many words."""
+    """Text: at most so many words, articles before the name not counted."""
     dictation: bool = False
     """Text: whether it is dictated. It ends its sentence, and holds all that is said from there on, as it was said."""
     allow: frozenset[str] = frozenset()

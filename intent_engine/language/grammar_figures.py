@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.network import MOST_ARTICLES
 from intent_engine.language.quantities import MAX_WORDS
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
@@ -131,4 +132,6 @@ class _Lengths(_Figure):
             return max((self.of(node) for _, node in slot.values), default=0)
         if slot.type == "location":
             return self._longest_name
-        return MAX_WORDS if slot.type in QUANTITY_KINDS else slot.max_words
+        if slot.type in QUANTITY_KINDS:
+            return MAX_WORDS
+        return slot.max_words if slot.dictation else slot.max_words + MOST_ARTICLES

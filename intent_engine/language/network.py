@@ -9,16 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, TypeAlias
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
-__all__ = ["NAMED", "NEVER", "Call", "Edge", "Network", "Networks", "State"]
+__all__ = ["MOST_ARTICLES", "NAMED", "NEVER", "Call", "Edge", "Network", "Networks", "State"]
 
 NEVER = "\0never"
 """A word that nobody says: where a language has nothing that may stand there."""
 NAMED = ("named",)
 """The mark of a number that is a part of a name, without being a slot: "drawer 7"."""
+MOST_ARTICLES = 2
+"""Before a name: "the my cup" of somebody who begins again. A third is a word of the name."""
 
 
 Name: TypeAlias = tuple[tuple[str, ...], str]
@@ -55,8 +58,8 @@ class State:
     """A place in a network."""
 
     __slots__ = (
-        "allowed", "arcs", "begins", "begun", "edges", "expand", "final", "known", "number", "numeral", "refused",
-        "wild", "yielded",
+        "allowed", "arcs", "articles", "begins", "begun", "edges", "expand", "final", "known", "led", "number",
+        "numeral", "refused", "wild", "yielded",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -75,6 +78,10 @@ class State:
         self.begins: frozenset[str] = frozenset()
         """Words with which this free slot may go on, but not end ("the"); they lead to ``begun``."""
         self.begun: tuple[State, ...] = ()
+        self.articles: frozenset[str] = frozenset()
+        """Words with which the name in this free slot may begin, and that are no part of it. They lead to the first of
+        ``led``, or to the other one where they may be all that is said ("that")."""
+        self.led: tuple[State, State] | None = None
         self.known: frozenset[str] = frozenset()
         """Words that are likely in this free slot."""
         self.refused: frozenset[str] = frozenset()
@@ -88,6 +95,12 @@ class State:
 
     def add(self, word: str, target: State) -> None:
         self.arcs[word] = (*self.arcs.get(word, ()), target)
+
+    def swallowed(self, word: str) -> tuple[State, ...]:
+        """Where a word leads that this free slot swallows."""
+        if self.led is not None and word in self.articles:
+            return (self.led[0] if word in self.begins else self.led[1],)
+        return self.begun if word in self.begins else self.wild
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,8 +189,9 @@ class Networks:
         known: frozenset[str] = frozenset(),
         refused: frozenset[str] = frozenset(),
         yielded: frozenset[str] = frozenset(),
+        articles: frozenset[str] = frozenset(),
     ) -> None:
-        """One to ``max_words`` words of any kind.
+        """One to ``max_words`` words of any kind, behind articles.
 
         Args:
             key: of the network.
@@ -188,9 +202,10 @@ class Networks:
             known: words that are likely.
             refused: words with which nothing is meant that it takes.
             yielded: words with which it does not begin where a sentence goes on with them.
+            articles: words of which it may begin with two that do not count.
         """
         self._builders[key] = lambda: _wild(
-            max_words, allowed, begins, alone | begins, known - refused, refused, yielded - allowed
+            max_words, allowed, begins, alone | begins, known - refused, refused, yielded - allowed, articles
         )
 
 
@@ -294,21 +309,28 @@ def _wild(
     known: frozenset[str],
     refused: frozenset[str],
     yielded: frozenset[str],
+    articles: frozenset[str],
 ) -> Network:
     start, end = State(), State()
     end.final = True
     start.yielded = yielded
-    here = start
+    places = led = [start, *(State() for _ in range(MOST_ARTICLES if articles else 0))]
     for left in range(max_words - 1, -1, -1):
         there, begun = State(), State()
-        here.wild = (there,)
-        here.allowed = allowed
-        here.known = known
-        here.refused = refused
-        here.begins = (alone if here is start else begins) - allowed
+        for here in places:
+            here.wild = (there,)
+            here.allowed = allowed
+            here.known = known
+            here.refused = refused
+            here.begins = (alone if here is start else begins) - allowed
+            if left:
+                here.begun = (begun,)
         if left:
-            here.begun = (begun,)
             there.edges.append(Edge(begun))
         there.edges.append(Edge(end))
-        here = begun
+        places = [begun]
+    for here, onward in pairwise(led):
+        whole = State()
+        whole.edges += (Edge(onward), Edge(end))
+        here.articles, here.led = articles, (onward, whole)
     return Network(start, end)

@@ -342,7 +342,8 @@ class Sampler:
         for text in known or STAND_INS:
             if _words(text) <= slot.max_words:
                 yield Spoken(text, text)
-            if self.grammar.language == "en" and _words(text) < slot.max_words:
+            room = slot.max_words - slot.dictation  # what is dictated is taken with its article
+            if self.grammar.language == "en" and _words(text) <= room:
                 yield Spoken(f"the {text}", f"the {text}" if slot.dictation else text)
 
     @cached_property

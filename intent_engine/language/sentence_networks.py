@@ -63,9 +63,15 @@ class SentenceNetworks:
             self._networks.add_template(f"quantity:{name}", node, scope)
         for words in range(1, 13):
             self._networks.add_wild(f"wild:{words}", words)
-            self._networks.add_wild(
-                f"free:{words}", words, begins=free.unfinished, alone=free.alone, yielded=free.no_beginning
-            )
+            for key, articles in (("free", free.articles), ("dictated", frozenset[str]())):
+                self._networks.add_wild(
+                    f"{key}:{words}",
+                    words,
+                    begins=free.unfinished,
+                    alone=free.alone,
+                    yielded=free.no_beginning,
+                    articles=articles,
+                )
         for slot in grammar.slots.values():
             if slot.allow or slot.known or slot.without:
                 self._networks.add_wild(
@@ -77,6 +83,7 @@ class SentenceNetworks:
                     slot.known | thing_words(grammar.language).articles if slot.known else slot.known,
                     slot.without,
                     free.no_beginning,
+                    frozenset() if slot.dictation else free.articles,
                 )
         for slot in grammar.slots.values():
             self._add_slot(slot, spoken)
@@ -177,7 +184,8 @@ def call_of(slot: Slot, label: str) -> Call:
     mark = ("slot", label, slot.name)
     if slot.type in FREE_KINDS:
         listed = slot.allow or slot.known or slot.without
-        return Call(f"text:{slot.name}" if listed else f"free:{slot.max_words}", mark)
+        kind = "dictated" if slot.dictation else "free"
+        return Call(f"text:{slot.name}" if listed else f"{kind}:{slot.max_words}", mark)
     loose = None
     if slot.fuzzy and slot.type in ("location", "choice"):
         loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"

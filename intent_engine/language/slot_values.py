@@ -50,12 +50,16 @@ class SlotValues:
         if slot.type in QUANTITY_KINDS:
             return self._quantity(slot, label, words[start:end], start, end)
         if slot.type in FREE_KINDS:
-            return self._text(slot, label, words, start, end)
+            if not self.has_room(slot, words[start:end]):  # the "a" of "a 42 red" is a part of the name
+                problem = f"{' '.join(words[start:end])!r} has more words than slot {slot.name!r} takes"
+                return SlotReading(label, slot, start, end, None, 0.0, (), "unknown", problem)
+            return self.text(slot, label, words, start, end)
         if not loosely:
             return SlotReading(label, slot, start, end, value)
         return self._name(slot, label, words[start:end], start, end)
 
-    def _text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
+    def text(self, slot: Slot, label: str, words: list[str], start: int, end: int) -> SlotReading:
+        """What words name in a free slot, however many they are."""
         said = words[start:end]
         problem = self._free.problem(slot, words, start, end)
         status = "unknown"
@@ -87,6 +91,10 @@ class SlotValues:
         elif isinstance(value, float):
             value = slot.counted(value)
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
+
+    def has_room(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether a free slot takes so many words, as :meth:`FreeText.has_room` has it."""
+        return self._free.has_room(slot, said)
 
     def is_thing(self, slot: Slot) -> bool:
         """Whether a slot holds the name of a thing, as :meth:`FreeText.is_thing` has it."""
@@ -142,6 +150,8 @@ class SlotValues:
         elif slot.type in FREE_KINDS and not self._grammar.operators.closed.isdisjoint(set(said) - slot.allow):
             problem = f"{' '.join(said)!r} holds a word that changes what is meant"
             reading = SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
+        elif slot.type in FREE_KINDS:  # of as many words as the pattern says
+            reading = self.text(slot, label, said, 0, end)
         else:
             reading = self.read(slot, label, said, 0, end, None, False)
         return replace(reading, start=start, end=start + end)

@@ -61,6 +61,8 @@ class ThingWords:
     """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()
     """Endings of words that say how something is done."""
+    sayings: tuple[str, ...] = ()
+    """What is said of an "it" that is no thing."""
     examples: tuple[str, ...] = ()
     """Things, for sampled sentences."""
 
@@ -81,9 +83,9 @@ def thing_words(language: str) -> ThingWords:
     if not file.is_file():
         return ThingWords()
     data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
-    examples = tuple(data.pop("examples", ()))
+    sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, examples=examples)
+    return ThingWords(**words, sayings=sayings, examples=examples)
 
 
 @cache

@@ -50,7 +50,7 @@ class Ways:
                 self.number.append((place, stack, index))
             if place.begun or place.wild:
                 self.wild.append((place, stack, index))
-                special.update(place.allowed, place.begins)
+                special.update(place.allowed, place.begins, place.articles)
         self.special = special
         """Words of which free slots say something."""
 

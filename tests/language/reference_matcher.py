@@ -12,6 +12,7 @@ from itertools import islice, permutations, product
 from typing import Any
 
 from intent_engine.language.grammar import Grammar, Slot
+from intent_engine.language.network import MOST_ARTICLES
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 from intent_engine.language.thing_words import ARTICLES, thing_words
 
@@ -33,6 +34,8 @@ class Piece:
     """Any numeral."""
     free: bool = False
     """Any word that is not closed, or that is in ``allowed``."""
+    article: bool = False
+    """An article."""
     allowed: frozenset[str] = frozenset()
     never: frozenset[str] = frozenset()
     """Words that it is not, because nothing ends so."""
@@ -40,6 +43,8 @@ class Piece:
     def takes(self, word: str, closed: frozenset[str]) -> bool:
         if self.numeral:
             return word.lstrip("-").replace(".", "", 1).isdigit()
+        if self.article:
+            return word in ARTICLES
         if self.free:
             return word in self.allowed or (word not in closed and word not in self.never)
         return word == self.word
@@ -120,7 +125,7 @@ class ReferenceMatcher:
         return (
             {piece.word for piece in pieces if piece.word},
             any(piece.numeral for piece in pieces),
-            any(piece.free for piece in pieces),
+            any(piece.free or piece.article for piece in pieces),
         )
 
     # -- how ----------------------------------------------------------------------------------------------------
@@ -187,7 +192,12 @@ class ReferenceMatcher:
                 piece = Piece(free=True, allowed=slot.allow)
                 never = thing_words("en").unfinished | (thing_words("en").alone if length == 1 else set())
                 last = Piece(free=True, allowed=slot.allow, never=frozenset(never))
-                yield Way((*((piece,) * (length - 1)), last), (Hole(label, 0, length, None),))
+                name = (*((piece,) * (length - 1)), last)
+                yield Way(name, (Hole(label, 0, length, None),))
+                behind = (*name[:-1], Piece(free=True, allowed=slot.allow, never=thing_words("en").unfinished))
+                for articles in range(1, MOST_ARTICLES + 1):
+                    led = (Piece(article=True),) * articles + behind
+                    yield Way(led, (Hole(label, 0, len(led), None),))
         for value, node in slot.values:
             for way in self._ways(node):
                 yield Way(way.pieces, (Hole(label, 0, len(way.pieces), value),))

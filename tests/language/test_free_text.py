@@ -42,7 +42,7 @@ ENGLISH = {
     "take the cup home": "pick cup",
     # Of one word, all are the last.
     "get cup": "pick cup",
-    "get the": "rejected",
+    "get the": "incomplete",
     "get on": "rejected",
     # An author may say that such words are things.
     "have the": "pick the",
@@ -57,6 +57,22 @@ ENGLISH = {
 TAKES = st.sampled_from(["take", "pick up", "grab", "bring me", "drop", "put down"])
 COUNTS = st.integers(0, 999).map(str) | st.sampled_from(["one", "two", "five", "a dozen", "twenty two", "a couple"])
 UNITS = st.sampled_from(["feet", "meters", "inches", "degrees", "seconds", "meters per second", "percent", "steps"])
+
+
+NAME = st.lists(st.sampled_from(["cup", "red", "box", "small"]), min_size=1, max_size=6)
+BEFORE = st.sampled_from(["the", "my", "a", "another", "that my", "that", "some"])
+
+
+@given(st.sampled_from([("take", 3), ("get", 1)]), st.lists(BEFORE, max_size=1), NAME)
+def test_an_article_is_none_of_the_words_of_a_name(engines, verb, before, name):
+    said, most = verb
+    meant = f"pick {' '.join(name)}" if len(name) <= most else "rejected"
+    assert done(engines["en"].parse(" ".join([said, *before, *name]))) == meant
+
+
+def test_but_a_letter_before_a_number_is(engines):
+    assert done(engines["en"].parse("get a 42")) == "rejected"
+    assert done(engines["en"].parse("get the 42")) == "pick 42"
 
 
 @given(TAKES, COUNTS, st.just("") | UNITS)

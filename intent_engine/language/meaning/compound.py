@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 
-from intent_engine.actions import Move, Navigate, Stop
+from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
 from intent_engine.language.meaning.command import Clause, Commands, described
 from intent_engine.language.meaning.correction import Corrections
@@ -155,12 +155,14 @@ class Compounds:
         return [Clause(one, reason=reason, alternatives=meanings, ambiguous=True)]
 
     def _unless_the_way_back(self, clause: Clause, onward: list[Clause]) -> list[Clause]:
-        """What goes on from a command, unless that went somewhere and what follows ends with "back" and says no more:
-        backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward."""
-        one, other = clause.reading, onward[0].reading
+        """What goes on from a command, unless that may have gone somewhere and what follows ends with "back" and says
+        no more: backward, or back to where it came from? "Go forward two meters and back" is no 60 cm backward. To turn
+        in between goes nowhere else: "take the cup to the kitchen, turn around and go back"."""
+        back = next((later for later in onward if not isinstance(later.action, Turn)), onward[0])
+        one, other = clause.reading, back.reading
         if one is None or other is None or not self._ways_back.ends(other.words):
             return onward
-        if not _goes_somewhere(clause) or not isinstance(onward[0].action, Move) or _goes_somewhere(onward[0]):
+        if not _goes_somewhere(clause) or not isinstance(back.action, Move) or _goes_somewhere(back):
             return onward
         either = (f"{described(one)}, then {described(other)}", f"{described(one)}, then the way back")
         reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
@@ -218,10 +220,13 @@ def _goes_on(clause: Clause) -> bool:
 
 
 def _goes_somewhere(clause: Clause) -> bool:
-    """Whether a command has an end that one can come back from: a place, or how far it goes."""
-    if isinstance(clause.action, Navigate):
+    """Whether a command may have an end that one can come back from: a place, where a thing is or goes, or how far.
+    Where an action of the user's own leads, only he knows: "deliver the mail", "take the cup to the kitchen"."""
+    if isinstance(clause.action, Navigate | Custom):
         return True
     slots = clause.reading.slots if clause.reading is not None else ()
+    if isinstance(clause.action, Pick | Place):
+        return len(slots) > 1
     return isinstance(clause.action, Move) and any(slot.slot.type in ("distance", "duration") for slot in slots)
 
 

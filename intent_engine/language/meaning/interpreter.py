@@ -23,6 +23,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.said_twice import SaidTwice
+from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
@@ -77,6 +78,7 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands, replacements))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
+        self._sayings = Sayings(phrases, self.matcher.grammar)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -127,6 +129,8 @@ class Interpreter:
         # How a recogniser sets its question marks tells little.
         if not spoken and _ASKED.search(text) and self._lists_only(meant[1]):
             return self._rejected(text, "a question, and not one to do something")
+        if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
+            return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant

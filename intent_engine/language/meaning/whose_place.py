@@ -32,11 +32,6 @@ class _Way:
     one: SlotReading
     other: SlotReading
 
-    @property
-    def fits(self) -> bool:
-        """Whether neither name has more words than its slot takes."""
-        return all(name.end - name.start <= name.slot.max_words for name in (self.one, self.other))
-
 
 class WhosePlace:
     """The ways to part the names of one grammar's sentences. Thread-safe."""
@@ -72,7 +67,7 @@ class WhosePlace:
             taken = names_taken(reading.intent, reading.values())
             whole = self._pronouns.cover(reading.words[first.one.start : first.one.end])
             if whole or (one.label in taken and other.label not in taken):
-                reading = self._parted(reading, next((way for way in ways if way.fits), first))
+                reading = self._parted(reading, next((way for way in ways if self._fits(reading, way)), first))
             elif one.label in taken or other.label in taken:
                 said = reading.words
                 between = " ".join(said[first.one.end : last.one.end])
@@ -121,10 +116,15 @@ class WhosePlace:
         return {label: value for label, value in reading.values().items() if label not in (one.label, other.label)}
 
     def _way(self, reading: Reading, one: SlotReading, other: SlotReading, end: int, start: int) -> _Way | None:
-        words, read = list(reading.words), self._matcher.values.read
-        first = read(one.slot, one.label, words, one.start, end, None, False)
-        second = read(other.slot, other.label, words, start, other.end, None, False)
+        words, read = list(reading.words), self._matcher.values.text
+        first = read(one.slot, one.label, words, one.start, end)
+        second = read(other.slot, other.label, words, start, other.end)
         return _Way(first, second) if not (first.problem or second.problem) else None
+
+    def _fits(self, reading: Reading, way: _Way) -> bool:
+        """Whether neither name has more words than its slot takes."""
+        names, has_room = (way.one, way.other), self._matcher.values.has_room
+        return all(has_room(name.slot, reading.words[name.start : name.end]) for name in names)
 
     def _parted(self, reading: Reading, way: _Way) -> Reading:
         names = {way.one.label: way.one, way.other.label: way.other}

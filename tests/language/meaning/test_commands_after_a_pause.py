@@ -68,7 +68,9 @@ def test_nothing_is_done_by_halves(engine: IntentEngine, name: str, command: str
 @pytest.mark.parametrize(
     ("said", "done"),
     [
-        ("bring me the ball, back", "bring, back 0.5"),
+        ("bring me the ball, left", "bring, left 43"),
+        ("pick up the ball, back", "pick ball, back 0.6"),
+        ("bring me the ball, back", "ambiguous"),  # or the way back
         ("release the cup, faster", "rejected"),
         ("grab the ball, a bit slower", "rejected"),
         ("pick up the big, fast, car", "rejected"),

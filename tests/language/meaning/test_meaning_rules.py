@@ -20,6 +20,7 @@ from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
+from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.whose_place import WhosePlace
 
@@ -80,6 +81,7 @@ RULES = {
     (Corrections, "taken_back"): lambda self, words: 0,
     (Compounds, "split"): lambda self, core, state, exactly=False: None,
     (Compounds, "_unless_the_way_back"): lambda self, clause, onward: onward,
+    (Sayings, "within"): lambda self, said, parts: "",
     (Hesitations, "or_either"): lambda self, parts, said, state: parts,
     (WhosePlace, "settled"): lambda self, reading: (reading, (), ""),
     (RunOns, "split"): lambda self, core, state: None,
