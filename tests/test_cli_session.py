@@ -12,6 +12,7 @@ import pytest
 
 from intent_engine import IntentEngine
 from intent_engine.actions import Custom, Move
+from intent_engine.cli.listening_options import Hearing, Telling, session
 from intent_engine.cli.reporter import Reporter
 from intent_engine.cli.session import Session
 from intent_engine.evaluation.sound import SamplesSource
@@ -108,3 +109,15 @@ def test_a_robot_that_is_driven_does_not_go_on_from_what_it_did_not_do(monkeypat
     told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert "executing" not in [one.get("state") for one in told]
     assert "no_handler" in [one.get("reason") for one in told]
+
+
+@pytest.mark.parametrize("as_json", [False, True])
+def test_a_doubtful_grammar_that_is_listened_to_is_told_of_once(capsys, tmp_path, as_json):
+    path = tmp_path / "g.yaml"
+    path.write_text("slots: {a: {values: [red, blue]}}\nintents: {wave: {action: custom, sentences: [wave]}}\n")
+    session(Hearing(grammar=[str(path)]), Telling(as_json=as_json), VirtualClock())
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err == f"1 warning in grammar {path}: intent-engine check {path} shows it\n"
+    session(Hearing(), Telling(as_json=as_json), VirtualClock())
+    assert capsys.readouterr().err == ""
