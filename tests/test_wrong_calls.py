@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine.actions import Move
 from intent_engine.errors import AudioError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.limits import Limits
@@ -65,3 +66,49 @@ def test_what_no_sentences_are_made_of():
     engine = IntentEngine.from_files("en", locations="home")
     with pytest.raises(ValueError, match="there is no noise 'filler'; there is fillers, spelling"):
         sentences(engine, noise=["spelling", "filler"])
+
+
+MOVE = Move(0.5, 1.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "says"),
+    [
+        (lambda one: one.cancel(one.submit(MOVE)), "cancel takes a goal, one of the list that submit returned, not"),
+        (lambda one: one.cancel(None), "cancel takes a goal, as submit returns for each action, not None"),
+        (lambda one: one.wait([MOVE]), "wait takes a goal, as submit returns"),
+        (lambda one: one.submit(MOVE, amends=[MOVE]), "amends takes a goal"),
+        (lambda one: one.submit(MOVE, "queue"), r"spoken_at is a time .* by its name: policy='queue'"),
+        (lambda one: one.submit(MOVE, guards=lambda: ""), "guards are a list with one for each action"),
+        (lambda one: one.submit(MOVE, policy="quee"), "policy is one of 'replace', 'queue', 'follow', 'refuse', not"),
+        (lambda one: one.submit(MOVE, keep="way"), "keep is one of 'distance', 'duration', not 'way'"),
+        (lambda one: one.subscribe(None), "a listener is a function that takes an event, not None"),
+        (lambda one: one.register("wave", lambda: None), "called as handler.action., or handler.action, context."),
+    ],
+)
+def test_what_an_executor_cannot_take_is_told(executor, call, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        call(executor)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"hold_limit": None}, "hold_limit is a number of s, not None"),
+        ({"hold_limit": float("nan")}, "hold_limit must not be below zero, as nan"),
+        ({"expire_after": "5 s"}, "expire_after is a number of s, not '5 s'"),
+        ({"queue_limit": True}, "queue_limit is a number of goals"),
+        ({"journal": "log.jsonl"}, r"journal is Journal\(path\)"),
+        ({"on_event": []}, "on_event is a function that takes an event"),
+        ({"handlers": {"wave": "print"}}, "handlers takes a name and a function, not 'wave' and 'print'"),
+        ({"handlers": [("wave", print)]}, "handlers are a dictionary by action"),
+        ({"policies": "queue"}, "policies are a dictionary by action"),
+        ({"policies": {"navigate": "quee"}}, "the policy of 'navigate' is one of 'replace'"),
+        ({"rates": 20}, r"rates are Rates\(rate=20\.0\)"),
+        ({"clock": VirtualClock}, r"a clock is MonotonicClock\(\) or VirtualClock\(\), not <class"),
+        ({"loop": 20}, "loop is a Guardian"),
+    ],
+)
+def test_what_no_executor_is_made_of_is_told(given, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        Executor(SimulatedRobot(), **given)
