@@ -6,9 +6,10 @@ import pytest
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.actions import Move
-from intent_engine.errors import AudioError
+from intent_engine.errors import AudioError, ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.limits import Limits
+from intent_engine.language.locations import LocationMap
 from intent_engine.speech.sources.stream import StreamSource
 from intent_engine.testing import sentences
 
@@ -112,3 +113,51 @@ def test_what_an_executor_cannot_take_is_told(executor, call, says):
 def test_what_no_executor_is_made_of_is_told(given, says):
     with pytest.raises((TypeError, ValueError), match=says):
         Executor(SimulatedRobot(), **given)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"recognizer": "tiny.en"}, r"recognizer is recognizer_for\(engine, 'base'\)"),
+        ({"recognizer": lambda samples: "stop"}, "recognizer is recognizer_for"),
+        ({"voice": True}, r"voice is SileroVoice\(\)"),
+        ({"reflex": True}, r"reflex is reflex_for\(engine\)"),
+        ({"noise_filter": "rnnoise"}, "noise_filter is 'auto', None or a noise filter, not 'rnnoise'"),
+        ({"settings": {"wait_complete": 0.2}}, r"settings are Settings\("),
+        ({"on_event": "print"}, "on_event is a function that takes an event, not 'print'"),
+        ({"state": ["docked"]}, r"state is a function .* not \['docked'\]: lambda: \['docked'\]"),
+        ({"patience": "10 s"}, "patience is a number of s, not '10 s'"),
+    ],
+)
+def test_what_no_runtime_is_made_of_is_told_before_anything_is_heard(executor, given, says):
+    engine = IntentEngine.from_files("en", locations="home")
+    with pytest.raises(TypeError, match=says):
+        Runtime(engine, executor, **{"recognizer": object(), "voice": object(), **given})
+
+
+def test_a_wake_word_is_a_list_of_one():
+    engine = IntentEngine.from_files("en", locations="home", wake="robot")
+    assert engine.grammar.wake[-1:] == (("robot",),)
+    assert not engine.parse("t turn left", spoken=True).actions
+    assert engine.parse("robot turn left", spoken=True).actions
+    for wrong in ([5], {"robot": 1}, 5):
+        with pytest.raises(TypeError, match=r"wake words are texts in a list, as \['robot'\]"):
+            IntentEngine.from_files("en", wake=wrong)
+    with pytest.raises(ConfigError, match=r"the wake word '!' has no letters"):
+        IntentEngine.from_files("en", wake=["!"])
+
+
+@pytest.mark.parametrize("state", [None, 5, {"moving": False}])
+def test_states_are_names(state):
+    engine = IntentEngine.from_files("en", locations="home")
+    with pytest.raises(TypeError, match=r"states are names in a list or a set, as \['moving'\], not"):
+        engine.parse("freeze, he said", state=state)
+
+
+@pytest.mark.parametrize("places", ["home", {"kitchen": (5.0, 2.0)}])
+def test_an_engine_of_grammars_takes_a_map_that_is_read(places):
+    grammars = IntentEngine.from_files("en").grammars
+    with pytest.raises(TypeError, match="IntentEngine takes a map that is read, not"):
+        IntentEngine(grammars, places)
+    read = LocationMap.from_mapping({"kitchen": (5.0, 2.0)})
+    assert IntentEngine(grammars, read).parse("go to the kitchen").actions
