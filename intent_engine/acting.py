@@ -16,6 +16,7 @@ from intent_engine.holding import Holding
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
+from intent_engine.last_said import LastSaid
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
 __all__ = ["Acting"]
@@ -53,8 +54,7 @@ class Acting:
         self._base = 0.0
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
-        self.last: Before = ()
-        """What was last understood, for words that point back to it."""
+        self._last = LastSaid()
 
     def begin(self, base: float) -> None:
         """A source begins. What an earlier run left behind, which may have ended in the middle of anything, is
@@ -66,6 +66,11 @@ class Acting:
         self._base = base
         self.summary = Summary()
         self._forget()
+
+    @property
+    def last(self) -> Before:
+        """What was last understood, for words that point back to it."""
+        return self._last.meaning
 
     def state(self) -> Collection[str]:
         """Of the robot, as grammars ask for it: "moving" while it moves, is about to, or is held, and what the program
@@ -100,7 +105,7 @@ class Acting:
             self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
         if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
             self._holding.forget()
-            self.last = ()
+            self._last.forget()
             self._executor.stop()
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
@@ -111,7 +116,7 @@ class Acting:
         self._holding.release(time, "no stop was said")
         if meaning.status is not Status.ACCEPTED or not meaning.actions:
             return
-        self.last = meaning
+        self._last.take(meaning)
         goals = self._submit(understood, utterance)
         self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
 
@@ -135,4 +140,4 @@ class Acting:
     def _forget(self) -> None:
         self._holding.forget()
         self._continuing.forget()
-        self.last = ()
+        self._last.forget()

@@ -88,6 +88,12 @@ class IntentEngine:
         loaded = tuple(grammars) if not isinstance(grammars, str | os.PathLike) else ()
         if not loaded or not all(isinstance(grammar, Grammar) for grammar in loaded):
             raise TypeError("IntentEngine takes grammars that are read; IntentEngine.from_files(...) reads files")
+        if locations is not None:
+            from intent_engine.language.locations import LocationMap
+
+            if not isinstance(locations, LocationMap):
+                how = "LocationMap.from_mapping(...) or load(path) of intent_engine.language.locations"
+                raise TypeError(f"IntentEngine takes a map that is read, not {locations!r:.80}; {how} reads one")
         self._use(_build(loaded, locations))
 
     @classmethod
@@ -96,7 +102,7 @@ class IntentEngine:
         grammar: StrPath | Sequence[StrPath],
         *,
         locations: StrPath | Sequence[StrPath] | LocationMap | Mapping[str, Any] | None = None,
-        wake: Sequence[str] = (),
+        wake: str | Sequence[str] = (),
     ) -> IntentEngine:
         """Load grammar files and a map.
 
@@ -109,14 +115,14 @@ class IntentEngine:
 
         Raises:
             ConfigError: with everything that is wrong in any file.
-            TypeError: ``grammar`` or ``locations`` is nothing that names files, nor a map.
+            TypeError: ``grammar`` or ``locations`` is nothing that names files, nor a map; or ``wake`` holds no text.
         """
         engine = cls.__new__(cls)
         engine._lock = threading.Lock()
         problems: list[Problem] = []
         engine._grammar_paths = _found("grammars", grammar, problems)
         engine._location_paths = ()
-        engine._wake = tuple(plain_phrase(text) for text in wake)
+        engine._wake = tuple(plain_phrase(text) for text in _wake_words(wake))
         given: LocationMap | None = None
         if isinstance(locations, (str, os.PathLike)) or (
             isinstance(locations, Sequence) and not isinstance(locations, Mapping)
@@ -310,6 +316,16 @@ class IntentEngine:
         return Prefix(status, next_words(matcher, reached), count, settled, resting)
 
 
+def _wake_words(given: str | Sequence[str]) -> Sequence[str]:
+    """One text is a list of one: each of its letters would wake the robot, and what it is called would not."""
+    words = [given] if isinstance(given, str) else given
+    if isinstance(words, Mapping) or not isinstance(words, Collection) or not all(isinstance(w, str) for w in words):
+        raise TypeError(f"wake words are texts in a list, as ['robot'], not {given!r:.80}")
+    if silent := [word for word in words if not any(map(str.isalnum, word))]:
+        raise ConfigError(Problem(f"the wake word {silent[0]!r} has no letters", hint="give a name, as 'robot'"))
+    return list(words)
+
+
 def _only_text(method: str, text: object) -> None:
     if not isinstance(text, str):
         raise TypeError(f"{method} takes a str, not {type(text).__name__}")
@@ -334,6 +350,8 @@ def _understood(
     last: Before | None,
 ) -> tuple[Interpretation, _Parser]:
     """What a text means, with what it points back to, and the parser that says so."""
+    if isinstance(state, Mapping) or not isinstance(state, Collection):
+        raise TypeError(f"states are names in a list or a set, as ['moving'], not {state!r:.80}")
     if isinstance(state, str):  # each of its letters would be a state, and "moving" none of them
         state = (state,)
     asked = last.needs if isinstance(last, Interpretation) else ()

@@ -20,6 +20,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.holding import Holding
 from intent_engine.judgement import Judge
+from intent_engine.runtime_parts import check_parts
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
 from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer
@@ -68,6 +69,9 @@ class Runtime:
             when what waited its turn begins; if it raises there, that is not done. None: the robot is in none of them.
         speculate: decode at the first silent frame already.
         patience: s after which a recogniser counts as hung.
+
+    Raises:
+        TypeError: one of them is not what it should be; says what is.
     """
 
     def __init__(
@@ -88,6 +92,16 @@ class Runtime:
         if not hasattr(engine, "languages") or not hasattr(executor, "submit"):
             kinds = f"{type(engine).__name__} and {type(executor).__name__}"
             raise TypeError(f"Runtime takes an IntentEngine and then an Executor, not {kinds}")
+        check_parts(
+            settings,
+            on_event,
+            state,
+            patience,
+            recognizer=recognizer,
+            voice=voice,
+            reflex=reflex,
+            noise_filter=noise_filter,
+        )
         self.engine = engine
         self.executor = executor
         self._endpoint = Endpointer(settings)

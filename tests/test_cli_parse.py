@@ -140,3 +140,31 @@ def test_complete_knows_when_nothing_can_follow(intent_engine):
     done = intent_engine("complete", "fly to the moon")
     assert (done.returncode, done.stdout) == (1, "")
     assert "no sentence begins so" in done.stderr
+
+
+DOUBTFUL = """\
+language: en
+slots: {colour: {values: [red, blue]}}
+intents:
+  wave: {action: custom, sentences: [wave]}
+"""
+
+
+@pytest.mark.parametrize("options", [["wave"], ["--json", "wave"], ["--explain", "wave"], ["-"]])
+def test_what_is_doubtful_in_a_grammar_is_told_in_one_line_that_says_where(intent_engine, tmp_path, options):
+    (tmp_path / "my wave.yaml").write_text(DOUBTFUL)
+    done = intent_engine("parse", "-g", "my wave.yaml", *options, stdin=b"wave\nwave\n", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == "1 warning in grammar my wave.yaml: intent-engine check 'my wave.yaml' shows it\n"
+    checked = intent_engine("check", "my wave.yaml", cwd=tmp_path)
+    assert checked.stdout.startswith("warning: my wave.yaml:2:9: slot 'colour' is used by no sentence")
+    assert "0 errors, 1 warning" in checked.stdout
+
+
+def test_of_several_files_that_are_one_grammar_it_is_told_once(intent_engine, tmp_path):
+    (tmp_path / "one.yaml").write_text(DOUBTFUL)
+    (tmp_path / "two.yaml").write_text(DOUBTFUL.replace("wave", "bow").replace("colour", "shade"))
+    done = intent_engine("parse", "-g", "one.yaml", "-g", "two.yaml", "wave", cwd=tmp_path)
+    assert done.stderr == (
+        "2 warnings in grammars one.yaml and two.yaml: intent-engine check --together one.yaml two.yaml shows them\n"
+    )

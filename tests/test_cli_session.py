@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 from intent_engine import IntentEngine
-from intent_engine.actions import Move
+from intent_engine.actions import Custom, Move
+from intent_engine.cli.listening_options import Hearing, Telling, session
 from intent_engine.cli.reporter import Reporter
 from intent_engine.cli.session import Session
 from intent_engine.evaluation.sound import SamplesSource
-from intent_engine.execution.clock import MonotonicClock
+from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState
@@ -65,3 +66,58 @@ def test_the_end_is_told_after_what_was_done(monkeypatch, capsys, stopped):
     assert told[-1]["event"] == "end"
     assert "succeeded" in [one.get("state") for one in told]
     assert [one["event"] for one in told].count("stop") == stopped
+
+
+def _with_a_wave(monkeypatch, **options):
+    """A session in which the robot is told to wave and then to drive."""
+
+    @contextlib.contextmanager
+    def controls(_: object, executor: Executor) -> Iterator[None]:
+        executor.submit([Custom("wave", {"person": "camera"}), Move(0.5, 1.0, 2.0)])
+        executor.wait()
+        yield
+
+    monkeypatch.setattr(Session, "_recognizer", lambda self: Deaf())
+    engine, robot = IntentEngine.from_files(default_grammar()), load_robot(default_robot())
+    session = Session(engine, robot, reflex=False, controls=controls, **options)
+    return session.play(SamplesSource(np.zeros(1_600, np.float32)))
+
+
+def test_an_action_of_ones_own_is_shown_and_what_follows_is_done(monkeypatch, capsys):
+    ended = _with_a_wave(monkeypatch, clock=VirtualClock())
+    assert ended.failed == 0
+    assert [line.split("s  ", 1)[-1].strip() for line in capsys.readouterr().out.splitlines()[:4]] == [
+        "doing       wave person=camera",
+        "done        no handler in this program: shown only, at x 0.00 m, y 0.00 m, facing 0°",
+        "doing       move forward 1.00 m at +0.50 m/s for 2.00 s",
+        "done        at x 1.00 m, y 0.00 m, facing 0°",
+    ]
+
+
+def test_that_an_action_was_shown_only_is_in_the_json(monkeypatch, capsys):
+    _with_a_wave(monkeypatch, clock=VirtualClock(), as_json=True)
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    waved, moved = (one for one in told if one.get("state") == "succeeded")
+    assert waved["action"] == {"type": "custom", "name": "wave", "slots": {"person": "camera"}}
+    assert waved["detail"] == "no handler in this program: shown only"
+    assert "detail" not in moved
+
+
+def test_a_robot_that_is_driven_does_not_go_on_from_what_it_did_not_do(monkeypatch, capsys, tmp_path):
+    ended = _with_a_wave(monkeypatch, clock=MonotonicClock(), drive=tmp_path / "out", in_process=True, as_json=True)
+    assert ended.failed
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert "executing" not in [one.get("state") for one in told]
+    assert "no_handler" in [one.get("reason") for one in told]
+
+
+@pytest.mark.parametrize("as_json", [False, True])
+def test_a_doubtful_grammar_that_is_listened_to_is_told_of_once(capsys, tmp_path, as_json):
+    path = tmp_path / "g.yaml"
+    path.write_text("slots: {a: {values: [red, blue]}}\nintents: {wave: {action: custom, sentences: [wave]}}\n")
+    session(Hearing(grammar=[str(path)]), Telling(as_json=as_json), VirtualClock())
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err == f"1 warning in grammar {path}: intent-engine check {path} shows it\n"
+    session(Hearing(), Telling(as_json=as_json), VirtualClock())
+    assert capsys.readouterr().err == ""

@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
-from intent_engine.errors import AudioError
+from intent_engine.actions import Move
+from intent_engine.errors import AudioError, ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.limits import Limits
+from intent_engine.language.locations import LocationMap
 from intent_engine.speech.sources.stream import StreamSource
 from intent_engine.testing import sentences
 
@@ -65,3 +67,97 @@ def test_what_no_sentences_are_made_of():
     engine = IntentEngine.from_files("en", locations="home")
     with pytest.raises(ValueError, match="there is no noise 'filler'; there is fillers, spelling"):
         sentences(engine, noise=["spelling", "filler"])
+
+
+MOVE = Move(0.5, 1.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "says"),
+    [
+        (lambda one: one.cancel(one.submit(MOVE)), "cancel takes a goal, one of the list that submit returned, not"),
+        (lambda one: one.cancel(None), "cancel takes a goal, as submit returns for each action, not None"),
+        (lambda one: one.wait([MOVE]), "wait takes a goal, as submit returns"),
+        (lambda one: one.submit(MOVE, amends=[MOVE]), "amends takes a goal"),
+        (lambda one: one.submit(MOVE, "queue"), r"spoken_at is a time .* by its name: policy='queue'"),
+        (lambda one: one.submit(MOVE, guards=lambda: ""), "guards are a list with one for each action"),
+        (lambda one: one.submit(MOVE, policy="quee"), "policy is one of 'replace', 'queue', 'follow', 'refuse', not"),
+        (lambda one: one.submit(MOVE, keep="way"), "keep is one of 'distance', 'duration', not 'way'"),
+        (lambda one: one.subscribe(None), "a listener is a function that takes an event, not None"),
+        (lambda one: one.register("wave", lambda: None), "called as handler.action., or handler.action, context."),
+    ],
+)
+def test_what_an_executor_cannot_take_is_told(executor, call, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        call(executor)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"hold_limit": None}, "hold_limit is a number of s, not None"),
+        ({"hold_limit": float("nan")}, "hold_limit must not be below zero, as nan"),
+        ({"expire_after": "5 s"}, "expire_after is a number of s, not '5 s'"),
+        ({"queue_limit": True}, "queue_limit is a number of goals"),
+        ({"journal": "log.jsonl"}, r"journal is Journal\(path\)"),
+        ({"on_event": []}, "on_event is a function that takes an event"),
+        ({"handlers": {"wave": "print"}}, "handlers takes a name and a function, not 'wave' and 'print'"),
+        ({"handlers": [("wave", print)]}, "handlers are a dictionary by action"),
+        ({"policies": "queue"}, "policies are a dictionary by action"),
+        ({"policies": {"navigate": "quee"}}, "the policy of 'navigate' is one of 'replace'"),
+        ({"rates": 20}, r"rates are Rates\(rate=20\.0\)"),
+        ({"clock": VirtualClock}, r"a clock is MonotonicClock\(\) or VirtualClock\(\), not <class"),
+        ({"loop": 20}, "loop is a Guardian"),
+    ],
+)
+def test_what_no_executor_is_made_of_is_told(given, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        Executor(SimulatedRobot(), **given)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"recognizer": "tiny.en"}, r"recognizer is recognizer_for\(engine, 'base'\)"),
+        ({"recognizer": lambda samples: "stop"}, "recognizer is recognizer_for"),
+        ({"voice": True}, r"voice is SileroVoice\(\)"),
+        ({"reflex": True}, r"reflex is reflex_for\(engine\)"),
+        ({"noise_filter": "rnnoise"}, "noise_filter is 'auto', None or a noise filter, not 'rnnoise'"),
+        ({"settings": {"wait_complete": 0.2}}, r"settings are Settings\("),
+        ({"on_event": "print"}, "on_event is a function that takes an event, not 'print'"),
+        ({"state": ["docked"]}, r"state is a function .* not \['docked'\]: lambda: \['docked'\]"),
+        ({"patience": "10 s"}, "patience is a number of s, not '10 s'"),
+    ],
+)
+def test_what_no_runtime_is_made_of_is_told_before_anything_is_heard(executor, given, says):
+    engine = IntentEngine.from_files("en", locations="home")
+    with pytest.raises(TypeError, match=says):
+        Runtime(engine, executor, **{"recognizer": object(), "voice": object(), **given})
+
+
+def test_a_wake_word_is_a_list_of_one():
+    engine = IntentEngine.from_files("en", locations="home", wake="robot")
+    assert engine.grammar.wake[-1:] == (("robot",),)
+    assert not engine.parse("t turn left", spoken=True).actions
+    assert engine.parse("robot turn left", spoken=True).actions
+    for wrong in ([5], {"robot": 1}, 5):
+        with pytest.raises(TypeError, match=r"wake words are texts in a list, as \['robot'\]"):
+            IntentEngine.from_files("en", wake=wrong)
+    with pytest.raises(ConfigError, match=r"the wake word '!' has no letters"):
+        IntentEngine.from_files("en", wake=["!"])
+
+
+@pytest.mark.parametrize("state", [None, 5, {"moving": False}])
+def test_states_are_names(state):
+    engine = IntentEngine.from_files("en", locations="home")
+    with pytest.raises(TypeError, match=r"states are names in a list or a set, as \['moving'\], not"):
+        engine.parse("freeze, he said", state=state)
+
+
+@pytest.mark.parametrize("places", ["home", {"kitchen": (5.0, 2.0)}])
+def test_an_engine_of_grammars_takes_a_map_that_is_read(places):
+    grammars = IntentEngine.from_files("en").grammars
+    with pytest.raises(TypeError, match="IntentEngine takes a map that is read, not"):
+        IntentEngine(grammars, places)
+    read = LocationMap.from_mapping({"kitchen": (5.0, 2.0)})
+    assert IntentEngine(grammars, read).parse("go to the kitchen").actions

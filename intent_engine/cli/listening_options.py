@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, States, known_states, load_engine
+from intent_engine.cli.options import (
+    Grammars,
+    Json,
+    Language,
+    Locations,
+    Robots,
+    States,
+    known_states,
+    load_engine,
+    tell_doubts,
+)
 from intent_engine.cli.outputs import check_picture
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import AudioError, ConfigError, Problem
@@ -163,6 +173,7 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
     if telling.plot is not None:
         check_picture(telling.plot, "--plot", "plot")
     engine = load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word)
+    tell_doubts(engine, hearing.grammar)
     return Session(
         engine=engine,
         states=known_states(engine, hearing.state),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from intent_engine.cli.terminal import note
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.grammar_states import unknown_states
 from intent_engine.language_tag import code_of, language_of
@@ -16,7 +18,18 @@ from intent_engine.resources import default_grammar, default_locations, find, na
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["Grammars", "Json", "Language", "Locations", "NamedToo", "Robots", "States", "known_states", "load_engine"]
+__all__ = [
+    "Grammars",
+    "Json",
+    "Language",
+    "Locations",
+    "NamedToo",
+    "Robots",
+    "States",
+    "known_states",
+    "load_engine",
+    "tell_doubts",
+]
 
 Grammars = Annotated[
     list[str] | None,
@@ -73,6 +86,23 @@ def load_engine(
     if wake and not all(re.search(r"\w", word) for word in wake):
         raise ConfigError(Problem("the wake word has no letters", hint='give a name: --wake-word "robot"'))
     return IntentEngine.from_files(grammar_paths, locations=map_paths, wake=wake or ())
+
+
+def tell_doubts(engine: IntentEngine, given: list[str] | None) -> None:
+    """One line on standard error, if loading the grammars found what is hardly meant; ``check`` looks for more.
+
+    Args:
+        engine: that was loaded.
+        given: the grammars as the option named them; None: the shipped one.
+    """
+    count = sum(len(grammar.warnings) for grammar in engine.grammars)
+    if not count:
+        return
+    names = given or [file for grammar in engine.grammars for file in grammar.files]
+    check = shlex.join([*(["--together"] if len(names) > 1 else []), *names])
+    which = f"grammar{'s' * (len(names) > 1)} {' and '.join(names)}"
+    shows = "shows it" if count == 1 else "shows them"
+    note(f"{count} warning{'s' * (count != 1)} in {which}: intent-engine check {check} {shows}")
 
 
 def known_states(engine: IntentEngine, given: list[str] | None) -> tuple[str, ...]:

@@ -11,7 +11,16 @@ import typer
 from intent_engine.cli.describe import interpretation_lines
 from intent_engine.cli.explaining import explanation_lines
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Grammars, Json, Language, Locations, States, known_states, load_engine
+from intent_engine.cli.options import (
+    Grammars,
+    Json,
+    Language,
+    Locations,
+    States,
+    known_states,
+    load_engine,
+    tell_doubts,
+)
 from intent_engine.cli.terminal import json_line, say
 from intent_engine.cli.typed import MAX_TEXT, check_length, too_long
 from intent_engine.cli.watching import Watch, watched
@@ -37,6 +46,7 @@ def parse(
 ) -> int:
     """Say what a sentence means, and which actions it gives. No audio is touched and nothing moves."""
     engine = load_engine(grammar, locations, language)
+    tell_doubts(engine, grammar)
     states = known_states(engine, state)
     if text == "-":
         with watched(engine, watch):

@@ -112,6 +112,7 @@ class Session:
         from intent_engine.execution.clock import SteppedClock
         from intent_engine.execution.executor import Executor
         from intent_engine.execution.robots.robot import Pose
+        from intent_engine.execution.showing import show_own_actions
         from intent_engine.runtime import Runtime
 
         with contextlib.ExitStack() as stack:
@@ -144,6 +145,8 @@ class Session:
             executor = stack.enter_context(
                 Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options)
             )
+            if simulated is not None:
+                show_own_actions(executor)
             runtime = Runtime(
                 self.engine,
                 executor,

@@ -8,12 +8,13 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from intent_engine.actions import Action, Custom
+from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import Clock, VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Pose
 from intent_engine.execution.robots.robot_file import RobotFile
+from intent_engine.execution.showing import show_own_actions
 from intent_engine.interpretation import Interpretation
 from intent_engine.runtime import Heard, HeardKind, Runtime
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
@@ -145,7 +146,7 @@ class Listener:
                 on_event=tell,
                 state=lambda: self._states,
             )
-            executor.register("custom", _done)  # whoever has a grammar of his own carries its actions out
+            show_own_actions(executor)  # whoever has a grammar of his own carries its actions out
             runtime.run(source)
 
 
@@ -168,10 +169,6 @@ class _Timed:
 
     def close(self) -> None:
         self._reflex.close()
-
-
-def _done(action: Custom) -> None:
-    """An action of the user's own, done at once."""
 
 
 def _next_frame(time: float) -> float:

@@ -7,9 +7,11 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from numbers import Real
 from typing import Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.execution.given import check_handler, check_number, named
 from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
@@ -58,15 +60,13 @@ def checked(
 ) -> list[Terms]:
     """The terms of each action of an utterance, when what a program gave to ``submit`` makes sense.
 
-        Raises:
-    <<<<<<< HEAD
-            TypeError: something that is not an action, or a guard that cannot be called.
-            ValueError: an unknown keep, not one for each action, not a guard for each, or a time that is none.
-    =======
-            ValueError: an unknown keep, not one for each action, or a time that is none.
-    >>>>>>> wt-newcomer
+    Raises:
+        TypeError: guards that cannot be called or stand alone, or a time that is no number.
+        ValueError: an unknown keep, not one for each action, not a guard for each, or a time that is none.
     """
-    keeps = [Keep(each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
+    if not isinstance(guards, Sequence):
+        raise TypeError(f"guards are a list with one for each action, or none at all, not {guards!r:.80}")
+    keeps = [named(Keep, "keep", each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
     if len(keeps) != len(actions):
         raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")
     if guards and len(guards) != len(actions):
@@ -74,6 +74,9 @@ def checked(
     for guard in guards:
         if not (guard is None or callable(guard)):
             raise TypeError(f"a guard is called and answers with text, not a {type(guard).__name__}")
+    if isinstance(spoken_at, bool) or not isinstance(spoken_at, Real | None):
+        hint = f"; a policy is given by its name: policy={spoken_at!r}" if spoken_at in [*Policy] else ""
+        raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
     if spoken_at is not None and not math.isfinite(spoken_at):
         raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
     return [Terms(*each) for each in zip(keeps, guards or [None] * len(actions), strict=True)]
@@ -136,8 +139,15 @@ class Admission:
     ) -> None:
         self.robot = robot
         self.limits = limits
+        check_number("expire_after", expire_after)
+        for what, given in (("handlers", handlers), ("policies", policies)):
+            if not isinstance(given, Mapping):
+                how = "{'wave': function}" if what == "handlers" else "{'navigate': 'queue'}"
+                raise TypeError(f"{what} are a dictionary by action, as {how}, not {given!r:.80}")
+        for name, handler in handlers.items():
+            check_handler("handlers", name, handler)
         self.handlers: dict[str, Handler] = dict(handlers)
-        self.policies = {name: Policy(policy) for name, policy in policies.items()}
+        self.policies = {name: named(Policy, f"the policy of {name!r}", given) for name, given in policies.items()}
         self.expire_after = expire_after
 
     def policy(self, action: Action) -> Policy:

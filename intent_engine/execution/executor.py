@@ -22,7 +22,7 @@ from contextlib import contextmanager
 from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
-from intent_engine.execution import shutdown
+from intent_engine.execution import given, shutdown
 from intent_engine.execution.admission import Admission, Policy, check_robot, checked, limits_of
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor, Host
@@ -58,7 +58,8 @@ class Executor:
         handle_sigterm: stop the robot when the process is asked to end (where SIGTERM has no other handler yet).
 
     Raises:
-        TypeError: the robot lacks methods, or is a class and not an instance.
+        TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.
+        ValueError: a time below zero, or a policy that there is not.
     """
 
     STOP_PATIENCE = 0.005
@@ -84,6 +85,9 @@ class Executor:
         handle_sigterm: bool = True,
     ) -> None:
         check_robot(robot)
+        given.check_parts(clock, rates, loop, journal, on_event)
+        given.check_number("hold_limit", hold_limit)
+        given.check_number("queue_limit", queue_limit, "goals")
         self.robot = robot
         self.limits: Limits = limits_of(robot, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
@@ -157,7 +161,7 @@ class Executor:
             A goal for each action, in order.
 
         Raises:
-            TypeError: something that is not an action was submitted, or a guard that cannot be called.
+            TypeError: something that is not an action was submitted, a guard that cannot be called, or what is no goal.
             ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
                 that is none.
         """
@@ -167,6 +171,8 @@ class Executor:
             self.stop()  # whatever may be wrong with the rest
         actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
+        taken = given.named(Policy, "policy", policy) if policy is not None else None
+        amends = given.goal_of("amends", amends) if amends is not None else None
         if not listed:
             return []
         try:
@@ -175,7 +181,7 @@ class Executor:
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait = self._wait_for
-                self._conductor.take(goals, terms, Policy(policy) if policy is not None else None, now, amends)
+                self._conductor.take(goals, terms, taken, now, amends)
                 self._advance(now)
         finally:
             self._events.flush()
@@ -247,7 +253,9 @@ class Executor:
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
-        """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration."""
+        """End one goal (else a TypeError), and what was said with it after it; a motion comes to rest with the robot's
+        deceleration."""
+        goal = given.goal_of("cancel", goal)
         with self._locked() as now:
             self._conductor.cancel(goal, now)
             self._advance(now)
@@ -260,10 +268,9 @@ class Executor:
         It runs in a thread of its own; what it raises aborts its goal and nothing else.
 
         Raises:
-            TypeError: the name is no text, or nothing can be called.
+            TypeError: the name is no text, or nothing can be called with an action.
         """
-        if not isinstance(name, str) or not callable(handler):
-            raise TypeError(f"register takes a name and a function, not {name!r} and {handler!r:.80}")
+        given.check_handler("register", name, handler)
         with self._lock:
             self._admission.handlers[name] = handler
 
@@ -271,8 +278,9 @@ class Executor:
         """Call ``listener`` with every event, in order, in a thread that is not the executor's.
 
         Returns:
-            What ends the subscription.
+            What ends the subscription; what cannot be called is a TypeError.
         """
+        given.check_listener("a listener", listener)
         return self._events.subscribe(listener)
 
     # -- waiting -----------------------------------------------------------------------------------------------------
@@ -283,7 +291,7 @@ class Executor:
         Returns:
             False if ``timeout`` s went by first, or, on a virtual clock, if nothing more is due (a pause).
         """
-        listed = None if goals is None else [goals] if isinstance(goals, Goal) else list(goals)
+        listed = None if goals is None else given.goals_of("wait", goals)
         deadline = None if timeout is None else self.clock.now() + timeout
         if self._stepped is not None:
             while not self._all_ended(listed):

@@ -17,6 +17,7 @@ from typing import Any
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.schema_problems import schema_problems
+from intent_engine.language.loading.several_names import on_several_lines
 from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
 from intent_engine.language.maps.map_draft import (
     DEFAULT_FRAME,
@@ -219,6 +220,8 @@ def _draft(source: YamlSource) -> Draft:
         if raw is not None:
             message = f"YAML reads the name {raw or 'of nothing'} as a value, not a word"
             source.problem(path, message, f'quote it: "{raw}"' if raw else "give it a name", key=True)
+        elif isinstance(pose, dict) and on_several_lines(source, path):
+            continue
         elif isinstance(pose, dict) and not wrong.intersection(_lines(source, path, pose)):
             rows.append(Row(name, pose, _teller(source, path)))
     draft.rows = rows

@@ -28,6 +28,7 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.last_said import LastSaid
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
@@ -63,6 +64,7 @@ class VoiceCommands:
         self._form = parameters.command_form
         self._done: CarriedOut | None = None
         """The last text that was a command."""
+        self._last = LastSaid()
         self.engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
@@ -87,7 +89,7 @@ class VoiceCommands:
         node.create_subscription(String, "voice_commands/text", self._heard, 10)
         node.create_subscription(String, "voice_commands/amended_text", self._heard_more, 10)
         node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
-        node.create_subscription(Empty, "voice_commands/stop", lambda message: self.executor.stop(), 10)
+        node.create_subscription(Empty, "voice_commands/stop", lambda message: self._stop(), 10)
         self._states = StateKeeper(node, states, self._say)
         self._offer_services()
         self._log.info(self._summary(parameters))
@@ -110,10 +112,10 @@ class VoiceCommands:
     def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
         now = self.executor.clock.now()
         try:
-            found = take(self.engine.parse(text, state=self._state()), now - age)
+            found = take(self.engine.parse(text, state=self._state(), last=self._last.meaning), now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
-            self.executor.stop()
+            self._stop()
             self._log.error(f"{text[:200]!r}: {type(error).__name__}: {error}; the robot is stopped")
             self._say("error", detail=f"{type(error).__name__}: {error}")
             return
@@ -130,11 +132,12 @@ class VoiceCommands:
                 found.actions, spoken_at=spoken_at, policy=policy, text=found.text, guards=guards
             )
             self._done = CarriedOut(found, tuple(goals))
+            self._last.take(found)
         return found
 
     def _amend(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.stops:
-            self.executor.stop()
+            self._stop()
         if found.stops or found.status is not Status.ACCEPTED:
             return found
         done = self._done
@@ -152,7 +155,13 @@ class VoiceCommands:
             guards=step.guards_of(found, self._told),
         )
         self._done = done.grown_to(found, tuple(goals))
+        self._last.take(found)
         return found
+
+    def _stop(self) -> None:
+        """The robot stops, and "again" means nothing until something else was done."""
+        self.executor.stop()
+        self._last.forget()
 
     def _held(self, message: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
@@ -169,7 +178,7 @@ class VoiceCommands:
             return
 
         def stop(request: Any, response: Any) -> Any:
-            self.executor.stop()
+            self._stop()
             response.success, response.message = True, "stopped"
             return response
 

@@ -28,7 +28,13 @@ class Difference:
 
 
 def moves(found: Interpretation) -> bool:
-    """Whether anything would be done but stopping."""
+    """Whether anything would be done but stopping.
+
+    Raises:
+        TypeError: it is no interpretation.
+    """
+    if not isinstance(found, Interpretation):
+        raise TypeError(f"moves takes an Interpretation, not {found!r:.80}: {_instead(found)}")
     return any(not isinstance(action, Stop) for action in found.actions)
 
 
@@ -36,7 +42,11 @@ def differences(expected: Interpretation, found: Interpretation) -> tuple[Differ
     """What differs in meaning; empty if nothing does. Text, confidence, alternatives and reason are no meaning.
 
     Of what is expected not to be accepted, only the status and the empty actions are compared.
+
+    Raises:
+        TypeError: one of them is no interpretation.
     """
+    _two_meanings("differences", expected=expected, found=found)
     rows = []
     if expected.status is not found.status:
         rows.append(Difference("status", expected.status.value, _status(found)))
@@ -73,10 +83,32 @@ def assert_means(found: Interpretation, expected: Interpretation) -> None:
 
     Raises:
         AssertionError: they do not.
+        TypeError: one of them is no interpretation.
     """
+    _two_meanings("assert_means", found=found, expected=expected)
     rows = differences(expected, found)
     if rows:
         raise AssertionError(f"{found.text!r} is understood otherwise\n{difference_table(rows)}")
+
+
+def _two_meanings(name: str, **given: object) -> None:
+    for which, one in given.items():
+        if not isinstance(one, Interpretation):
+            what = f"{which} is {one!r:.80}"
+            raise TypeError(f"{name}({', '.join(given)}) compares two Interpretations, but {what}: {_instead(one)}")
+
+
+def _instead(given: object) -> str:
+    """What to write in the place of something that is no interpretation."""
+    if isinstance(given, str):
+        return f"give engine.parse({given!r:.60})"
+    if isinstance(given, Mapping) and "status" in given:
+        return "give Interpretation.from_json(...) of it"
+    if isinstance(given, Mapping):
+        return "compare slots with found.slots, or give an Interpretation that has them"
+    if isinstance(given, Sequence | Action):
+        return "compare actions with found.actions, or give an Interpretation that has them"
+    return "give what engine.parse(text) returns"
 
 
 def _same(wanted: Any, got: Any) -> bool:

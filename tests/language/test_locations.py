@@ -152,3 +152,27 @@ def test_a_map_is_a_mapping_of_frozen_places():
     with pytest.raises(AttributeError):
         places["The Lab"].x = 3.0
     assert LocationMap().index.resolve("lab").status == "unknown"
+
+
+@pytest.mark.parametrize("name", ["foyer", "front desk", "meeting room 2"])
+@pytest.mark.parametrize("key", ["aliases", "tags"])
+def test_one_name_is_a_list_of_one(tmp_path, key, name):
+    """In every form of a map, as one text is in a grammar."""
+    wanted = Location("hall", 1.0, 2.0, **{key: (name,)})
+    for number, text in enumerate(
+        (
+            f"locations:\n  hall: {{x: 1.0, y: 2.0, {key}: {name}}}\n",
+            f"locations:\n  hall:\n    x: 1.0\n    y: 2.0\n    {key}: '{name}'\n",
+            f"waypoints:\n- {{name: hall, x: 1.0, y: 2.0, {key}: {name}}}\n",
+        )
+    ):
+        path = tmp_path / f"{number}.yaml"
+        path.write_text(text)
+        assert dict(load(path)) == {"hall": wanted}
+    assert dict(LocationMap.from_mapping({"hall": {"x": 1.0, "y": 2.0, key: name}})) == {"hall": wanted}
+
+
+@pytest.mark.parametrize("sign", [",", ";", " / ", "|", "\n"])
+def test_several_names_in_one_text_are_told_as_a_list(sign):
+    with pytest.raises(ConfigError, match=r"aliases of 'hall' must be a list of names\n +aliases: \[foyer, bar\]"):
+        LocationMap.from_mapping({"hall": {"x": 1.0, "y": 2.0, "aliases": f"foyer{sign}bar"}})

@@ -91,6 +91,40 @@ def test_what_was_said_right_after_a_motion_puts_it_right(talk):
     assert json.loads(talk.commands[-1])["text"] == "turn left ninety degrees no sixty degrees"
 
 
+def test_again_does_what_was_done_last(talk):
+    talk.say("turn left ten degrees")
+    until(lambda: talk.goals("succeeded"))
+    talk.say("do that again")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    first, second = (goal["action"] for goal in talk.goals("succeeded"))
+    assert first == second
+    assert json.loads(talk.commands[-1])["actions"] == [first]
+
+
+def test_it_is_what_was_picked_up(talk):
+    """As is told: this robot has no arm."""
+    talk.say("pick up the bottle")
+    until(lambda: talk.goals("rejected"))
+    talk.say("bring it to the kitchen")
+    until(lambda: len(talk.commands) == 2)
+    assert "bottle" in json.dumps(json.loads(talk.commands[-1])["actions"])
+
+
+@pytest.mark.parametrize("stop", ["stop", ""])
+def test_after_a_stop_nothing_is_done_again(talk, stop):
+    talk.say("turn left ninety degrees")
+    until(talk.moving)
+    talk.say(stop) if stop else talk.halt()
+    until(lambda: talk.goals("canceled"))
+    until(talk.standing)
+    talk.twists.clear()
+    talk.say("again")
+    until(lambda: "again" in talk.heard_texts())
+    found = [e["interpretation"] for e in talk.status if e["event"] == "interpretation"][-1]
+    assert (found["status"], found["reason"]) == ("rejected", "nothing was done yet that could be done again")
+    assert not any(any(twist) for twist in talk.twists)
+
+
 @pytest.mark.parametrize(
     ("way", "then"),
     [

@@ -62,3 +62,27 @@ def test_stopping_is_no_moving():
     assert moves(TWO)
     assert not moves(replace(TWO, actions=(Stop(),)))
     assert not moves(Interpretation("", Status.REJECTED))
+
+
+@pytest.mark.parametrize(
+    ("given", "instead"),
+    [
+        ("go two meters", "give engine.parse('go two meters')"),
+        (TWO.to_json(), "give Interpretation.from_json(...) of it"),
+        ({"direction": "forward"}, "compare slots with found.slots"),
+        (TWO.actions, "compare actions with found.actions"),
+        (TWO.actions[0], "compare actions with found.actions"),
+        (None, "give what engine.parse(text) returns"),
+    ],
+)
+def test_what_is_no_interpretation_is_told_what_to_give_instead(given, instead):
+    for name, call in {
+        "assert_means(found, expected) compares two Interpretations, but expected is": lambda: assert_means(TWO, given),
+        "assert_means(found, expected) compares two Interpretations, but found is": lambda: assert_means(given, TWO),
+        "differences(expected, found) compares two Interpretations, but found is": lambda: differences(TWO, given),
+        "moves takes an Interpretation, not": lambda: moves(given),
+    }.items():
+        with pytest.raises(TypeError) as caught:
+            call()
+        assert str(caught.value).startswith(name)
+        assert instead in str(caught.value)

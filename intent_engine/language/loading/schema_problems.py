@@ -12,6 +12,7 @@ from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.schema_check import surely_valid
+from intent_engine.language.loading.several_names import as_list
 from intent_engine.language.loading.yaml_source import YamlSource
 from intent_engine.language.normalize import tokenize
 from intent_engine.language_tag import code_of
@@ -219,6 +220,8 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         hint = "something is missing after the ':'"
     elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
         hint = "a blank belongs behind each '-'"
+    elif "array" in wanted and isinstance(instance, str) and path[:1] == ("locations",):
+        hint = f"write it as a list: {as_list(instance)}"
     elif "array" in wanted and isinstance(instance, str):
         short = len(instance) < 30 and "\n" not in instance
         hint = f"write it as a list: [{instance}]" if short else "write each on a line that begins with -"

@@ -11,6 +11,7 @@ from typing import Any
 
 from intent_engine.errors import Problem
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
+from intent_engine.language.loading.several_names import as_list, looks_like_several
 from intent_engine.language.name_words import name_words
 
 __all__ = ["DEFAULT_FRAME", "Draft", "Location", "Row", "checked"]
@@ -144,8 +145,11 @@ def _finite(value: object) -> float | None:
 
 def _names(row: Row, key: str, problems: list[Problem]) -> tuple[str, ...]:
     items = row.values.get(key, ())
+    if isinstance(items, str) and not looks_like_several(items):
+        return (items,)
     if isinstance(items, str) or not isinstance(items, (list, tuple)):
-        problems.append(row.tell(key, f"{key} of {row.name!r} must be a list of names", f"{key}: [one, another]"))
+        hint = f"{key}: {as_list(items) if isinstance(items, str) and items.strip() else '[one, another]'}"
+        problems.append(row.tell(key, f"{key} of {row.name!r} must be a list of names", hint))
         return ()
     for item in items:
         if not isinstance(item, str):

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.several_names import on_several_lines
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.maps.map_draft import DEFAULT_FRAME, Draft, Row
 
@@ -56,6 +57,8 @@ def _rows(source: YamlSource, rows: dict[str, Any] | list[Any]) -> Iterator[Row]
         if not isinstance(name, str):
             raw = source.raw.get((*path, "name"), name)
             source.problem((*path, "name"), f"YAML reads the name {raw} as a value, not a word", f'quote it: "{raw}"')
+            continue
+        if on_several_lines(source, path):
             continue
         try:
             values = _values(row)

@@ -36,7 +36,27 @@ MISTAKES = {
         "locations:\n  bay 3: {x: 1, y: 2}\n  the bay three: {x: 1, y: 3}\n",
         ["3:3 'the bay three' is said like a name of 'bay 3'"],
     ),
-    "aliases as text": ("locations:\n  hall: {x: 1, y: 2, aliases: foyer}\n", ["2:31 'aliases' must be a list"]),
+    "aliases as one text": (
+        "locations:\n  hall: {x: 1, y: 2, aliases: foyer; front desk}\n",
+        ["2:31 'aliases' must be a list (write it as a list: [foyer, front desk])"],
+    ),
+    "aliases with commas": (
+        "locations:\n  hall:\n    x: 1\n    y: 2\n    aliases: foyer, entrance,\n",
+        ["5:14 'aliases' must be a list (write it as a list: [foyer, entrance])"],
+    ),
+    "aliases on lines": (
+        "locations:\n  hall:\n    x: 1\n    y: 2\n    aliases:\n      foyer\n      entrance\n",
+        ["6:7 YAML reads these lines as one text (begin each with '- '"],
+    ),
+    "aliases of a waypoint": (
+        "waypoints:\n- {name: hall, x: 1, y: 2, aliases: foyer / entrance}\n",
+        ["2:37 aliases of 'hall' must be a list of names (aliases: [foyer, entrance])"],
+    ),
+    "aliases of a waypoint on lines": (
+        "waypoints:\n- name: hall\n  x: 1\n  y: 2\n  tags:\n    foyer\n    entrance\n",
+        ["6:5 YAML reads these lines as one text"],
+    ),
+    "an empty alias": ("locations:\n  hall: {x: 1, y: 2, aliases: ''}\n", ["2:31 'aliases' is empty"]),
     "a list": ("locations:\n- hall\n", ["2:1 'locations' must be a mapping"]),
     "the tutorial's tuple": (
         "locations:\n  hall: [5.0, 2.0, 0.5]\n",
