@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.adjacent_numbers import parts_a_quantity
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
@@ -373,8 +372,9 @@ class Interpreter:
     @step(Kind.NUMBERS)
     def _number_restarted(self, core: Utterance) -> bool:
         """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
+        words, is_number = core.words, self.matcher.is_number
         return core.paused_in_number() or any(
-            parts_a_quantity(core.words, place, self._language) for place in core.joined
+            is_number(words[place - 1]) and is_number(words[place]) for place in core.joined
         )
 
     def _number_in_pieces(self, said: Utterance) -> bool:
