@@ -10,16 +10,14 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
-from intent_engine.language.numbers.units import LONGEST, units
 from intent_engine.language.reading import Reading, SlotReading
 
 __all__ = [
     "is_number",
     "leaves_one_of_two",
     "may_hold",
-    "number_after_pause",
+    "number_said_apart",
     "numbers_apart",
-    "parts_a_quantity",
 ]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
@@ -45,21 +43,23 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
     return found
 
 
-def number_after_pause(reading: Reading, breaks: Sequence[bool], is_number: Callable[[str], bool]) -> Sequence[str]:
-    """The number without a unit that ends a quantity, behind its unit and a pause: "two meters, three" may be 2.03 m,
-    or three. Empty: there is none.
+def number_said_apart(reading: Reading, breaks: Sequence[bool | None], language: str) -> Sequence[str]:
+    """The number without a unit that ends a quantity, behind its unit and a pause or a filler: "two meters, three" may
+    be 2.03 m, or three, and so may "two meters, maybe three". Empty: there is none.
 
     Args:
         reading: of the words.
-        breaks: whether a pause stands before each of them.
-        is_number: whether a word is one, or a part of one.
+        breaks: what stands before each of them, as in an utterance.
+        language: of the words.
     """
+    words = reading.words
     for slot in reading.slots:
         if slot.slot.type in QUANTITY_KINDS:
             for place in range(slot.start + 1, slot.end):
-                behind = breaks[place] and not is_number(reading.words[place - 1])  # "one thousand, five hundred"
-                if behind and all(map(is_number, reading.words[place : slot.end])):
-                    return reading.words[place : slot.end]
+                if breaks[place] is False or is_number(words[place - 1], language):  # "one thousand, five hundred"
+                    continue
+                if _is_bare_number(words[place : slot.end], language):
+                    return words[place : slot.end]
     return ()
 
 
@@ -103,26 +103,11 @@ def is_number(word: str, language: str) -> bool:
     )
 
 
-def parts_a_quantity(words: Sequence[str], place: int, language: str) -> bool:
-    """Whether what was said before some place may be said anew behind it: "nine, uh, forty five degrees", "five feet,
-    maybe six". No such thing is "two meters, about fifty centimeters": each of its numbers has a unit.
-    """
-    if not is_number(words[place], language):
-        return False
-    if is_number(words[place - 1], language):
-        return True
-    table = units(language)
-    unit = table.unit_at_end(words[:place]) if table is not None else None
-    if table is None or unit is None:
-        return False
-    begin, end = unit[1], place
-    while begin and is_number(words[begin - 1], language):
-        begin -= 1
-    while end < len(words) and is_number(words[end], language):
-        end += 1
-    if any(tuple(words[end : end + length]) in table.names for length in range(1, LONGEST + 1)):
-        return False
-    return any(quantities.evaluate(words[begin:end], kind, language) is not None for kind in table.by_kind)
+def _is_bare_number(words: Sequence[str], language: str) -> bool:
+    """Whether words are a number, or words of one, without a unit: "three", "two and a half"."""
+    return all(is_number(word, language) for word in words) or (
+        is_number(words[0], language) and quantities.evaluate(words, "number", language) is not None
+    )
 
 
 def _is_cut(last: str, first: str, language: str) -> bool:

@@ -163,12 +163,14 @@ class Openers:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """Normalised words; ``breaks[i]`` is True where a pause or punctuation stands before word ``i``."""
+    """Normalised words, and what stands before each of them."""
 
     words: list[str]
-    breaks: list[bool]
+    breaks: list[bool | None]
+    """``breaks[i]`` is True where a pause or punctuation stands before word ``i``; None where there is no pause, but a
+    filler was removed."""
     joined: frozenset[int] = frozenset()
-    """Places where a word was removed that stood between this word and the one before."""
+    """Places where a word was removed that stood between this word and the one before, also beside a pause."""
     unclear: str = ""
     """A number as it is written that could be two in this language: "1.500". Among the words it is the larger one, so
     that a stop is found beside it; nothing else may be done with them."""
@@ -183,7 +185,7 @@ class Utterance:
             text = _ANNOTATION.sub(" , ", text)
         tokens = tokenize(text, language)
         words = [token.word for token in tokens]
-        breaks = [token.breaks for token in tokens]
+        breaks: list[bool | None] = [token.breaks for token in tokens]
         unclear = ""
         for place, word in enumerate(words):
             if word.endswith(UNCLEAR):
@@ -244,12 +246,12 @@ class Utterance:
         if not phrases.may_stand_in(self.words):
             return self
         words: list[str] = []
-        breaks: list[bool] = []
+        breaks: list[bool | None] = []
         joined: set[int] = set()
         pause = removed = False
         position = 0
         while position < len(self.words):
-            pause = pause or self.breaks[position]
+            pause = pause or bool(self.breaks[position])
             length = phrases.at(self.words, position)
             if length and openers is not None and openers.misplaced(self, position, length, words, paused=pause):
                 length = 0
@@ -271,8 +273,8 @@ class Utterance:
                 continue
             if removed and words:
                 joined.add(len(words))
+            breaks.append(pause or (None if removed and words else self.breaks[position]))
             words.append(self.words[position])
-            breaks.append(pause)
             pause = removed = False
             position += 1
         return Utterance(words, breaks, frozenset(joined))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import does
+from meanings import does, shipped
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -151,12 +151,44 @@ def test_what_has_its_unit_or_is_a_half_is(engine_of, said, value):
 
 HESITATIONS = st.sampled_from(["uh", "maybe", "about", "like", "well", "i would say", "another"])
 SMALL = st.sampled_from(["two", "5", "six", "seven"])
+COUNTS = SMALL | st.sampled_from(["a", "half a", "a couple of", "two and a half"])
+RESTS = st.sampled_from(["", " forward", " please", " turn left", " and turn left"])
 
 
-@given(SMALL, st.sampled_from(["feet", "meters"]), HESITATIONS, SMALL, st.sampled_from(["", " forward", " please"]))
+@given(COUNTS, st.sampled_from(["feet", "meter"]), HESITATIONS, SMALL, RESTS)
 def test_a_number_without_a_unit_is_said_anew_behind_a_hesitation(one, unit, hesitation, other, rest):
     """ "Five feet, maybe six" are not five feet six."""
     assert does(f"go {one} {unit} {hesitation} {other}{rest}") in ("rejected", "incomplete")
+
+
+@pytest.mark.parametrize(
+    "said", ["go five feet{}six", "go a meter{}six and turn left", "turn left and go two feet{}six"]
+)
+@pytest.mark.parametrize("between", [" uh ", " maybe ", " I would say "])
+def test_it_is_told_which_number_it_is(said, between):
+    reason = shipped().parse(said.format(between)).reason
+    assert "'six' may be a number of its own" in reason
+
+
+TIMES = """
+language: en
+slots: {way: distance, times: number}
+intents: {walk: {action: custom, sentences: ["walk {way} {times} times"]}}
+"""
+
+
+@given(st.sampled_from(["uh", "um", "please", ","]), SMALL, st.integers(2, 20))
+def test_two_numbers_of_one_sentence_may_be_parted(engine_of, between, way, times):
+    """The second is no part of the quantity before it, where the sentence has a place for it."""
+    found = engine_of(TIMES).parse(f"walk {way} meters {between} {times} times")
+    assert found.slots["times"] == times
+
+
+@given(SMALL, st.sampled_from(["feet", "meters"]), SMALL, st.sampled_from([", ", " uh ", " maybe "]))
+def test_what_was_corrected_is_parted_too(one, unit, other, apart):
+    """ "No, two meters, two and a half" takes no unit from what was said before."""
+    for number in (other, f"{other} and a half"):
+        assert does(f"go forward ten cm no {one} {unit}{apart}{number}") in ("rejected", "incomplete", "ambiguous")
 
 
 @given(HESITATIONS)

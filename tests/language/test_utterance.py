@@ -62,17 +62,19 @@ def test_what_is_left_without_phrases(given: list[list[str]], text: list[str], d
     breaks = data.draw(st.lists(st.booleans(), min_size=len(text), max_size=len(text)))
     found = PhraseSet(given)
     left = Utterance(text, breaks).without(found)
-    expected, pauses, place, pause = [], [], 0, False
+    expected, pauses, place, pause, removed = [], [], 0, False, False
     while place < len(text):
         length = found.at(text, place)
         pause = pause or any(breaks[place : place + max(length, 1)])
         if not length:
             expected.append(text[place])
-            pauses.append(pause)
-            pause = False
+            pauses.append(pause or (None if removed and len(expected) > 1 else False))
+            pause = removed = False
+        removed = removed or length > 0
         place += max(length, 1)
     assert left.words == expected
-    assert left.breaks == pauses, "no pause is lost, and none is made"
+    assert left.breaks == pauses, "no pause is lost, and none is made; what was taken out leaves its place"
+    assert left.part(1, len(left)).breaks == pauses[1:]
     assert all(0 < place < len(left) for place in left.joined)
 
 

@@ -44,7 +44,7 @@ class Cancelled:
                     continue
                 if correction.at(words, 0) == length or self._does_something(words, state):
                     continue
-                return end if self._is_taken_back(core.part(0, at), state, begun=core.breaks[at]) else 0
+                return end if self._is_taken_back(core.part(0, at), state, begun=bool(core.breaks[at])) else 0
         return 0
 
     def _does_something(self, words: list[str], state: Collection[str]) -> bool:
@@ -59,7 +59,7 @@ class Cancelled:
         last = (self._phrases.correction, self._phrases.sequence, self._phrases.cancel)
         while length := max(phrases.ends(part.words) for phrases in last):  # "turn left, no, never mind, go back"
             end = len(part) - length
-            part, begun = part.part(0, end), begun or part.breaks[end]
+            part, begun = part.part(0, end), begun or bool(part.breaks[end])
         if not part.words:
             return True
         if begun and self._commands.matcher.prefix(part.words)[1] is not None:

@@ -9,7 +9,7 @@ from typing import Any
 
 from intent_engine.actions import Action, Stop
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
-from intent_engine.language.adjacent_numbers import number_after_pause
+from intent_engine.language.adjacent_numbers import number_said_apart
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
@@ -24,7 +24,7 @@ __all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
-_NUMBER_PARTED = "{!r} after a pause may be a number of its own; say it again without the pause"
+_NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
 
 
@@ -38,6 +38,8 @@ class Clause:
     """Why it is not accepted; or what was changed to accept it."""
     alternatives: tuple[str, ...] = ()
     ambiguous: bool = False
+    parted: bool = False
+    """Whether it is a sentence, but was not said in one breath where it must be."""
 
     @property
     def accepted(self) -> bool:
@@ -69,18 +71,18 @@ class Commands:
 
     @step(Kind.SENTENCE)
     def exact(
-        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool] = ()
+        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool | None] = ()
     ) -> Clause | None:
         """The command that these words are, exactly; None if no sentence has them.
 
-        ``after`` names an intent whose command they go on from: "to the bedroom". ``breaks`` tells where a pause stands
-        before a word.
+        ``after`` names an intent whose command they go on from: "to the bedroom". ``breaks`` tells what stands before
+        each word, as in an utterance.
         """
         readings = self.readings(words, after)
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
-        if readings and True in breaks and (number := number_after_pause(readings[0], breaks, self.matcher.is_number)):
-            return Clause(readings[0], reason=_NUMBER_PARTED.format(" ".join(number)))
+        if readings and (number := self._number_said_apart(readings[0], breaks)):
+            return Clause(readings[0], reason=_NUMBER_PARTED.format(" ".join(number)), parted=True)
         if readings and readings[0].free_words > 1 and True in breaks:
             parted = [self._parted_by_command(reading, breaks) for reading in readings]
             if all(parted):
@@ -163,7 +165,13 @@ class Commands:
                     return True
         return False
 
-    def _parted_by_command(self, reading: Reading, breaks: Sequence[bool]) -> Sequence[str]:
+    def _number_said_apart(self, reading: Reading, breaks: Sequence[bool | None]) -> Sequence[str]:
+        """The number behind a pause or a filler that may be none of the quantity before it; empty: there is none."""
+        if breaks.count(False) == len(breaks):
+            return ()
+        return number_said_apart(reading, breaks, self.matcher.grammar.language)
+
+    def _parted_by_command(self, reading: Reading, breaks: Sequence[bool | None]) -> Sequence[str]:
         """The words after a pause within free words that are a command by themselves, or how one is done, up to the
         next pause or the end: "the cup, *back*" and "the cup, *faster*" are no names of things. A pause alone proves
         nothing: "the big, red cup". Empty: none are."""
@@ -183,19 +191,16 @@ class Commands:
 
     @step(Kind.MISHEARD)
     def misheard(
-        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool] = ()
+        self, words: list[str], state: Collection[str], after: str = "", breaks: Sequence[bool | None] = ()
     ) -> Clause | None:
         """The command that the words sound like: the sentence exactly, its names nearly. None if none comes near.
 
         ``after`` and ``breaks`` as for :meth:`exact`.
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
+        readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         if True in breaks:
-            readings = [
-                one
-                for one in readings
-                if not (self._parted_by_command(one, breaks) or number_after_pause(one, breaks, self.matcher.is_number))
-            ]
+            readings = [one for one in readings if not self._parted_by_command(one, breaks)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.

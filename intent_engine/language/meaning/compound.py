@@ -45,7 +45,7 @@ class Compounds:
                 return corrected
         if loosely and not self._phrases.change_meaning(words):
             loose = self._commands.misheard(words, state, breaks=part.breaks)
-            if loose is not None:
+            if loose is not None and (clause is None or not clause.parted or loose.accepted):
                 return loose
         return clause
 

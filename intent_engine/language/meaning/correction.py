@@ -116,7 +116,7 @@ class Corrections:
         "release the cup, faster, no, slower". No thing is called so."""
         if True not in said.breaks[1:] or self._commands.accepts(meant.words, state):
             return None
-        ways: tuple[list[bool], ...] = ([], said.breaks)
+        ways: tuple[list[bool | None], ...] = ([], said.breaks)
         plain, paused = (self._commands.exact(said.words, state, before, breaks) for breaks in ways)
         refused = plain is not None and plain.accepted and paused is not None and not paused.accepted
         return paused if refused else None
@@ -227,4 +227,4 @@ class Corrections:
         return reached is not None and count == len(words)
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
-        return position < len(part) and part.breaks[position]
+        return position < len(part) and bool(part.breaks[position])

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.adjacent_numbers import parts_a_quantity
 from intent_engine.language.figures_apart import are_apart, figures_apart
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
@@ -19,6 +18,7 @@ from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
+from intent_engine.language.meaning.no_command import NoCommand
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
@@ -40,11 +40,8 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
-MOST_FOLLOWING = 8
-"""Words that are told of those with which an unfinished sentence may go on."""
 _ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
 """The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
-NO_COMMAND = "not a command of this grammar"
 
 _Rule = TypeVar("_Rule")
 
@@ -83,6 +80,7 @@ class Interpreter:
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
         self._stops = made(Stops(phrases, self._commands, self._compounds, self._run_ons))
+        self._no_command = made(NoCommand(phrases, self._commands, self._compounds, self._corrections, self._nearest))
 
     def dictated(self, text: str) -> Dictated | None:
         """The command in which a text is dictated, whatever the robot does; None: nothing is."""
@@ -312,7 +310,7 @@ class Interpreter:
         if written is not None:
             return written
         vague = self._vague(text, core, state)
-        return vague if vague is not None else self._not_understood(text, core, state, more_telling(clause, single))
+        return vague if vague is not None else self._no_command.told(text, core, state, more_telling(clause, single))
 
     def _vague(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "go forward a few feet": it would be a command if it said how many."""
@@ -377,8 +375,9 @@ class Interpreter:
     @step(Kind.NUMBERS)
     def _number_restarted(self, core: Utterance) -> bool:
         """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
+        words, is_number = core.words, self.matcher.is_number
         return core.paused_in_number() or any(
-            parts_a_quantity(core.words, place, self._language) for place in core.joined
+            is_number(words[place - 1]) and is_number(words[place]) for place in core.joined
         )
 
     def _number_in_pieces(self, said: Utterance) -> bool:
@@ -404,38 +403,3 @@ class Interpreter:
     @step(Kind.REFUSAL)
     def _rejected(self, text: str, reason: str) -> Understood:
         return Interpretation(text, Status.REJECTED, reason=reason), ()
-
-    @step(Kind.OTHERWISE)
-    def _not_understood(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Understood:
-        words = core.words
-        if not self.phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
-            # Before what a name is not: "go to the" is unfinished, not a place called "the".
-            automaton = self.matcher.spoken
-            _, reached = self.matcher.prefix(words)
-            # A place that is not on the map is not the beginning of a thing: "bring me to the library".
-            a_place = clause is not None and clause.unknown_place and reached is not None and automaton.free(reached)
-            if reached is not None and not automaton.accepting(reached) and not a_place:
-                from intent_engine.language.likely_words import likely_words
-
-                following = likely_words(self.matcher, words, most=MOST_FOLLOWING)
-                reason = "the sentence is not finished"
-                return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
-        if clause is not None:
-            return as_told(text, clause)
-        if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
-            reason = f"it is not clear what {' '.join(meant)!r} takes the place of; say the whole command again"
-            return self._rejected(text, reason)
-        failing = self._compounds.failing(core, state)
-        if failing is not None:
-            return self._not_all(text, *failing)
-        near = self._nearest.sentences(words)
-        return Interpretation(text, Status.REJECTED, reason=NO_COMMAND, alternatives=near), ()
-
-    def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
-        """One part of what was said is no command, so nothing of it is done."""
-        said = " ".join(part.words)
-        if clause is not None and clause.reason:
-            near, reason = clause.alternatives, f"in {said!r}: {clause.reason}"
-        else:
-            near, reason = self._nearest.sentences(part.words), f"{said!r} is {NO_COMMAND}"
-        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near), ()

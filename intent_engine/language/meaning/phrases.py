@@ -124,7 +124,7 @@ class Phrases:
         if self._hides.find(said.words) is None:
             return None
         words: list[str] = []
-        breaks: list[bool] = []
+        breaks: list[bool | None] = []
         position = 0
         while position < len(said):
             length = self._hides.at(said.words, position)

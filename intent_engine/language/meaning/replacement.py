@@ -282,6 +282,9 @@ class Replacements:
                 return True
             if self._matcher.values.in_own_units(slot.slot, meant) is not None:
                 return True
-            kinds = _WITH_UNITS if slot.slot.type in _WITH_UNITS else (slot.slot.type,)
-            return any(evaluate(meant, kind, self._matcher.grammar.language) is not None for kind in kinds)
+            language = self._matcher.grammar.language
+            if slot.slot.type not in _WITH_UNITS:
+                return evaluate(meant, slot.slot.type, language) is not None
+            begun = (meant[:end] for end in range(len(meant), 0, -1))  # "no, two meters, two and a half" takes no unit
+            return any(evaluate(words, kind, language) is not None for words in begun for kind in _WITH_UNITS)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"

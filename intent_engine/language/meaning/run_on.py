@@ -48,7 +48,7 @@ class RunOns:
         parts: list[Clause] = []
         start = 0
         for end in ways[0]:
-            clause = self._commands.exact(words[start:end], state)
+            clause = self._commands.exact(words[start:end], state, breaks=core.breaks[start:end])
             if clause is None or not self._is_certain(clause, start):
                 return None
             parts.append(clause)

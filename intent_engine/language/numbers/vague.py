@@ -33,7 +33,7 @@ def said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None
     if phrases is None or not phrases.may_stand_in(said.words):
         return None
     words: list[str] = []
-    breaks: list[bool] = []
+    breaks: list[bool | None] = []
     first = ""
     position = 0
     while position < len(said):

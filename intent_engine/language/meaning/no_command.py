@@ -1,0 +1,81 @@
+"""Words that no rule understood: what is told to who said them, so that it can be said otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import TYPE_CHECKING
+
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.utterance import Utterance
+
+if TYPE_CHECKING:
+    from intent_engine.language.nearest import Nearest
+
+__all__ = ["NoCommand"]
+
+MOST_FOLLOWING = 8
+"""Words that are told of those with which an unfinished sentence may go on."""
+REASON = "not a command of this grammar"
+
+
+class NoCommand:
+    """Why words are no command: the sentence is not finished, one part of it is wrong, or nothing is known of it but
+    which sentences are near."""
+
+    def __init__(
+        self, phrases: Phrases, commands: Commands, compounds: Compounds, corrections: Corrections, nearest: Nearest
+    ) -> None:
+        self._phrases = phrases
+        self._matcher = commands.matcher
+        self._compounds = compounds
+        self._corrections = corrections
+        self._nearest = nearest
+
+    @step(Kind.OTHERWISE)
+    def told(self, text: str, core: Utterance, state: Collection[str], clause: Clause | None) -> Understood:
+        """An interpretation without an action, with the reason that helps most.
+
+        Args:
+            text: what was said or typed.
+            core: its words, without fillers.
+            state: of the robot.
+            clause: what came nearest to a command, if anything did.
+        """
+        words = core.words
+        if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
+            # Before what a name is not: "go to the" is unfinished, not a place called "the".
+            automaton = self._matcher.spoken
+            _, reached = self._matcher.prefix(words)
+            # A place that is not on the map is not the beginning of a thing: "bring me to the library".
+            a_place = clause is not None and clause.unknown_place and reached is not None and automaton.free(reached)
+            if reached is not None and not automaton.accepting(reached) and not a_place:
+                from intent_engine.language.likely_words import likely_words
+
+                following = likely_words(self._matcher, words, most=MOST_FOLLOWING)
+                reason = "the sentence is not finished"
+                return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
+        if clause is not None:
+            return as_told(text, clause)
+        if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
+            reason = f"it is not clear what {' '.join(meant)!r} takes the place of; say the whole command again"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
+        failing = self._compounds.failing(core, state)
+        if failing is not None:
+            return self._not_all(text, *failing)
+        near = self._nearest.sentences(words)
+        return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near), ()
+
+    def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
+        """One part of what was said is no command, so nothing of it is done."""
+        said = " ".join(part.words)
+        if clause is not None and clause.reason:
+            near, reason = clause.alternatives, f"in {said!r}: {clause.reason}"
+        else:
+            near, reason = self._nearest.sentences(part.words), f"{said!r} is {REASON}"
+        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near), ()
