@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.numbers import english
+from intent_engine.language.numbers import english, english_ordinals
 
 __all__ = [
     "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
@@ -109,7 +109,7 @@ def _numbered(words: list[str]) -> list[str]:
     while at < len(words):
         word = words[at]
         if word in ORDINALS:
-            value = english.ordinal([word])
+            value = english_ordinals.ordinal([word])
             found.append(f"{int(value or 0)}th")
             at += 1
         elif word[0].isdigit() or word in NUMBER_WORDS:
@@ -150,7 +150,7 @@ def _number(words: list[str], at: int) -> tuple[str, int]:
     while end < len(words) and (words[end] in NUMBER_WORDS or words[end] == "and" or words[end].isdigit()):
         end += 1
     if word in english.TENS and at + 1 < len(words) and words[at + 1] in ORDINALS:
-        value = english.ordinal(words[at : at + 2])
+        value = english_ordinals.ordinal(words[at : at + 2])
         if value is not None:
             return f"{int(value)}th", at + 2
     if end > at + 1 or not word[0].isdigit():

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers import english, english_ordinals, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, SHARE_OF, WHOLE_ANGLES, Relative
 from intent_engine.language.numbers.templates import WITHOUT_ONE, templates
@@ -50,7 +50,7 @@ JOINED = frozenset(("es", "it"))
 def is_number_word(word: str, language: str = "en") -> bool:
     """Whether a word is a number of a language, or part of one. Templates spell out the English ones, but not "3rd"."""
     if language == "en":
-        return word[:1].isdigit() and not is_numeral(word) and english.ordinal([word]) is not None
+        return word[:1].isdigit() and not is_numeral(word) and english_ordinals.ordinal([word]) is not None
     return foreign.is_number_word(word, language)
 
 
@@ -95,7 +95,7 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
     if kind == "number":
         return _whole(_numbers(language)(words, 0), len(words))
     if kind == "ordinal":
-        return english.ordinal(words) if language == "en" else foreign.ordinal(words, language)
+        return english_ordinals.ordinal(words) if language == "en" else foreign.ordinal(words, language)
     table = units(language)
     if table is None:
         return None

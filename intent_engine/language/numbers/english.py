@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "leaves_hundred_out", "number", "numbers_at", "ordinal"]
+__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "leaves_hundred_out", "number", "numbers_at"]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
@@ -40,7 +40,7 @@ ORDINAL_TENS = {
     "twentieth": 20, "thirtieth": 30, "fortieth": 40, "fiftieth": 50, "sixtieth": 60, "seventieth": 70,
     "eightieth": 80, "ninetieth": 90,
 }  # fmt: skip
-_ORDINAL_SCALES = {"hundredth": 1e2, "thousandth": 1e3, "millionth": 1e6, "billionth": 1e9, "trillionth": 1e12}
+ORDINAL_SCALES = {"hundredth": 1e2, "thousandth": 1e3, "millionth": 1e6, "billionth": 1e9, "trillionth": 1e12}
 HALVES = {"half": 2.0, "halves": 2.0, "halfs": 2.0, "quarter": 4.0, "quarters": 4.0}
 
 SMALL = {**DIGITS, **TEENS, **TENS}
@@ -48,7 +48,7 @@ NUMBER_WORDS = frozenset(
     (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
 )
 
-_DENOMINATORS = (*ORDINAL_UNITS, *ORDINAL_TENS, *_ORDINAL_SCALES)
+_DENOMINATORS = (*ORDINAL_UNITS, *ORDINAL_TENS, *ORDINAL_SCALES)
 _GOES_ON = NUMBER_WORDS.union(
     SUFFIXES, HALVES, _DENOMINATORS, [f"{word}s" for word in _DENOMINATORS], ("and", "over", "divided", "out")
 )
@@ -181,8 +181,8 @@ def _denominator(words: Sequence[str], at: int) -> Found | None:
     if word in HALVES:
         return HALVES[word], at + 1
     singular = word[:-1] if word.endswith("s") else word
-    if singular in _ORDINAL_SCALES:
-        return _ORDINAL_SCALES[singular], at + 1
+    if singular in ORDINAL_SCALES:
+        return ORDINAL_SCALES[singular], at + 1
     if singular in ORDINAL_TENS:
         return float(ORDINAL_TENS[singular]), at + 1
     if singular in ORDINAL_UNITS and ORDINAL_UNITS[singular] > 2:
@@ -352,7 +352,7 @@ def _hundreds_and_fraction(words: Sequence[str], at: int) -> Found | None:
 def _doubtful_part(words: Sequence[str], at: int, end: int) -> bool:
     """Whether a fraction straight after a number may be none of it: "two half"; "one one hundredth" is 0.01."""
     small = words[end - 1].removesuffix("s")
-    return words[at] in ("half", "quarter", "second") or small in _ORDINAL_SCALES or small in ORDINAL_TENS
+    return words[at] in ("half", "quarter", "second") or small in ORDINAL_SCALES or small in ORDINAL_TENS
 
 
 def _with_part(words: Sequence[str], whole: Found, part: Found) -> Iterator[Found]:
@@ -394,37 +394,3 @@ def leaves_hundred_out(words: Sequence[str]) -> bool:
     signed = bool(words) and words[0] in ("minus", "negative")
     first, second, *_ = (*words[signed : signed + 2], "", "")
     return first in DIGITS and (second in TENS or second in TEENS)
-
-
-def ordinal(words: Sequence[str]) -> float | None:
-    """ "third", "twenty first", "3rd", "number three", "the last" (-1)."""
-    if not words:
-        return None
-    if words[0] == "the" and len(words) > 1:
-        words = words[1:]
-    if words[0] == "number":
-        value = number(words[1:])
-        return value if value is not None and value >= 0 and value == int(value) else None
-    if words[-1] == "one" and words[0] != "one" and len(words) > 1:  # "the third one", "the last one"
-        words = words[:-1]
-    if words[-1] == "last" and len(words) == 1:
-        return -1.0
-    last = words[-1]
-    if len(words) == 1 and last[0].isdigit():
-        digits = last.rstrip("thndrs")
-        return float(digits) if digits.isdigit() and digits != last else None
-    if last in ORDINAL_UNITS:
-        value = ORDINAL_UNITS[last]
-    elif last in ORDINAL_TENS:
-        value = ORDINAL_TENS[last]
-    elif last in _ORDINAL_SCALES:
-        before = number(words[:-1]) if len(words) > 1 else 1.0
-        return before * _ORDINAL_SCALES[last] if before is not None else None
-    else:
-        return None
-    if len(words) == 1:
-        return float(value)
-    before = number(words[: -2 if words[-2] == "and" else -1])
-    if before is None or before < 20 or before % 100 == 10 or before % (100 if value >= 10 else 10):
-        return None
-    return before + value

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers import english
+from intent_engine.language.numbers.english_ordinals import ordinal
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.spelled import in_digits, in_words
 
@@ -20,10 +21,6 @@ SMALL = [
 ]
 TENS = ["", "", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"]
 SCALES = [(10**9, "billion"), (10**6, "million"), (10**3, "thousand")]
-ORDINALS = {
-    "one": "first", "two": "second", "three": "third", "five": "fifth", "eight": "eighth", "nine": "ninth",
-    "twelve": "twelfth",
-}  # fmt: skip
 
 
 def spoken(number: int, joint: str = "", one: str = "one", hyphen: str = " ") -> str:
@@ -46,17 +43,6 @@ def spoken(number: int, joint: str = "", one: str = "one", hyphen: str = " ") ->
 
 def words(text: str) -> list[str]:
     return [token.word for token in tokenize(text)]
-
-
-def ordinal(number: int) -> str:
-    *before, last = spoken(number).split()
-    if last in ORDINALS:
-        last = ORDINALS[last]
-    elif last.endswith("y"):
-        last = last[:-1] + "ieth"
-    else:
-        last += "th"
-    return " ".join((*before, last))
 
 
 numbers = st.one_of(st.integers(0, 120), st.integers(0, 10_000), st.integers(0, 999_999_999_999))
@@ -94,13 +80,6 @@ def test_a_sign_in_words_changes_nothing_but_the_sign(number: int, sign: str) ->
     assert english.number(words(f"{sign} {spoken(number)}")) == -number
 
 
-@given(st.integers(1, 999))
-def test_an_ordinal_is_found_again(number: int) -> None:
-    assert english.ordinal(words(ordinal(number))) == number
-    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th") if number % 100 not in (11, 12, 13) else "th"
-    assert english.ordinal(words(f"{number}{ending}")) == number
-
-
 @given(st.integers(0, 999_999))
 def test_words_and_figures_turn_into_each_other(number: int) -> None:
     assert in_words([str(number)]) == spoken(number).split()
@@ -119,7 +98,7 @@ def test_no_words_raise_and_every_value_is_finite(said: list[str]) -> None:
         for value, after in english.numbers_at(said, at):
             assert math.isfinite(value)
             assert at < after <= len(said)
-    english.ordinal(said)
+    ordinal(said)
 
 
 @given(
@@ -194,43 +173,6 @@ def test_short_forms_of_speech(said: str, value: float) -> None:
 )
 def test_what_is_no_number(said: str) -> None:
     assert english.number(words(said)) is None
-
-
-@pytest.mark.parametrize(
-    ("said", "value"),
-    [
-        ("third", 3),
-        ("the last", -1),
-        ("twenty first", 21),
-        ("one hundred and first", 101),
-        ("two hundred and tenth", 210),
-        ("hundredth", 100),
-        ("two thousandth", 2000),
-        ("22nd", 22),
-    ],
-)
-def test_ordinals(said: str, value: float) -> None:
-    assert english.ordinal(words(said)) == value
-
-
-@pytest.mark.parametrize(
-    "said",
-    [
-        "",
-        "three",
-        "ten first",
-        "the",
-        "firsts",
-        "th",
-        "twenty and",
-        "first second",
-        "zero third",
-        "number",
-        "number half",
-    ],
-)
-def test_what_is_no_ordinal(said: str) -> None:
-    assert english.ordinal(words(said)) is None
 
 
 @given(st.text("0123456789./-", max_size=12))
