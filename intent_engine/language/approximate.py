@@ -35,8 +35,8 @@ FREE = 1.5
 WIDTH = 48
 """Partial sentences kept for each number of words heard,"""
 WIDER = 96
-"""and where what is found is not near: numbers crowd others out, which may begin with any of a hundred words. "Going on
-towards the sitting room" was "going onward then ..."."""
+"""and where it is looked wider, since what is found is not near: numbers crowd others out, which may begin with any of a
+hundred words. "Going on towards the sitting room" was "going onward then ..."."""
 NEAR = 0.2
 """Cost for each letter heard from which it is not, and"""
 WIDER_WORDS = 12
@@ -227,7 +227,7 @@ class UtteranceSearch:
         return found
 
     def nearest(
-        self, heard: Sequence[str], most: int = 12, weighty: Collection[str] = ()
+        self, heard: Sequence[str], most: int = 12, weighty: Collection[str] = (), *, wider: bool = False
     ) -> list[tuple[tuple[str, ...], float]]:
         """Whole utterances nearest to the words heard. One thread at a time: of two models that ask at once, neither
         is answered sooner by searching beside the other.
@@ -236,6 +236,7 @@ class UtteranceSearch:
             heard: normalised words, numbers as words.
             most: how many to give.
             weighty: words that are hardly noise: "when", "not".
+            wider: whether it is looked again, and wider, where nothing near is found.
 
         Returns:
             (words, cost in letters) pairs, nearest first. Words of free slots are :class:`FreeWord`.
@@ -243,7 +244,7 @@ class UtteranceSearch:
         with self._alone:
             found = self._nearest(heard[:MAX_HEARD], most, weighty, WIDTH)
             near = found and found[0][1] <= NEAR * sum(map(len, heard))
-            if near or len(heard) > WIDER_WORDS:
+            if near or not wider or len(heard) > WIDER_WORDS:
                 return found
             return self._nearest(heard, most, weighty, WIDER)
 

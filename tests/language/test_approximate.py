@@ -78,7 +78,7 @@ def test_missed_and_misheard_words(engine, heard, meant):
 )
 def test_all_that_is_found_are_utterances_and_few_steps_are_taken(engine, heard):
     graph = Counting(engine.matcher().likely)
-    found = UtteranceSearch(graph).nearest(heard, 5)
+    found = UtteranceSearch(graph).nearest(heard, 5, wider=True)
     # Three rounds for each number of words heard; steps that lead nowhere count as well.
     assert graph.steps <= 2 * 3 * MOST_MOVES * (WIDTH + WIDER) * (len(heard) + 1)
     assert len(found) <= 5
@@ -169,5 +169,5 @@ def test_two_threads_that_ask_at_once_are_answered_as_one(engine):
 def test_sentences_that_others_crowd_out_are_found_too(engine):
     """ "Going" and a number are sentences of a hundred beginnings, each of them nearer until the room is heard."""
     heard = ["going", "on", "towards", "the", "sitting", "room"]
-    (nearest, _), *_ = UtteranceSearch(engine.matcher().likely).nearest(heard)
+    (nearest, _), *_ = UtteranceSearch(engine.matcher().likely).nearest(heard, wider=True)
     assert nearest == ("go", *heard[1:])

@@ -49,8 +49,8 @@ class KnownGrammar:
     usual: UsualNumbers
     least: float
     """Confidence from which anything is acted on."""
-    found: dict[tuple[str, ...], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
-    """Of some words the sentences that are like them."""
+    found: dict[tuple[tuple[str, ...], bool], list[tuple[tuple[str, ...], float]]] = field(default_factory=dict)
+    """Of some words, looked for wider or not, the sentences that are like them."""
 
     @classmethod
     def of(cls, matcher: Matcher) -> KnownGrammar:

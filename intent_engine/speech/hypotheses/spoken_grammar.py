@@ -128,11 +128,15 @@ class SpokenGrammar:
     def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """Sentences like the words heard, the likest first; then those that take something back, and those that would
         be one if their first words were a wake word."""
-        return [*self._like(tuple(heard), language), *self._corrected(heard, language), *self.woken(heard, language)]
+        return [
+            *self._like(tuple(heard), language, wider=True),
+            *self._corrected(heard, language),
+            *self.woken(heard, language),
+        ]
 
-    def _like(self, heard: tuple[str, ...], language: str | None) -> list[tuple[str, ...]]:
+    def _like(self, heard: tuple[str, ...], language: str | None, *, wider: bool = False) -> list[tuple[str, ...]]:
         most = max(FAR_LETTERS, FAR * sum(map(len, heard)))
-        return [words for words, apart in self._nearest(heard, language) if apart <= most]
+        return [words for words, apart in self._nearest(heard, language, wider=wider) if apart <= most]
 
     def _corrected(self, heard: Sequence[str], language: str | None) -> list[tuple[str, ...]]:
         corrections = self.corrections(language)
@@ -399,14 +403,18 @@ class SpokenGrammar:
             known = self._kept[language] = KnownGrammar.of(matcher)
         return known
 
-    def _nearest(self, heard: tuple[str, ...], language: str | None) -> list[tuple[tuple[str, ...], float]]:
-        """The sentences like some words; those of one utterance are asked for again and again."""
+    def _nearest(
+        self, heard: tuple[str, ...], language: str | None, *, wider: bool = False
+    ) -> list[tuple[tuple[str, ...], float]]:
+        """The sentences like some words, looked for wider or not; those of one utterance are asked for again and
+        again."""
         known = self._known(language)
         if len(known.found) > SEARCHES:
             known.found.clear()
-        found = known.found.get(heard)
+        found = known.found.get((heard, wider))
         if found is None:
-            found = known.found[heard] = known.search.nearest(heard, CANDIDATES, known.narrating)
+            found = known.search.nearest(heard, CANDIDATES, known.narrating, wider=wider)
+            known.found[heard, wider] = found
         return found
 
     def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
