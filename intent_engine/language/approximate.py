@@ -35,8 +35,8 @@ FREE = 1.5
 WIDTH = 48
 """Partial sentences kept for each number of words heard,"""
 WIDER = 96
-"""and where it is looked wider, since what is found is not near: numbers crowd others out, which may begin with any of a
-hundred words. "Going on towards the sitting room" was "going onward then ..."."""
+"""and where it is looked wider, since what is found is not near: numbers crowd others out, which may begin with any of
+a hundred words. "Going on towards the sitting room" was "going onward then ..."."""
 NEAR = 0.2
 """Cost for each letter heard from which it is not, and"""
 WIDER_WORDS = 12
