@@ -72,6 +72,7 @@ class Runtime:
 
     Raises:
         TypeError: one of them is not what it should be; says what is.
+        ValueError: ``patience`` is no time.
     """
 
     def __init__(

@@ -4,12 +4,12 @@ first word, when it should hold the robot.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from numbers import Real
 from pathlib import PurePath
 from types import FunctionType
 
+from intent_engine.execution.given import check_listener, check_number
 from intent_engine.speech.endpoint import Settings
 
 __all__ = ["check_parts"]
@@ -28,6 +28,7 @@ def check_parts(settings: object, on_event: object, state: object, patience: obj
 
     Raises:
         TypeError: it cannot; says what can.
+        ValueError: ``patience`` is below zero, or not a number by name.
     """
     for name, part in parts.items():
         auto = name == "noise_filter" and part == "auto"
@@ -36,9 +37,8 @@ def check_parts(settings: object, on_event: object, state: object, patience: obj
     if settings is not None and not isinstance(settings, Settings):
         where = "Settings(wait_complete=0.3) of intent_engine.speech.endpoint"
         raise TypeError(f"settings are {where}, not {settings!r:.80}")
-    if on_event is not None and not callable(on_event):
-        raise TypeError(f"on_event is a function that takes an event, not {on_event!r:.80}")
+    if on_event is not None:
+        check_listener("on_event", on_event)
     if state is not None and not callable(state):
         raise TypeError(f"state is a function that tells the states, not {state!r:.80}: lambda: {state!r:.80}")
-    if isinstance(patience, bool) or not isinstance(patience, Real) or math.isnan(float(patience)):
-        raise TypeError(f"patience is a number of s, not {patience!r:.80}")
+    check_number("patience", patience)

@@ -107,6 +107,14 @@ class ReferenceMatcher:
                     found.setdefault(number, set()).add(self._slots(way, words))
         return found
 
+    def refused_for_a_number(self, words: list[str]) -> set[int]:
+        """Number of each sentence that the words would be, but for a number in a name that is not whole."""
+        return {
+            number
+            for number, ways in enumerate(self.sentences)
+            if any(self._is(way, words) and not _named_by_whole_numbers(way, words) for way in ways)
+        }
+
     def ends(self, words: list[str]) -> bool:
         """Whether the words are a sentence, whatever its numbers are."""
         return any(self._is(way, words) for ways in self.sentences for way in ways)
