@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
-from intent_engine.actions import Action, Move, Navigate, Pick, Turn
+from intent_engine.actions import Action, Move, Navigate, Pick, Place, Turn
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
@@ -83,7 +83,7 @@ class CarriedOut:
             more = whole.actions[len(done) :]
             return Step(more, Policy.FOLLOW, goes_on=True) if more else None
         first = self.goals[0]
-        begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick))
+        begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick | Place))
         if not (begun and can_be_amended(self.meaning)):
             return None
         return Step(whole.actions, Policy.REPLACE, first, goes_on=True)
@@ -129,5 +129,10 @@ def in_a_row(
 
 def can_be_amended(meaning: Interpretation) -> bool:
     """Whether what was understood can be put right while it is done: one drive, turn or way somewhere, or a hand that
-    reaches for something. What is put down, or ordered, cannot be taken back."""
-    return len(meaning.actions) == 1 and isinstance(meaning.actions[0], (Move, Turn, Navigate, Pick))
+    reaches for something, or for where that is to lie. What is let go of here, or ordered, cannot be taken back."""
+    if len(meaning.actions) != 1:
+        return False
+    (action,) = meaning.actions
+    if isinstance(action, Place):
+        return action.location is not None
+    return isinstance(action, Move | Turn | Navigate | Pick)

@@ -6,7 +6,6 @@ import os
 import threading
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -21,48 +20,19 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import Before, resolve
-from intent_engine.language.utterance import Utterance, plain
+from intent_engine.language.utterance import plain
 from intent_engine.language_tag import code_of, language_of
 from intent_engine.needs import MOVING
+from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
-    from intent_engine.language.word_state import WordState
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
 
 StrPath = str | os.PathLike[str]
-
-
-class PrefixStatus(StrEnum):
-    """How far words that may go on have come."""
-
-    IMPOSSIBLE = "impossible"
-    """No utterance of the grammar begins so; commands with nothing between them are not looked ahead to."""
-    INCOMPLETE = "incomplete"
-    """More words are needed."""
-    EXTENDABLE = "extendable"
-    """A whole command, that further words could still change ("turn left" + "ninety degrees")."""
-    COMPLETE = "complete"
-    """A whole command that nothing can change; only another command can follow."""
-
-
-@dataclass(frozen=True, slots=True)
-class Prefix:
-    """What :meth:`IntentEngine.prefix` says of partial text."""
-
-    status: PrefixStatus
-    next_words: tuple[str, ...] = ()
-    """Words that may follow, in alphabetical order; ``<number>`` where a numeral may, ``<any>`` where any word may."""
-    known_words: int = 0
-    """How many of the words could be followed."""
-    settled: bool = False
-    """A whole command of which further words could only change the manner, as a speed does: what is to be done is
-    said."""
-    resting: bool = False
-    """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
 
 
 @dataclass(frozen=True)
@@ -291,29 +261,17 @@ class IntentEngine:
         parsers = self._parsers if language is None else (self._interpreter(language),)
         return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
 
-    def prefix(self, text: str, *, language: str | None = None) -> Prefix:
-        """How far partial text has come, and how it may go on."""
+    def prefix(self, text: str, *, language: str | None = None, spoken: bool = False) -> Prefix:
+        """How far partial text has come, and how it may go on.
+
+        Args:
+            text: of the beginning of an utterance, or of a whole one.
+            language: of the text; None: the first grammar's.
+            spoken: whether a whole command may have a word that only sounds like one of the grammar ("go back for
+                meters"), as a recogniser writes it.
+        """
         _only_text("prefix", text)
-        matcher = self.matcher(language)
-        said = Utterance.of(text, matcher.grammar.language) if len(text) < 2000 else Utterance(["\0"], [False])
-        words = said.words
-        try:
-            count, reached = matcher.prefix(words)
-            if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
-                words = otherwise.words
-                count, reached = matcher.prefix(words)
-        except ConfigError:  # see parse
-            count, reached = 0, None
-        if reached is None:
-            return (
-                Prefix(PrefixStatus.EXTENDABLE, (), len(words))
-                if self._interpreter(language).dictates(text)
-                else Prefix(PrefixStatus.IMPOSSIBLE, (), count)
-            )
-        status = _status(matcher, reached)
-        settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
-        resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
-        return Prefix(status, next_words(matcher, reached), count, settled, resting)
+        return prefix_of(self._interpreter(language), text, spoken=spoken)
 
 
 def _wake_words(given: str | Sequence[str]) -> Sequence[str]:
@@ -384,24 +342,6 @@ def _first_accepted(
             first = found, parser
     assert first is not None
     return first
-
-
-def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:
-    automaton = matcher.spoken
-    if not automaton.accepting(reached):
-        return PrefixStatus.INCOMPLETE
-    return PrefixStatus.EXTENDABLE if automaton.inside(reached) else PrefixStatus.COMPLETE
-
-
-def next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
-    """The words that may follow a state, for showing."""
-    automaton = matcher.spoken
-    words = sorted(word for word in automaton.next_words(reached) if word and word[0] != "\0")
-    if automaton.allows_digits(reached):
-        words.append("<number>")
-    if automaton.free(reached):
-        words.append("<any>")
-    return tuple(words)
 
 
 def _found(kind: str, value: StrPath | Sequence[StrPath], problems: list[Problem]) -> tuple[Path, ...]:

@@ -93,7 +93,7 @@ class Judge:
         if meaning.status is Status.REJECTED and self.unsure(transcript):
             begun = self.engine.prefix(transcript.free_text, language=self._language(transcript))
             return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
-        prefix = self.engine.prefix(transcript.text, language=self._language(transcript))
+        prefix = self.engine.prefix(transcript.text, language=self._language(transcript), spoken=True)
         if meaning.status is Status.ACCEPTED:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE

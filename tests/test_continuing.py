@@ -74,6 +74,12 @@ def test_and_so_is_what_follows_later():
     assert said.pose.x == pytest.approx(2.0)
 
 
+def test_where_a_thing_is_to_lie_may_be_said_to_its_end_while_the_hand_is_on_its_way():
+    said = Said(Script("put the cup on the tool", "box", "put the cup on the tool box"), pause=0.3)
+    assert [event.goals[0].action.location for event in said.done] == ["tool", "tool box"]
+    assert said.goals[0] is GoalState.CANCELED
+
+
 VOLUME = """
 language: en
 intents:

@@ -148,6 +148,8 @@ def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confi
         ("turn left then turn right ninety degrees", (Outlook.SETTLED, Outlook.SETTLED)),
         ("pick up the cup", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
         ("put down the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
+        ("put the cup on the table", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
+        ("put the cup on the table then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
         ("turn left then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
     ],
 )
@@ -155,6 +157,13 @@ def test_a_motion_that_can_be_put_right_is_waited_for_less(judge, text, outlooks
     continuing = Judge(judge.engine, continuing=True)
     for score, outlook in zip((CLEARLY, CLEARLY - 0.01), outlooks, strict=True):
         assert continuing.outlook(Transcript(text, score, "-", gap=0.1, confidence=0.95), (), ())[1] is outlook
+
+
+@pytest.mark.parametrize("text", ["Move backward for meters.", "Could you go back to meters?", "go forward to feet"])
+def test_a_number_that_was_written_as_a_word_of_its_sound_is_one(judge, text):
+    """Else the whole sentence would be waited for as one that may go on anyhow."""
+    continuing = Judge(judge.engine, continuing=True)
+    assert continuing.outlook(Transcript(text, 0.0, text, gap=0.0, confidence=1.0), (), ())[1] is Outlook.COMPLETE
 
 
 def test_a_motion_that_cannot_be_put_right_waits_for_its_manner(judge):

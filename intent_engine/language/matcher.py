@@ -79,7 +79,7 @@ class Matcher:
         self._alternatives_of: dict[int, Mapping[tuple[str, str], tuple[tuple[str, str], ...]]] = {}
 
     @cached_property
-    def _alikes(self) -> Mapping[str, tuple[str, ...]]:
+    def alikes(self) -> Mapping[str, tuple[str, ...]]:
         """Word -> words of the grammar that may have been meant: that sound the same, and that sound alike."""
         same, alike = self.grammar.homophones, self.grammar.sound_alikes
         return {word: tuple(dict.fromkeys((*same.get(word, ()), *alike.get(word, ())))) for word in {*same, *alike}}
@@ -99,7 +99,7 @@ class Matcher:
             is_numeral=quantities.is_numeral,
             is_number_word=lambda word: is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
-            sound_alikes=self._alikes,
+            sound_alikes=self.alikes,
         )
 
     def _later_of(self, intent: Intent) -> list[int]:

@@ -37,6 +37,25 @@ BEGUN = {
 }
 
 
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        ("go back for meters", "go back four meters"),
+        ("please go back to meters", "please go back two meters"),
+        ("turn left and go back to feet", "turn left and go back two feet"),
+    ],
+)
+def test_a_command_with_a_word_that_only_sounds_like_its_own_ends_as_it_does(heard, said):
+    engine = shipped()
+    assert engine.prefix(heard).status is PrefixStatus.IMPOSSIBLE, "as it is written"
+    assert engine.prefix(heard, spoken=True) == engine.prefix(said)
+
+
+@pytest.mark.parametrize("text", ["go back for kitchens", "we go back to meters of it", "go back for"])
+def test_what_is_no_command_with_it_stays_what_it_is(text):
+    assert shipped().prefix(text, spoken=True) == shipped().prefix(text)
+
+
 @pytest.mark.parametrize(("text", "status"), BEGUN.items())
 def test_how_far_words_have_come(text: str, status: PrefixStatus) -> None:
     assert shipped().prefix(text).status is status

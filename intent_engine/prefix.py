@@ -1,0 +1,121 @@
+"""How far partial text has come, and how it may go on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING
+
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Status
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning import Interpreter
+from intent_engine.language.utterance import Utterance
+
+if TYPE_CHECKING:
+    from intent_engine.language.word_state import WordState
+
+__all__ = ["Prefix", "PrefixStatus", "prefix_of"]
+
+LONGEST = 2000
+"""Letters beyond which nothing is the beginning of a command."""
+
+
+class PrefixStatus(StrEnum):
+    """How far words that may go on have come."""
+
+    IMPOSSIBLE = "impossible"
+    """No utterance of the grammar begins so; commands with nothing between them are not looked ahead to."""
+    INCOMPLETE = "incomplete"
+    """More words are needed."""
+    EXTENDABLE = "extendable"
+    """A whole command, that further words could still change ("turn left" + "ninety degrees")."""
+    COMPLETE = "complete"
+    """A whole command that nothing can change; only another command can follow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prefix:
+    """What :meth:`IntentEngine.prefix` says of partial text."""
+
+    status: PrefixStatus
+    next_words: tuple[str, ...] = ()
+    """Words that may follow, in alphabetical order; ``<number>`` where a numeral may, ``<any>`` where any word may."""
+    known_words: int = 0
+    """How many of the words could be followed."""
+    settled: bool = False
+    """A whole command of which further words could only change the manner, as a speed does: what is to be done is
+    said."""
+    resting: bool = False
+    """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
+
+
+def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> Prefix:
+    """How far partial text has come, and how it may go on; ``spoken`` as for :meth:`IntentEngine.prefix`."""
+    matcher = interpreter.matcher
+    said = Utterance.of(text, matcher.grammar.language) if len(text) < LONGEST else Utterance(["\0"], [False])
+    words = said.words
+    try:
+        count, reached = matcher.prefix(words)
+        if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
+            words = otherwise.words
+            count, reached = matcher.prefix(words)
+        if reached is None and spoken and (as_understood := _as_understood(interpreter, text, words, count)):
+            words = as_understood
+            count, reached = matcher.prefix(words)
+    except ConfigError:  # see IntentEngine.parse
+        count, reached = 0, None
+    if reached is None:
+        if interpreter.dictates(text):
+            return Prefix(PrefixStatus.EXTENDABLE, (), len(words))
+        return Prefix(PrefixStatus.IMPOSSIBLE, (), count)
+    status = _status(matcher, reached)
+    settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
+    resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
+    return Prefix(status, _next_words(matcher, reached), count, settled, resting)
+
+
+def _next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
+    """The words that may follow a state, for showing."""
+    automaton = matcher.spoken
+    words = sorted(word for word in automaton.next_words(reached) if word and word[0] != "\0")
+    if automaton.allows_digits(reached):
+        words.append("<number>")
+    if automaton.free(reached):
+        words.append("<any>")
+    return tuple(words)
+
+
+def _as_understood(interpreter: Interpreter, text: str, words: Sequence[str], known: int) -> list[str] | None:
+    """The words of a command with one that only sounds like a word of the grammar as that: "go back four meters", heard
+    as "go back for meters". None: it is no command, or not understood so.
+
+    Args:
+        interpreter: understands.
+        text: of the command.
+        words: of the text.
+        known: how many of them the grammar could follow; one of those, or the next, is the one in question.
+    """
+    meaning = interpreter.interpret(text, spoken=True)
+    if meaning.status is not Status.ACCEPTED:
+        return None
+    for said in _otherwise(interpreter.matcher, words, known):
+        _, reached = interpreter.matcher.prefix(said)
+        if reached is not None and interpreter.interpret(" ".join(said), spoken=True).actions == meaning.actions:
+            return said
+    return None
+
+
+def _otherwise(matcher: Matcher, words: Sequence[str], known: int) -> Iterator[list[str]]:
+    """The words, each time with one of the last known ones as another that sounds like it."""
+    for place in range(min(known, len(words) - 1), -1, -1):
+        for other in matcher.alikes.get(words[place], ()):
+            yield [*words[:place], other, *words[place + 1 :]]
+
+
+def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:
+    automaton = matcher.spoken
+    if not automaton.accepting(reached):
+        return PrefixStatus.INCOMPLETE
+    return PrefixStatus.EXTENDABLE if automaton.inside(reached) else PrefixStatus.COMPLETE
