@@ -115,6 +115,8 @@ class SecondOpinion:
         """Whether what was glanced at last was clear talk."""
         self._left = Event()
         """Set when nobody waits for the second any more."""
+        self._told = ""
+        """The words that the first has heard so far of what is being said, for the second."""
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         began = time.perf_counter()
@@ -132,13 +134,16 @@ class SecondOpinion:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`: the first model alone."""
         self._prepared.result()
         glanced = self._first.glance(samples)
+        self._told = glanced.free_text
         self._talk_seen = glanced.draft and self._talk(glanced)
         return glanced
 
     def follow(self, samples: Samples) -> Transcript:
         """As :meth:`~intent_engine.speech.recognizer.Following.follow`: the first model alone."""
         self._prepared.result()
-        return self._first.follow(samples)
+        heard = self._first.follow(samples)
+        self._told = heard.free_text
+        return heard
 
     def lose(self) -> None:
         """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""
@@ -156,6 +161,8 @@ class SecondOpinion:
         transcript = look.transcript
         if look.doubtful and final:
             transcript = self._searched(look)
+        if final:
+            self._told = ""
         return replace(transcript, draft=look.doubtful and not final)
 
     def second_weights(self) -> Future[MoonshineModel | None]:
@@ -176,6 +183,7 @@ class SecondOpinion:
         asked = self._ask(samples) if cores() > 1 and not self._talk_seen else None
         self._talk_seen = False
         heard = self._first.listen(samples)
+        self._told = heard.transcript.free_text
         if heard.settled and not (heard.transcript.unclear or heard.dictated):
             self._left.set()
             return _Look(samples, heard, None, heard.transcript, False)
@@ -207,7 +215,7 @@ class SecondOpinion:
     def _ask(self, samples: Samples) -> Future[Opinion]:
         """The second model's first sight of a sound, in a thread beside."""
         self._left = Event()  # it may have been left before
-        return self._aside(lambda second: second.compare(second.listen(samples)))
+        return self._aside(lambda second: second.compare(second.listen(samples, told=lambda: self._told)))
 
     def _aside(self, ask: Callable[[Steered], _Answer]) -> Future[_Answer]:
         """What the second model answers, in a thread beside, as long as this decode is waited for."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -98,19 +98,21 @@ class Steering(OtherCommands):
         self.opinion = self._doubted(self.search(self.compare(self.listen(samples))), far=True)
         return self.clear(self.opinion)
 
-    def listen(self, samples: Samples, *, longer: bool = False) -> Opinion:
+    def listen(self, samples: Samples, *, longer: bool = False, told: Callable[[], str] | None = None) -> Opinion:
         """The words heard freely. Settled where nothing is to be found out about them: they are a sentence of the
         grammar, or say that something shall not be done, or there are none.
 
         Args:
             samples: ``(n,)``
             longer: whether with more silence after the speech than usual.
+            told: gives the words that somebody else hears in the sound, as far as they are known. They change nothing
+                but how long it takes.
         """
         self.check()
         sound = in_silence(samples, SHORT_SECONDS, QUIET_SECONDS)
         seconds = sound.size / SAMPLE_RATE
         encoded = self.encode(sound, self.longer(seconds)) if longer else self.encode(sound)
-        self.draft = self.drafts.of(samples)
+        self.draft = self.drafted(samples, told, self.language)
         language = self.language or self._spoken_language(encoded)
         free, mean, _ = self.greedy(encoded, language)
         self.drafts.keep(samples, self.pieces_written(encoded))
@@ -118,7 +120,7 @@ class Steering(OtherCommands):
         meaning = self.grammar.parse(free, language)
         if not meaning.stops and stutters(free):
             if not longer and self.longer(seconds) > seconds:
-                return self.listen(samples, longer=True)
+                return self.listen(samples, longer=True, told=told)
             heard = replace(heard, score=min(mean, RETRY_SCORE))
         words = self.grammar.words(free, language)
         addressed = self.grammar.wake(language).addressed(words)  # "no, but" may have been a wake word

@@ -39,7 +39,7 @@ TALK = "go what lovely weather we have"
 def asked_during(monkeypatch, one, step: str, other, known: bool) -> threading.Event:
     """That the second is asked; it must be while the first takes a step, or must not be until then."""
     asked = threading.Event()
-    monkeypatch.setattr(other, "listen", lambda _samples: asked.set() or UNSURE)
+    monkeypatch.setattr(other, "listen", lambda _samples, **_told: asked.set() or UNSURE)
 
     def taken(_given):
         assert asked.wait(60 if known else 0) is known
@@ -53,7 +53,7 @@ def leaves_only_if_asked_to(monkeypatch, other) -> threading.Event:
     """That the second, which listens for ever, was told to leave that."""
     told = threading.Event()
 
-    def listen(_samples):
+    def listen(_samples, **_told):
         assert other.left is not None
         if other.left.wait(60):
             told.set()
@@ -155,6 +155,38 @@ def test_of_clear_talk_at_a_glance_the_first_listens_alone(engine, monkeypatch, 
         both.transcribe(FURTHER, final=False)
     asked_during(monkeypatch, one, "listen", other, known=True)
     both.transcribe(SOUND, final=False)
+
+
+def test_the_second_is_told_what_the_first_hears(engine, monkeypatch):
+    """At a glance, then as it listens; and nothing of that when something else is said."""
+    both, one, other = two(engine, UNSURE, UNSURE)
+    words: list[str] = []
+    asked, compared = threading.Event(), threading.Event()
+
+    def listens(_samples, *, told):
+        words.append(told())
+        asked.set()
+        assert compared.wait(60)
+        words.append(told())
+        return UNSURE
+
+    def hears(_samples):
+        assert asked.wait(60)
+        return Thinks(heard("go forwards", 0.5))
+
+    def compares(_heard):
+        compared.set()
+        return one.opinion
+
+    monkeypatch.setattr(other, "listen", listens)
+    monkeypatch.setattr(one, "listen", hears)
+    monkeypatch.setattr(one, "compare", compares)
+    both.glance(SOUND)
+    both.transcribe(SOUND)
+    assert words[:2] == [FORWARD, "go forwards"]
+    asked.clear(), compared.clear(), words.clear()
+    both.transcribe(FURTHER)
+    assert words[:2] == ["", "go forwards"], "another sound"
 
 
 def test_who_leaves_leaves_both(engine, monkeypatch):

@@ -109,7 +109,7 @@ class Says:
     def prepare(self) -> None:
         self.prepared.set()
 
-    def listen(self, samples: np.ndarray) -> Thinks:
+    def listen(self, samples: np.ndarray, *, told=None) -> Thinks:
         assert self.prepared.is_set()
         if samples[:LATER].any():
             self.listened.append(samples.size)

@@ -6,13 +6,14 @@ than one, so what it would write again is not written again.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 
-__all__ = ["Drafts"]
+__all__ = ["NOTHING_DRAFTED", "Draft", "Drafts"]
 
 SAME = int(0.3 * SAMPLE_RATE)
 """Samples at the beginning of a sound by which it is known again."""
@@ -20,6 +21,33 @@ UNSETTLED = int(0.1 * SAMPLE_RATE)
 """Samples at its end that a noise filter may still change."""
 LEAST = 2
 """Pieces of a draft that is worth it."""
+ASTRAY = 3
+"""Pieces by which a text may have become longer or shorter than its draft, and go on as that does."""
+
+
+class Draft:
+    """What a text may be, while it is written: its pieces, as far as somebody knows them by then.
+
+    Args:
+        told: gives the pieces. It is asked each time, since a model beside may have heard more.
+    """
+
+    def __init__(self, told: Callable[[], tuple[int, ...]]) -> None:
+        self._told = told
+
+    def after(self, written: tuple[int, ...]) -> tuple[int, ...]:
+        """The pieces that may follow those written so far. Where the text has left the draft they are those behind the
+        piece that was written last, if the draft has that near there."""
+        draft = self._told()
+        length = len(written)
+        if draft[:length] == written:
+            return draft[length:]
+        near = range(max(length - ASTRAY, 1), min(length + ASTRAY, len(draft)) + 1)
+        same = [place for place in near if draft[place - 1] == written[-1]]
+        return draft[min(same, key=lambda place: abs(place - length)) :] if same else ()
+
+
+NOTHING_DRAFTED = Draft(tuple)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

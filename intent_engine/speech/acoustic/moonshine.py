@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import WeightsError
+from intent_engine.speech.acoustic.drafts import NOTHING_DRAFTED, Draft
 from intent_engine.speech.acoustic.loops import fold_loop, goes_round
 from intent_engine.speech.acoustic.moonshine_decoder import MoonshineDecoder
 from intent_engine.speech.acoustic.moonshine_pieces import BEGINNING, END, MoonshinePieces
@@ -97,7 +98,7 @@ class MoonshineRecognizer(Leaving):
     language: str | None = "en"
     multilingual = False
     device = "cpu"
-    draft: Beginning = ()
+    draft: Draft = NOTHING_DRAFTED
     """As of :class:`~intent_engine.speech.acoustic.scoring.Scoring`."""
 
     def __init__(
@@ -151,9 +152,11 @@ class MoonshineRecognizer(Leaving):
         tree = self._tree(encoded)
         pieces: Beginning = ()
         rows: dict[Beginning, _Floats] = {}
-        drafted = tree.drafted(self.draft)
+        drafted: dict[Beginning, _Floats] = {}
         for _ in range(int(encoded.seconds * PIECES_PER_SECOND) + 8):
-            row = drafted[pieces] if pieces in drafted else tree.chances([pieces])[pieces]
+            if pieces not in drafted:
+                drafted |= tree.along(pieces, self.draft.after(pieces))
+            row = drafted[pieces]
             if not pieces and encoded.seconds > WORD_SECONDS:
                 row = _something(row)
             rows[pieces] = row

@@ -93,9 +93,9 @@ class PrefixTree:
             found.update(zip(again, rows, strict=True))
         return {one: found[one] for one in wanted}
 
-    def drafted(self, draft: Beginning) -> dict[Beginning, _Floats]:
-        """The chances after each beginning of what a text may begin with, in one call; nothing of an empty one."""
-        return self.chances(draft[:place] for place in range(len(draft) + 1)) if draft else {}
+    def along(self, written: Beginning, ahead: Beginning) -> dict[Beginning, _Floats]:
+        """The chances after a beginning, and after each of its pieces ahead, in one call."""
+        return self.chances((*written, *ahead[:place]) for place in range(len(ahead) + 1))
 
     def onward(
         self, beginnings: Sequence[Beginning], length: int, end: int, further: int = 0

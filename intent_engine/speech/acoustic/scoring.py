@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any
@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.language.utterance import PhraseSet
-from intent_engine.speech.acoustic.drafts import Drafts
+from intent_engine.speech.acoustic.drafts import NOTHING_DRAFTED, Draft, Drafts
 from intent_engine.speech.acoustic.however_written import HoweverWritten
 from intent_engine.speech.acoustic.loops import goes_round
 from intent_engine.speech.acoustic.prefix_tree import PrefixTree, RecentTrees
@@ -57,9 +57,9 @@ class Scoring(Leaving, ABC):
     _decoded: tuple[Encoded | None, Rows] = (None, {})
     """The sound that was last heard freely, and what the model made of it on the way."""
 
-    draft: tuple[int, ...] = ()
-    """Pieces with which what is heard freely next may begin. They are computed in one call, and those that the model
-    would write are not asked for one by one."""
+    draft: Draft = NOTHING_DRAFTED
+    """What may be heard freely next. Its pieces are computed in one call, and those that the model would write are not
+    asked for one by one."""
 
     language: str | None
     """Of the speech; None: detected."""
@@ -114,7 +114,7 @@ class Scoring(Leaving, ABC):
         if self.language is None:
             return Transcript("", draft=True)
         encoded = self.encode(samples)
-        self.draft = self.drafts.of(samples)
+        self.draft = self.drafted(samples)
         text, score, _ = self.greedy(encoded, self.language)
         self.drafts.keep(samples, self.pieces_written(encoded))
         seconds = time.perf_counter() - began
@@ -128,6 +128,28 @@ class Scoring(Leaving, ABC):
     def drafts(self) -> Drafts:
         """What was written of the speech so far."""
         return Drafts()
+
+    def drafted(self, samples: Samples, told: Callable[[], str] | None = None, language: str | None = None) -> Draft:
+        """What may be heard in a sound: what was written of it so far; else what somebody else hears in it.
+
+        Args:
+            samples: ``(n,)``
+            told: gives the words that somebody else hears; they may become more while this model writes.
+            language: of the speech.
+        """
+        own = self.drafts.of(samples)
+        if own or told is None:
+            return Draft(lambda: own)
+        tokenizer = self.tokenizer(language)
+        known: dict[str, tuple[int, ...]] = {"": ()}
+
+        def pieces() -> tuple[int, ...]:
+            text = told().strip()
+            if text not in known:
+                known[text] = tuple(tokenizer.encode(" " + text))
+            return known[text]
+
+        return Draft(pieces)
 
     def pieces_written(self, encoded: Encoded) -> tuple[int, ...]:
         """The pieces that it wrote when it heard a sound freely, as :meth:`decoded`."""
@@ -233,9 +255,11 @@ class ScoringWhisper(WhisperRecognizer, Scoring):
         rows: dict[tuple[int, ...], npt.NDArray[np.float32]] = {}
         pieces: tuple[int, ...] = ()
         scores = []
-        drafted = tree.drafted(self.draft)
+        drafted: dict[tuple[int, ...], npt.NDArray[np.float32]] = {}
         for _ in range(self.most_pieces(encoded)):
-            row = rows[pieces] = drafted[pieces] if pieces in drafted else tree.chances([pieces])[pieces]
+            if pieces not in drafted:
+                drafted |= tree.along(pieces, self.draft.after(pieces))
+            row = rows[pieces] = drafted[pieces]
             able = decoder.able(row, first=not pieces)
             piece = int(able[: tokenizer.no_timestamps].argmax())
             scores.append(float(able[piece]))

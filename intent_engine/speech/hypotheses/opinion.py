@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from threading import Event
 from typing import TYPE_CHECKING, Protocol
@@ -139,7 +139,7 @@ class Steered(Recognizer, Protocol):
         """As :meth:`~intent_engine.speech.leaving.Leavable.leave`."""
         ...
 
-    def listen(self, samples: Samples) -> Opinion:
+    def listen(self, samples: Samples, *, told: Callable[[], str] | None = None) -> Opinion:
         """As :meth:`~intent_engine.speech.steering.Steering.listen`."""
         ...
 

@@ -12,7 +12,8 @@ from speech_stage import Says, Voiced
 
 from intent_engine.heard import HeardKind
 from intent_engine.speech import utterance_decoder
-from intent_engine.speech.acoustic.drafts import LEAST, UNSETTLED, Drafts
+from intent_engine.speech.acoustic.drafts import LEAST, NOTHING_DRAFTED, UNSETTLED, Draft, Drafts
+from intent_engine.speech.acoustic.prefix_tree import PrefixTree
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.decoding import DecodeThread
 from intent_engine.speech.leaving import LeftError
@@ -36,13 +37,47 @@ def moonshine(engine):
 def test_whatever_the_draft_the_words_are_those_without_it(whisper, moonshine, go_forward, draft):
     sound = go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
     for model in (whisper, moonshine):
-        model.draft = ()
+        model.draft = NOTHING_DRAFTED
         text, score, looped = model.greedy(model.encode(sound), "en")
-        model.draft = draft
+        model.draft = Draft(lambda: draft)
         drafted = model.greedy(model.encode(sound), "en")
-        model.draft = ()
+        model.draft = NOTHING_DRAFTED
         assert (drafted[0], drafted[2]) == (text, looped)
         assert drafted[1] == pytest.approx(score, abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("draft", "written", "after"),
+    [
+        ("abcdef", "", "abcdef"),
+        ("abcdef", "abc", "def"),
+        ("abcdef", "abcdef", ""),
+        ("abcdef", "abx", ""),  # one that is not in the draft
+        ("abcdef", "abxd", "ef"),  # another in its place
+        ("abcdef", "abxycd", "ef"),  # two more
+        ("abcdef", "ad", "ef"),  # two less
+        ("abxbxf", "abyb", "xf"),  # the nearest of two that are the same
+        ("abcdefghij", "j", ""),  # too far away
+        ("", "abc", ""),
+    ],
+)
+def test_where_a_text_has_left_its_draft_it_may_come_back_to_it(draft, written, after):
+    assert Draft(lambda: tuple(map(ord, draft))).after(tuple(map(ord, written))) == tuple(map(ord, after))
+
+
+def test_what_another_model_heard_is_a_draft_too(moonshine, go_forward, monkeypatch):
+    """In another's pieces, and with a word in it that was not said."""
+    sound = go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+    calls = []
+    step = PrefixTree._step
+    monkeypatch.setattr(PrefixTree, "_step", lambda tree, new: calls.append(len(new)) or step(tree, new))
+    alone = moonshine.listen(sound)
+    one_by_one = len(calls)
+    moonshine.lose()
+    calls.clear()
+    helped = moonshine.listen(sound, told=lambda: alone.transcript.free_text.replace("two", "to"))
+    assert helped.heard == alone.heard == ["go", "forward", "two", "meters"]
+    assert len(calls) < one_by_one - 1
 
 
 def test_words_that_were_heard_before_are_not_written_one_by_one(whisper, go_forward, monkeypatch):

@@ -81,11 +81,8 @@ def test_something_was_said_unless_it_is_sure_of_nothing(moonshine, monkeypatch,
     words = moonshine.tokenizer().encode(" stop")
 
     class Scripted:
-        def drafted(self, draft):
-            return {}
-
-        def chances(self, beginnings):
-            (beginning,) = beginnings
+        def along(self, beginning, ahead):
+            assert ahead == ()
             row = np.full(moonshine.model.decoder.small.shape[0], -20.0, np.float32)
             row[END] = np.log(nothing) if not beginning else -20.0
             row[(*words, END)[len(beginning)]] = np.log(1 - nothing) if not beginning else -0.01
