@@ -215,8 +215,7 @@ class Conductor:
             # A goal that was making way already keeps its own reason.
             was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
             self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
-        while self._queue:
-            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+        self._clear_queue(reason, now)
         self._events.tell(kind, reason=reason)
 
     def stop_robot(self) -> bool:
@@ -301,8 +300,7 @@ class Conductor:
 
     def _make_way(self, goal: Goal, now: float) -> None:
         """Let a newer utterance take the place of everything; a motion is braked unless another one follows it."""
-        while self._queue:
-            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, Reason.PREEMPTED), now)
+        self._clear_queue(Reason.PREEMPTED, now)
         if self._run is not None:
             self._give_up(self._run, Reason.PREEMPTED, now, brake=not self._admission.drives(goal.action))
 
@@ -322,7 +320,22 @@ class Conductor:
         else:
             self._move(run.goal, GoalState.CANCELING, now, reason)
 
+    def _clear_queue(self, reason: Reason, now: float) -> None:
+        while self._queue:
+            self._end_one(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+
     def _end(self, goal: Goal, ending: Ending, now: float, run: Run | None = None) -> None:
+        """End a goal; what was said in one breath is done in order or not at all."""
+        self._end_one(goal, ending, now, run)
+        if ending.state not in (GoalState.ABORTED, GoalState.CANCELED):
+            return
+        reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
+        # Goals are numbered in the order in which they wait.
+        for later in [each for each in self._queue if each.utterance == goal.utterance and each.id > goal.id]:
+            self._queue.remove(later)
+            self._end_one(later, Ending(GoalState.CANCELED, reason), now)
+
+    def _end_one(self, goal: Goal, ending: Ending, now: float, run: Run | None = None) -> None:
         if run is not None:
             try:
                 goal.feedback = replace(run.feedback(now), pose=self.pose(), time_left=0.0)
@@ -332,11 +345,6 @@ class Conductor:
         self._covered.pop(goal.id, None)
         self._move(goal, ending.state, now, ending.reason, ending.detail)
         self._host.ended()
-        if ending.state in (GoalState.ABORTED, GoalState.CANCELED):
-            # What was said in one breath is done in order or not at all.
-            while self._queue and self._queue[0].utterance == goal.utterance:
-                reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
-                self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
 
     def _move(self, goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
         move_goal(goal, state, now, reason, detail)

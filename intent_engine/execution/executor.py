@@ -216,11 +216,12 @@ class Executor:
             self._conductor.stop_robot()  # the robot hangs in another thread's call; see _stop
             self._lock.acquire()
         try:
-            if not (self._conductor.closed or self._conductor.held):
-                self._conductor.stop_robot()
-                self._conductor.hold(self.clock.now())
-                self._events.tell(EventKind.HOLD)
-                self._wake.notify_all()
+            with self._locked() as now:
+                if not (self._conductor.closed or self._conductor.held):
+                    self._conductor.stop_robot()
+                    self._conductor.hold(now)
+                    self._events.tell(EventKind.HOLD)
+                    self._wake.notify_all()
         finally:
             self._lock.release()
         self._events.flush()
