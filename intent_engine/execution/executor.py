@@ -352,7 +352,7 @@ class Executor:
                 return
             self._conductor.closed = True
         self._stop(Reason.CLOSED, EventKind.STOP)
-        with self._lock:
+        with self._locked():
             self._wake.notify_all()
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join(1.0)

@@ -228,6 +228,33 @@ def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(sta
     assert goal.result().succeeded
 
 
+def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(stage):
+    s = stage()
+    s.executor.BOOKS_PATIENCE = 0.01
+    (goal,) = s.executor.submit(FORWARD)
+    taken, go = threading.Event(), threading.Event()
+
+    def hang() -> None:
+        with s.executor._lock:
+            taken.set()
+            go.wait(30.0)
+
+    thread = threading.Thread(target=hang)
+    shut, later = s.executor._gate.shut, s.executor._poke
+
+    def shut_and_hang() -> None:
+        shut()
+        s.executor._gate.shut = shut
+        thread.start()
+        assert taken.wait(30.0)
+
+    s.executor._gate.shut = shut_and_hang
+    s.executor._poke = lambda: (go.set(), later())
+    s.executor.close()
+    thread.join(30.0)
+    assert (goal.state, goal.reason) == (GoalState.CANCELED, Reason.CLOSED)
+
+
 def test_a_handler_that_exits_ends_its_goal_alone():
     with Executor(SimulatedRobot(), handlers={"exit": lambda action: sys.exit(3)}, handle_sigterm=False) as executor:
         (goal,) = executor.submit(Custom("exit"))
