@@ -4,74 +4,28 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from enum import StrEnum
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.actions import actions_of
-from intent_engine.errors import ConfigError, Problem
+from intent_engine.engine_files import EngineFiles, Loaded, StrPath
+from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.loading.grammar_file import load_grammars
-from intent_engine.language.loading.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
-from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import Before, resolve
-from intent_engine.language.utterance import Utterance, plain
-from intent_engine.language_tag import code_of, language_of
+from intent_engine.language.utterance import plain
 from intent_engine.needs import MOVING
-from intent_engine.resources import find
+from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
 
 if TYPE_CHECKING:
     from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
-    from intent_engine.language.word_state import WordState
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
-
-StrPath = str | os.PathLike[str]
-
-
-class PrefixStatus(StrEnum):
-    """How far words that may go on have come."""
-
-    IMPOSSIBLE = "impossible"
-    """No utterance of the grammar begins so; commands with nothing between them are not looked ahead to."""
-    INCOMPLETE = "incomplete"
-    """More words are needed."""
-    EXTENDABLE = "extendable"
-    """A whole command, that further words could still change ("turn left" + "ninety degrees")."""
-    COMPLETE = "complete"
-    """A whole command that nothing can change; only another command can follow."""
-
-
-@dataclass(frozen=True, slots=True)
-class Prefix:
-    """What :meth:`IntentEngine.prefix` says of partial text."""
-
-    status: PrefixStatus
-    next_words: tuple[str, ...] = ()
-    """Words that may follow, in alphabetical order; ``<number>`` where a numeral may, ``<any>`` where any word may."""
-    known_words: int = 0
-    """How many of the words could be followed."""
-    settled: bool = False
-    """A whole command of which further words could only change the manner, as a speed does: what is to be done is
-    said."""
-    resting: bool = False
-    """A whole command that ends in a quantity which people like to add to after a rest: "in an hour", "and a half"."""
-
-
-@dataclass(frozen=True)
-class _Loaded:
-    """Everything made from one state of the files; replaced as a whole, so that a parse never sees two."""
-
-    grammars: tuple[Grammar, ...]
-    locations: LocationMap | None
-    interpreters: Mapping[str, Interpreter]
 
 
 class IntentEngine:
@@ -81,10 +35,6 @@ class IntentEngine:
     """
 
     def __init__(self, grammars: Sequence[Grammar], locations: LocationMap | None = None) -> None:
-        self._lock = threading.Lock()
-        self._grammar_paths: tuple[Path, ...] = ()
-        self._location_paths: tuple[Path, ...] = ()
-        self._wake: tuple[tuple[str, ...], ...] = ()
         loaded = tuple(grammars) if not isinstance(grammars, str | os.PathLike) else ()
         if not loaded or not all(isinstance(grammar, Grammar) for grammar in loaded):
             raise TypeError("IntentEngine takes grammars that are read; IntentEngine.from_files(...) reads files")
@@ -94,7 +44,12 @@ class IntentEngine:
             if not isinstance(locations, LocationMap):
                 how = "LocationMap.from_mapping(...) or load(path) of intent_engine.language.locations"
                 raise TypeError(f"IntentEngine takes a map that is read, not {locations!r:.80}; {how} reads one")
-        self._use(_build(loaded, locations))
+        self._begin(EngineFiles(places=locations), Loaded.of(loaded, locations))
+
+    def _begin(self, files: EngineFiles, loaded: Loaded) -> None:
+        self._lock = threading.Lock()
+        self._files = files
+        self._loaded = loaded
 
     @classmethod
     def from_files(
@@ -117,56 +72,10 @@ class IntentEngine:
             ConfigError: with everything that is wrong in any file.
             TypeError: ``grammar`` or ``locations`` is nothing that names files, nor a map; or ``wake`` holds no text.
         """
+        files = EngineFiles.found(grammar, locations, wake)
         engine = cls.__new__(cls)
-        engine._lock = threading.Lock()
-        problems: list[Problem] = []
-        engine._grammar_paths = _found("grammars", grammar, problems)
-        engine._location_paths = ()
-        engine._wake = tuple(plain_phrase(text) for text in _wake_words(wake))
-        given: LocationMap | None = None
-        if isinstance(locations, (str, os.PathLike)) or (
-            isinstance(locations, Sequence) and not isinstance(locations, Mapping)
-        ):
-            engine._location_paths = _found("locations", locations, problems)
-        elif locations is not None:
-            from intent_engine.language.locations import LocationMap
-
-            if not isinstance(locations, Mapping):
-                raise TypeError(f"locations are files or a dictionary of places, not {type(locations).__name__}")
-            given = locations if isinstance(locations, LocationMap) else LocationMap.from_mapping(locations)
-        engine._use(engine._load(given, problems))
+        engine._begin(files, files.read())
         return engine
-
-    def _load(self, given: LocationMap | None, missing: Sequence[Problem] = ()) -> _Loaded:
-        """Everything in the files, but for those that are ``missing``.
-
-        Raises:
-            ConfigError: with these, and with everything that is wrong in the others.
-        """
-        problems = list(missing)
-        grammars: tuple[Grammar, ...] = ()
-        places = given
-        if self._grammar_paths or not missing:
-            try:
-                grammars = load_grammars(self._grammar_paths)
-            except ConfigError as error:
-                problems.extend(error.problems)
-        if self._location_paths:
-            from intent_engine.language.locations import load
-
-            try:
-                places = load(self._location_paths)
-            except ConfigError as error:
-                problems.extend(error.problems)
-        if problems:
-            raise ConfigError(problems)
-        if self._wake:
-            grammars = tuple(replace(grammar, wake=(*grammar.wake, *self._wake)) for grammar in grammars)
-        return _build(grammars, places)
-
-    def _use(self, loaded: _Loaded) -> None:
-        self._loaded = loaded
-        self._parsers = tuple(loaded.interpreters.values())
 
     def reload(self) -> None:
         """Read the files again. Parses under way finish with the old grammar; all later ones use the new.
@@ -175,8 +84,7 @@ class IntentEngine:
             ConfigError: something is wrong; the old grammar stays in use.
         """
         with self._lock:
-            given = None if self._location_paths else self._loaded.locations
-            self._use(self._load(given))
+            self._loaded = self._files.read()
 
     def __reduce__(self) -> str:
         raise TypeError(
@@ -213,24 +121,14 @@ class IntentEngine:
     def files(self) -> tuple[Path, ...]:
         """Every file that was read, for watching."""
         found = [Path(name) for grammar in self._loaded.grammars for name in grammar.files]
-        return (*found, *self._location_paths)
+        return (*found, *self._files.locations)
 
     def matcher(self, language: str | None = None) -> Matcher:
         """The automaton of a language, for looking ahead, sampling and checking."""
         return self._interpreter(language).matcher
 
     def _interpreter(self, language: str | None) -> Interpreter:
-        if language is None:
-            return self._parsers[0]
-        interpreter = self._loaded.interpreters.get(language_of(language))
-        if interpreter is None:
-            there = ", ".join(self.languages)
-            named = code_of(language)
-            hint = f"ask for one of these, or load a grammar with language: {named or language or 'fr'}"
-            if named in self.languages:
-                hint = f"write {named!r}"
-            raise ConfigError(Problem(f"no grammar of language {language!r} is loaded; there is {there}", hint=hint))
-        return interpreter
+        return self._loaded.parsers(language)[0]
 
     # -- understanding ----------------------------------------------------------------------------------------
 
@@ -259,7 +157,7 @@ class IntentEngine:
             TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
         """
         _only_text("parse", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         return _understood(parsers, text, state, spoken, last)[0]
 
     def explain(
@@ -275,7 +173,7 @@ class IntentEngine:
         from intent_engine.language.explain import Witness
 
         _only_text("explain", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
@@ -288,42 +186,13 @@ class IntentEngine:
         """Whether a text begins with words that say that something else is done first: "then turn left", "when you get
         there, turn left". Fillers may stand before several such words, but not before one: "okay then, turn left"."""
         _only_text("comes_later", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
 
     def prefix(self, text: str, *, language: str | None = None) -> Prefix:
         """How far partial text has come, and how it may go on."""
         _only_text("prefix", text)
-        matcher = self.matcher(language)
-        said = Utterance.of(text, matcher.grammar.language) if len(text) < 2000 else Utterance(["\0"], [False])
-        words = said.words
-        try:
-            count, reached = matcher.prefix(words)
-            if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
-                words = otherwise.words
-                count, reached = matcher.prefix(words)
-        except ConfigError:  # see parse
-            count, reached = 0, None
-        if reached is None:
-            return (
-                Prefix(PrefixStatus.EXTENDABLE, (), len(words))
-                if self._interpreter(language).dictates(text)
-                else Prefix(PrefixStatus.IMPOSSIBLE, (), count)
-            )
-        status = _status(matcher, reached)
-        settled = status is not PrefixStatus.INCOMPLETE and matcher.settled(words)
-        resting = status is PrefixStatus.EXTENDABLE and matcher.resting(words)
-        return Prefix(status, next_words(matcher, reached), count, settled, resting)
-
-
-def _wake_words(given: str | Sequence[str]) -> Sequence[str]:
-    """One text is a list of one: each of its letters would wake the robot, and what it is called would not."""
-    words = [given] if isinstance(given, str) else given
-    if isinstance(words, Mapping) or not isinstance(words, Collection) or not all(isinstance(w, str) for w in words):
-        raise TypeError(f"wake words are texts in a list, as ['robot'], not {given!r:.80}")
-    if silent := [word for word in words if not any(map(str.isalnum, word))]:
-        raise ConfigError(Problem(f"the wake word {silent[0]!r} has no letters", hint="give a name, as 'robot'"))
-    return list(words)
+        return prefix_of(self._interpreter(language), text)
 
 
 def _only_text(method: str, text: object) -> None:
@@ -384,46 +253,3 @@ def _first_accepted(
             first = found, parser
     assert first is not None
     return first
-
-
-def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:
-    automaton = matcher.spoken
-    if not automaton.accepting(reached):
-        return PrefixStatus.INCOMPLETE
-    return PrefixStatus.EXTENDABLE if automaton.inside(reached) else PrefixStatus.COMPLETE
-
-
-def next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
-    """The words that may follow a state, for showing."""
-    automaton = matcher.spoken
-    words = sorted(word for word in automaton.next_words(reached) if word and word[0] != "\0")
-    if automaton.allows_digits(reached):
-        words.append("<number>")
-    if automaton.free(reached):
-        words.append("<any>")
-    return tuple(words)
-
-
-def _found(kind: str, value: StrPath | Sequence[StrPath], problems: list[Problem]) -> tuple[Path, ...]:
-    """The files of a kind that paths and names of shipped ones stand for; what there is not is told."""
-    paths: list[Path] = []
-    if isinstance(value, str | os.PathLike):
-        value = (value,)
-    if isinstance(value, bytes | Mapping) or not isinstance(value, Iterable):
-        raise TypeError(f"{kind} are given by path or name, not as {type(value).__name__}")
-    for one in value:
-        if not isinstance(one, str | os.PathLike):
-            raise TypeError(f"{kind} are given by path or name, not as {type(one).__name__}")
-        try:
-            paths.append(find(kind, os.fspath(one)))
-        except ConfigError as error:
-            problems.extend(error.problems)
-    return tuple(paths)
-
-
-def _build(grammars: tuple[Grammar, ...], locations: LocationMap | None) -> _Loaded:
-    interpreters = {}
-    for grammar in grammars:
-        matcher = Matcher(grammar, locations)
-        interpreters[grammar.language] = Interpreter(matcher, Nearest(matcher))
-    return _Loaded(grammars, locations, interpreters)
