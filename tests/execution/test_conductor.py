@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from intent_engine.actions import Move, Navigate
 from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.limits import Limits
 from intent_engine.execution.robots.robot import TaskState
 
 FORWARD, KITCHEN = Move(0.5, 1.0, 2.0), Navigate("kitchen", 5.0, 2.0, 0.0)
@@ -70,3 +71,41 @@ def test_a_task_that_fails_is_cancelled_by_name_where_the_robot_cannot_stop(stag
     assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.ROBOT_ERROR)
     assert cancelled == [task]
     del s.robot.stop
+
+
+def test_who_makes_way_is_asked_once_however_many_commands_follow(stage):
+    s, task, _ = navigating(stage)
+    cancelled: list = []
+    s.robot.cancel = cancelled.append
+    for _ in range(3):
+        (last,) = s.executor.submit(FORWARD)
+        s.clock.advance(0.5)
+    assert cancelled == [task]
+    assert last.state is GoalState.ACCEPTED
+    s.clock.advance(0.6)
+    assert last.state is GoalState.EXECUTING, "2 s after the first of them the robot is stopped, and it begins"
+
+
+def test_wheels_that_a_hold_stopped_while_they_were_braked_stay_at_rest(stage):
+    s = stage(Limits(linear_acceleration=0.5))
+    s.executor.submit(Move(0.5, 5.0, 10.0))
+    s.clock.advance(3.0)
+    (goal,) = s.executor.submit(KITCHEN)
+    s.clock.advance(0.3)
+    assert s.robot.speed()[0] > 0.0
+    s.executor.hold()
+    before = len(s.robot.written)
+    s.executor.release()
+    s.executor.wait(goal)
+    assert goal.succeeded
+    assert [write for write in s.robot.written[before:] if write.linear or write.angular] == []
+
+
+def test_no_more_goals_wait_than_the_queue_holds(stage):
+    s = stage(queue_limit=2)
+    running = s.executor.submit([FORWARD, FORWARD])
+    (third,) = s.executor.submit(FORWARD, policy="queue")
+    refused = s.executor.submit(FORWARD, policy="queue")
+    assert [goal.state for goal in (*running, third)] == [GoalState.EXECUTING, GoalState.ACCEPTED, GoalState.ACCEPTED]
+    assert [(goal.state, goal.reason) for goal in refused] == [(GoalState.REJECTED, Reason.BUSY)]
+    assert refused[0].detail == "more than 2 goals would wait"
