@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn, from_json, to_json
-    from intent_engine.engine import IntentEngine, Prefix, PrefixStatus
+    from intent_engine.engine import IntentEngine
     from intent_engine.errors import IntentEngineError
     from intent_engine.execution.executor import Executor, Policy
     from intent_engine.execution.goal import Goal, GoalState, Reason
     from intent_engine.execution.robots.robot import Capability, Pose, Robot
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.interpretation import Interpretation, Status
+    from intent_engine.prefix import Prefix, PrefixStatus
     from intent_engine.runtime import Runtime
 
 __all__ = [
@@ -51,7 +52,8 @@ __all__ = [
 ]
 
 _HOMES = {
-    "engine": ("IntentEngine", "Prefix", "PrefixStatus"),
+    "engine": ("IntentEngine",),
+    "prefix": ("Prefix", "PrefixStatus"),
     "interpretation": ("Interpretation", "Status"),
     "actions": (
         "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "Custom", "from_json", "to_json",

@@ -4,44 +4,28 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.actions import actions_of
-from intent_engine.errors import ConfigError, Problem
+from intent_engine.engine_files import EngineFiles, Loaded, StrPath
+from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.loading.grammar_file import load_grammars
-from intent_engine.language.loading.grammar_parts import plain_phrase
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
-from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import plain
-from intent_engine.language_tag import code_of, language_of
 from intent_engine.needs import MOVING
 from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
-from intent_engine.resources import find
 
 if TYPE_CHECKING:
     from intent_engine.language.explanation import Explanation
     from intent_engine.language.locations import LocationMap
 
 __all__ = ["IntentEngine", "Prefix", "PrefixStatus"]
-
-StrPath = str | os.PathLike[str]
-
-
-@dataclass(frozen=True)
-class _Loaded:
-    """Everything made from one state of the files; replaced as a whole, so that a parse never sees two."""
-
-    grammars: tuple[Grammar, ...]
-    locations: LocationMap | None
-    interpreters: Mapping[str, Interpreter]
 
 
 class IntentEngine:
@@ -51,10 +35,6 @@ class IntentEngine:
     """
 
     def __init__(self, grammars: Sequence[Grammar], locations: LocationMap | None = None) -> None:
-        self._lock = threading.Lock()
-        self._grammar_paths: tuple[Path, ...] = ()
-        self._location_paths: tuple[Path, ...] = ()
-        self._wake: tuple[tuple[str, ...], ...] = ()
         loaded = tuple(grammars) if not isinstance(grammars, str | os.PathLike) else ()
         if not loaded or not all(isinstance(grammar, Grammar) for grammar in loaded):
             raise TypeError("IntentEngine takes grammars that are read; IntentEngine.from_files(...) reads files")
@@ -64,7 +44,12 @@ class IntentEngine:
             if not isinstance(locations, LocationMap):
                 how = "LocationMap.from_mapping(...) or load(path) of intent_engine.language.locations"
                 raise TypeError(f"IntentEngine takes a map that is read, not {locations!r:.80}; {how} reads one")
-        self._use(_build(loaded, locations))
+        self._begin(EngineFiles(places=locations), Loaded.of(loaded, locations))
+
+    def _begin(self, files: EngineFiles, loaded: Loaded) -> None:
+        self._lock = threading.Lock()
+        self._files = files
+        self._loaded = loaded
 
     @classmethod
     def from_files(
@@ -87,56 +72,10 @@ class IntentEngine:
             ConfigError: with everything that is wrong in any file.
             TypeError: ``grammar`` or ``locations`` is nothing that names files, nor a map; or ``wake`` holds no text.
         """
+        files = EngineFiles.found(grammar, locations, wake)
         engine = cls.__new__(cls)
-        engine._lock = threading.Lock()
-        problems: list[Problem] = []
-        engine._grammar_paths = _found("grammars", grammar, problems)
-        engine._location_paths = ()
-        engine._wake = tuple(plain_phrase(text) for text in _wake_words(wake))
-        given: LocationMap | None = None
-        if isinstance(locations, (str, os.PathLike)) or (
-            isinstance(locations, Sequence) and not isinstance(locations, Mapping)
-        ):
-            engine._location_paths = _found("locations", locations, problems)
-        elif locations is not None:
-            from intent_engine.language.locations import LocationMap
-
-            if not isinstance(locations, Mapping):
-                raise TypeError(f"locations are files or a dictionary of places, not {type(locations).__name__}")
-            given = locations if isinstance(locations, LocationMap) else LocationMap.from_mapping(locations)
-        engine._use(engine._load(given, problems))
+        engine._begin(files, files.read())
         return engine
-
-    def _load(self, given: LocationMap | None, missing: Sequence[Problem] = ()) -> _Loaded:
-        """Everything in the files, but for those that are ``missing``.
-
-        Raises:
-            ConfigError: with these, and with everything that is wrong in the others.
-        """
-        problems = list(missing)
-        grammars: tuple[Grammar, ...] = ()
-        places = given
-        if self._grammar_paths or not missing:
-            try:
-                grammars = load_grammars(self._grammar_paths)
-            except ConfigError as error:
-                problems.extend(error.problems)
-        if self._location_paths:
-            from intent_engine.language.locations import load
-
-            try:
-                places = load(self._location_paths)
-            except ConfigError as error:
-                problems.extend(error.problems)
-        if problems:
-            raise ConfigError(problems)
-        if self._wake:
-            grammars = tuple(replace(grammar, wake=(*grammar.wake, *self._wake)) for grammar in grammars)
-        return _build(grammars, places)
-
-    def _use(self, loaded: _Loaded) -> None:
-        self._loaded = loaded
-        self._parsers = tuple(loaded.interpreters.values())
 
     def reload(self) -> None:
         """Read the files again. Parses under way finish with the old grammar; all later ones use the new.
@@ -145,8 +84,7 @@ class IntentEngine:
             ConfigError: something is wrong; the old grammar stays in use.
         """
         with self._lock:
-            given = None if self._location_paths else self._loaded.locations
-            self._use(self._load(given))
+            self._loaded = self._files.read()
 
     def __reduce__(self) -> str:
         raise TypeError(
@@ -183,24 +121,14 @@ class IntentEngine:
     def files(self) -> tuple[Path, ...]:
         """Every file that was read, for watching."""
         found = [Path(name) for grammar in self._loaded.grammars for name in grammar.files]
-        return (*found, *self._location_paths)
+        return (*found, *self._files.locations)
 
     def matcher(self, language: str | None = None) -> Matcher:
         """The automaton of a language, for looking ahead, sampling and checking."""
         return self._interpreter(language).matcher
 
     def _interpreter(self, language: str | None) -> Interpreter:
-        if language is None:
-            return self._parsers[0]
-        interpreter = self._loaded.interpreters.get(language_of(language))
-        if interpreter is None:
-            there = ", ".join(self.languages)
-            named = code_of(language)
-            hint = f"ask for one of these, or load a grammar with language: {named or language or 'fr'}"
-            if named in self.languages:
-                hint = f"write {named!r}"
-            raise ConfigError(Problem(f"no grammar of language {language!r} is loaded; there is {there}", hint=hint))
-        return interpreter
+        return self._loaded.parsers(language)[0]
 
     # -- understanding ----------------------------------------------------------------------------------------
 
@@ -229,7 +157,7 @@ class IntentEngine:
             TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
         """
         _only_text("parse", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         return _understood(parsers, text, state, spoken, last)[0]
 
     def explain(
@@ -245,7 +173,7 @@ class IntentEngine:
         from intent_engine.language.explain import Witness
 
         _only_text("explain", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
         return witness.explanation(found)
 
@@ -258,7 +186,7 @@ class IntentEngine:
         """Whether a text begins with words that say that something else is done first: "then turn left", "when you get
         there, turn left". Fillers may stand before several such words, but not before one: "okay then, turn left"."""
         _only_text("comes_later", text)
-        parsers = self._parsers if language is None else (self._interpreter(language),)
+        parsers = self._loaded.parsers(language)
         return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
 
     def prefix(self, text: str, *, language: str | None = None, spoken: bool = False) -> Prefix:
@@ -272,16 +200,6 @@ class IntentEngine:
         """
         _only_text("prefix", text)
         return prefix_of(self._interpreter(language), text, spoken=spoken)
-
-
-def _wake_words(given: str | Sequence[str]) -> Sequence[str]:
-    """One text is a list of one: each of its letters would wake the robot, and what it is called would not."""
-    words = [given] if isinstance(given, str) else given
-    if isinstance(words, Mapping) or not isinstance(words, Collection) or not all(isinstance(w, str) for w in words):
-        raise TypeError(f"wake words are texts in a list, as ['robot'], not {given!r:.80}")
-    if silent := [word for word in words if not any(map(str.isalnum, word))]:
-        raise ConfigError(Problem(f"the wake word {silent[0]!r} has no letters", hint="give a name, as 'robot'"))
-    return list(words)
 
 
 def _only_text(method: str, text: object) -> None:
@@ -342,28 +260,3 @@ def _first_accepted(
             first = found, parser
     assert first is not None
     return first
-
-
-def _found(kind: str, value: StrPath | Sequence[StrPath], problems: list[Problem]) -> tuple[Path, ...]:
-    """The files of a kind that paths and names of shipped ones stand for; what there is not is told."""
-    paths: list[Path] = []
-    if isinstance(value, str | os.PathLike):
-        value = (value,)
-    if isinstance(value, bytes | Mapping) or not isinstance(value, Iterable):
-        raise TypeError(f"{kind} are given by path or name, not as {type(value).__name__}")
-    for one in value:
-        if not isinstance(one, str | os.PathLike):
-            raise TypeError(f"{kind} are given by path or name, not as {type(one).__name__}")
-        try:
-            paths.append(find(kind, os.fspath(one)))
-        except ConfigError as error:
-            problems.extend(error.problems)
-    return tuple(paths)
-
-
-def _build(grammars: tuple[Grammar, ...], locations: LocationMap | None) -> _Loaded:
-    interpreters = {}
-    for grammar in grammars:
-        matcher = Matcher(grammar, locations)
-        interpreters[grammar.language] = Interpreter(matcher, Nearest(matcher))
-    return _Loaded(grammars, locations, interpreters)

@@ -13,13 +13,14 @@ from itertools import pairwise
 
 from intent_engine.actions import Move, Turn
 from intent_engine.amending import can_be_amended
-from intent_engine.engine import IntentEngine, PrefixStatus
+from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent
 from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.references import Before
 from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.prefix import PrefixStatus
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.recognizer import Transcript

@@ -23,7 +23,7 @@ def complete(
     as_json: Json = False,
 ) -> int:
     """List the words with which a sentence may go on, one a line."""
-    from intent_engine.engine import PrefixStatus
+    from intent_engine.prefix import PrefixStatus
 
     check_length(text)
     engine = load_engine(grammar, locations, language)

@@ -24,7 +24,7 @@ class Carriers:
         loop: writes the velocities of motions.
         launch: does the work of a handler, outside the executor's lock.
         poke: is called when something has ended.
-        stop_wheels: what a stop inside a sequence does.
+        stop_robot: the robot's own stop, for one inside a sequence.
     """
 
     def __init__(
@@ -34,14 +34,14 @@ class Carriers:
         loop: VelocityLoop,
         launch: Callable[[Callable[[], None]], None],
         poke: Callable[[], None],
-        stop_wheels: Callable[[float], None],
+        stop_robot: Callable[[], object],
     ) -> None:
         self._robot = robot
         self._admission = admission
         self._loop = loop
         self._launch = launch
         self._poke = poke
-        self._stop_wheels = stop_wheels
+        self._stop_robot = stop_robot
 
     def run_of(self, goal: Goal, keep: Keep, covered: Travel | None) -> Run:
         """The run of a goal that was admitted.
@@ -57,7 +57,7 @@ class Carriers:
         if handler is not None:
             return HandlerRun(goal, handler, self._launch, self._poke, timeout)
         if isinstance(action, Stop):
-            return StopRun(goal, self._stop_wheels)
+            return StopRun(goal, self._stop)
         if isinstance(action, (Move, Turn)):
             return MotionRun(goal, Motion.of(action, keep), self._loop, covered)
 
@@ -70,3 +70,7 @@ class Carriers:
             return robot.place(action.object, action.location)
 
         return TaskRun(goal, robot, begin, lambda task: self._poke(), timeout)
+
+    def _stop(self, now: float) -> None:
+        self._stop_robot()
+        self._loop.halt(now, write=False)

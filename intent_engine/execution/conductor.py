@@ -1,6 +1,7 @@
 """The rules of the executor: which goal is next, which makes way, and what a stop, a hold or a failure ends.
 
-A conductor has no lock, no thread and no clock: it is told the time, and the executor calls it under its lock.
+A conductor has no lock, no thread and no clock: it is told the time, and the executor calls it under its lock. It never
+asks the robot itself: its runs do, and the failsafe.
 """
 
 from __future__ import annotations
@@ -15,27 +16,24 @@ from intent_engine.actions import Stop
 from intent_engine.execution.admission import Admission, Policy, Terms, forbidden
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
-from intent_engine.execution.gate import Gate
+from intent_engine.execution.failsafe import Failsafe, reason_of
 from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
 from intent_engine.execution.motion import Motion, Travel
-from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, VelocityLoop
 
-__all__ = ["Conductor", "Host"]
+__all__ = ["Conductor"]
 
 log = logging.getLogger(__name__)
 
 
-@dataclass(frozen=True, slots=True)
-class Host:
-    """What a conductor needs of who runs it."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Waiting:
+    """A goal that waits its turn."""
 
-    events: Dispatcher
-    """Lets listeners know and does the work of handlers, outside the lock."""
-    poke: Callable[[], None]
-    """Makes it look again soon; from any thread."""
-    ended: Callable[[], None]
-    """Wakes those who wait for the end of a goal."""
+    goal: Goal
+    terms: Terms
+    covered: Travel | None
+    """How far the goal that it amends has come; None: it amends none."""
 
 
 class Conductor:
@@ -46,35 +44,28 @@ class Conductor:
 
     def __init__(
         self,
-        robot: Robot,
         admission: Admission,
+        carriers: Carriers,
         loop: VelocityLoop,
-        gate: Gate,
-        host: Host,
+        failsafe: Failsafe,
+        events: Dispatcher,
+        ended: Callable[[], None],
         hold_limit: float,
         queue_limit: int,
-        valid_for: float,
     ) -> None:
-        self._robot = robot
+        """``events`` hear of everything; ``ended`` wakes those who wait for the end of a goal."""
         self._admission = admission
+        self._carriers = carriers
         self._loop = loop
-        self._gate = gate
-        self._host, self._events = host, host.events
-        self._carriers = Carriers(robot, admission, loop, host.events.launch, host.poke, self._stop_wheels)
+        self._failsafe = failsafe
+        self._events = events
+        self._ended = ended
         self._hold_limit, self._queue_limit = hold_limit, queue_limit
-        self._valid_for = valid_for
-        self._queue: deque[Goal] = deque()
-        self._terms: dict[int, Terms] = {}
-        self._covered: dict[int, Travel] = {}
-        """What was covered of a goal before it began, by the one that it amends."""
+        self._queue: deque[_Waiting] = deque()
         self._run: Run | None = None
         self._held_since: float | None = None
         self._feedback_at = math.inf
-        self._failures = 0
-        """How often the robot has failed since a goal was begun."""
         self.paused = self.estopped = self.closed = False
-        self.fault = ""
-        """Why the velocity loop must not be used."""
 
     @property
     def idle(self) -> bool:
@@ -107,7 +98,7 @@ class Conductor:
             if not resting:
                 times.append(self._feedback_at)
         loop_due = self._loop.due()
-        if loop_due is not None and self._loop_is_asked:
+        if loop_due is not None and self._failsafe.loop_is_asked:
             times.append(loop_due)
         first = min(times, default=math.inf)
         return None if math.isinf(first) else max(first, now)
@@ -119,7 +110,7 @@ class Conductor:
         while True:
             run = self._run
             try:
-                if not isinstance(run, MotionRun) and self._loop_is_asked:
+                if not isinstance(run, MotionRun) and self._failsafe.loop_is_asked:
                     self._loop.step(now)  # the zeros that end a motion
                 if run is None:
                     if not self._begin_next(now):
@@ -142,43 +133,41 @@ class Conductor:
         self, goals: list[Goal], terms: list[Terms], policy: Policy | None, now: float, amends: Goal | None = None
     ) -> None:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
-        for goal, its in zip(goals, terms, strict=True):
-            self._terms[goal.id] = its
+        for goal in goals:
             self._events.tell(EventKind.GOAL, goal)
-        waiting = goals
         if isinstance(goals[0].action, Stop):
             # Whatever may be wrong with the rest of the sentence, the stop has happened.
             for state in (GoalState.ACCEPTED, GoalState.EXECUTING):
                 self._move(goals[0], state, now)
             self._end(goals[0], Ending(GoalState.SUCCEEDED), now)
-            waiting = goals[1:]
-        if not waiting:
+            goals, terms = goals[1:], terms[1:]
+        if not goals:
             return
         policy = policy or self._admission.policy(goals[0].action)
-        refusals = [self._refusal(goal, now) for goal in waiting]
-        if not any(refusals) and (full := self._no_room(len(waiting), policy)) is not None:
-            refusals = [full] * len(waiting)
+        refusals = [self._refusal(goal, now) for goal in goals]
+        if not any(refusals) and (full := self._no_room(len(goals), policy)) is not None:
+            refusals = [full] * len(goals)
         refused = next((ending for ending in refusals if ending is not None), None)
         if refused is not None:
             whole = f"another step of the same command was refused: {refused.detail or refused.reason.value}"
-            for goal, ending in zip(waiting, refusals, strict=True):
+            for goal, ending in zip(goals, refusals, strict=True):
                 self._end(goal, ending or Ending(GoalState.REJECTED, Reason.EARLIER_FAILED, whole), now)
             return
-        if amends is not None and (travel := self._covered_for(waiting[0], amends, now)) is not None:
-            self._covered[waiting[0].id] = travel
+        covered = self._covered_for(goals[0], amends, now) if amends is not None else None
         if policy is Policy.REPLACE:
-            self._make_way(waiting[0], now)
-        before = self._queue[-1] if self._queue else self.running
-        for goal in waiting:
+            self._make_way(goals[0], now)
+        before = self._queue[-1].goal if self._queue else self.running
+        for goal, its in zip(goals, terms, strict=True):
             if policy is Policy.FOLLOW and before is not None:
                 goal.utterance = before.utterance
             self._move(goal, GoalState.ACCEPTED, now)
-            self._queue.append(goal)
+            self._queue.append(_Waiting(goal, its, covered if goal is goals[0] else None))
 
     def cancel(self, goal: Goal, now: float) -> None:
         """End one goal and what was said with it after it."""
-        if goal in self._queue:
-            self._queue.remove(goal)
+        waiting = next((each for each in self._queue if each.goal is goal), None)
+        if waiting is not None:
+            self._queue.remove(waiting)
             self._end(goal, Ending(GoalState.CANCELED, Reason.CANCELED), now)
         elif self._run is not None and self._run.goal is goal:
             self._give_up(self._run, Reason.CANCELED, now)
@@ -204,10 +193,9 @@ class Conductor:
 
     def stop(self, reason: Reason, kind: EventKind, now: float) -> None:
         """Zero, and the end of everything."""
-        self._gate.shut()
-        stopped = self.stop_robot()
+        stopped = self._failsafe.stop()
         run, self._run = self._run, None
-        self._halt_loop(run, now)
+        self._leave(run, self._failsafe.halt_loop(now))
         self._held_since, self.paused = None, False
         if run is not None:
             if isinstance(run, HandlerRun) or not stopped:
@@ -215,31 +203,8 @@ class Conductor:
             # A goal that was making way already keeps its own reason.
             was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
             self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
-        while self._queue:
-            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+        self._clear_queue(reason, now)
         self._events.tell(kind, reason=reason)
-
-    def stop_robot(self) -> bool:
-        """The robot's own stop, whatever it raises; False if it did raise. Needs no lock."""
-        try:
-            self._robot.stop()
-            return True
-        except Exception as error:
-            # The protocol forbids it; and still the velocity is tried.
-            log.exception("the robot raised in stop()")
-            try:
-                self._robot.velocity(0.0, 0.0, self._valid_for)
-            except Exception:
-                log.exception("the robot raised in velocity(0, 0)")
-            self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
-            return False
-
-    def pose(self) -> Pose | None:
-        try:
-            return self._robot.pose()
-        except Exception:
-            log.exception("the robot raised in pose()")
-            return None
 
     # -- from goal to goal -------------------------------------------------------------------------------------------
 
@@ -248,8 +213,8 @@ class Conductor:
             return Ending(GoalState.REJECTED, Reason.CLOSED, "the executor is closed")
         if self.estopped:
             return Ending(GoalState.REJECTED, Reason.ESTOP, "emergency stop; reset() lets the robot move again")
-        if self.fault and self._admission.drives(goal.action):
-            return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self.fault}; reset() starts it again")
+        if self._failsafe.fault and self._admission.drives(goal.action):
+            return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self._failsafe.fault}; reset() starts it again")
         return self._admission.expired(goal, now) or self._admission.impossible(goal)
 
     def _no_room(self, count: int, policy: Policy) -> Ending | None:
@@ -263,9 +228,9 @@ class Conductor:
         """Begin the next goal of the queue, if it may begin now."""
         if not self._queue or self.held or self.paused or self.closed:
             return False
-        goal = self._queue[0]
-        terms = self._terms[goal.id]
-        run = self._carriers.run_of(goal, terms.keep, self._covered.get(goal.id))
+        waiting = self._queue[0]
+        goal, terms = waiting.goal, waiting.terms
+        run = self._carriers.run_of(goal, terms.keep, waiting.covered)
         if run.needs_rest and self._loop.moving:
             return False
         ending = forbidden(goal, terms.guard)
@@ -279,8 +244,8 @@ class Conductor:
             return True
         if run.needs_rest:
             self._loop.silence()
-        self._run, self._failures = run, 0
-        self._gate.open()
+        self._run = run
+        self._failsafe.begin()
         self._move(goal, GoalState.EXECUTING, now)
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
@@ -301,8 +266,7 @@ class Conductor:
 
     def _make_way(self, goal: Goal, now: float) -> None:
         """Let a newer utterance take the place of everything; a motion is braked unless another one follows it."""
-        while self._queue:
-            self._end(self._queue.popleft(), Ending(GoalState.CANCELED, Reason.PREEMPTED), now)
+        self._clear_queue(Reason.PREEMPTED, now)
         if self._run is not None:
             self._give_up(self._run, Reason.PREEMPTED, now, brake=not self._admission.drives(goal.action))
 
@@ -322,21 +286,30 @@ class Conductor:
         else:
             self._move(run.goal, GoalState.CANCELING, now, reason)
 
+    def _clear_queue(self, reason: Reason, now: float) -> None:
+        while self._queue:
+            self._end_one(self._queue.popleft().goal, Ending(GoalState.CANCELED, reason), now)
+
     def _end(self, goal: Goal, ending: Ending, now: float, run: Run | None = None) -> None:
+        """End a goal; what was said in one breath is done in order or not at all."""
+        self._end_one(goal, ending, now, run)
+        if ending.state not in (GoalState.ABORTED, GoalState.CANCELED):
+            return
+        reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
+        # Goals are numbered in the order in which they wait.
+        said = [each for each in self._queue if each.goal.utterance == goal.utterance]
+        for later in [each for each in said if each.goal.id > goal.id]:
+            self._queue.remove(later)
+            self._end_one(later.goal, Ending(GoalState.CANCELED, reason), now)
+
+    def _end_one(self, goal: Goal, ending: Ending, now: float, run: Run | None = None) -> None:
         if run is not None:
             try:
-                goal.feedback = replace(run.feedback(now), pose=self.pose(), time_left=0.0)
+                goal.feedback = replace(run.feedback(now), pose=self._failsafe.pose(), time_left=0.0)
             except Exception:
                 log.exception("no last feedback of goal %d", goal.id)
-        self._terms.pop(goal.id, None)
-        self._covered.pop(goal.id, None)
         self._move(goal, ending.state, now, ending.reason, ending.detail)
-        self._host.ended()
-        if ending.state in (GoalState.ABORTED, GoalState.CANCELED):
-            # What was said in one breath is done in order or not at all.
-            while self._queue and self._queue[0].utterance == goal.utterance:
-                reason = goal.reason if ending.state is GoalState.CANCELED else Reason.EARLIER_FAILED
-                self._end(self._queue.popleft(), Ending(GoalState.CANCELED, reason), now)
+        self._ended()
 
     def _move(self, goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
         move_goal(goal, state, now, reason, detail)
@@ -345,7 +318,7 @@ class Conductor:
     def _give_feedback(self, run: Run, now: float) -> None:
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
-            feedback = replace(run.feedback(now), pose=self.pose())
+            feedback = replace(run.feedback(now), pose=self._failsafe.pose())
         except Exception:
             log.exception("no feedback of goal %d", run.goal.id)
             return
@@ -367,7 +340,7 @@ class Conductor:
     def _go_on(self, now: float) -> None:
         if self.held or self.paused or self.closed:
             return
-        self._gate.open()
+        self._failsafe.let_through()
         if self._run is not None:
             self._feedback_at = now + self.FEEDBACK_PERIOD
             try:
@@ -376,34 +349,25 @@ class Conductor:
                 self._robot_failed(self._run, error, now)
         self.advance(now)
 
-    def _stop_wheels(self, now: float) -> None:
-        self.stop_robot()
-        self._loop.halt(now, write=False)
-
     def _robot_failed(self, run: Run | None, error: Exception, now: float) -> None:
-        """A robot raised, or the velocity loop is lost: zero, and the goal is aborted.
-
-        Zeros follow, and where they fail too, the robot is gone: it was told, and nothing more is written.
-        """
-        self._gate.shut()
-        self._failures += 1
-        stopped = self.stop_robot()
-        reason: Reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
-        if reason is Reason.VELOCITY_LOOP:
-            self.fault = str(error)
-        if self._loop.moving or self._loop_is_asked:
-            self._halt_loop(run, now)
-        else:
-            self._silence_loop()
+        """A robot raised, or the velocity loop is lost: zero, and the goal is aborted."""
+        stopped = self._failsafe.failed(error)
+        self._leave(run, self._failsafe.end_motion(now))
         if run is not None and not stopped:
             self._let_go(run, now)
+        reason = reason_of(error)
         if run is None or self._run is not run:
-            if self._failures == 1:
+            if self._failsafe.failures == 1:
                 self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
             return
         self._run = None
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
         self._end(run.goal, Ending(state, reason, str(error) or type(error).__name__), now, run)
+
+    def _leave(self, run: Run | None, travel: Travel | None) -> None:
+        """The wheels are no longer a goal's; None: it moved none, or nobody knows how far it came."""
+        if travel is not None and isinstance(run, MotionRun):
+            run.leave(travel)
 
     def _let_go(self, run: Run, now: float) -> None:
         """A handler is told to end; of a robot whose stop failed, the task is cancelled by its own name."""
@@ -411,23 +375,3 @@ class Conductor:
             run.give_up(now)
         except Exception:
             log.exception("goal %d could not be given up", run.goal.id)
-
-    @property
-    def _loop_is_asked(self) -> bool:
-        """Whether the loop may still write the zeros that end a motion: not after two failures in a row."""
-        return self._failures < 2
-
-    def _silence_loop(self) -> None:
-        try:
-            self._loop.silence()
-        except Exception:
-            log.exception("the velocity loop raised in silence()")
-
-    def _halt_loop(self, run: Run | None, now: float) -> None:
-        try:
-            travel = self._loop.halt(now, write=False)
-            if isinstance(run, MotionRun):
-                run.leave(travel)
-        except Exception as error:
-            self.fault = str(error)
-            self._events.tell(EventKind.ERROR, detail=self.fault, reason=Reason.VELOCITY_LOOP)

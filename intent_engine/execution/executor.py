@@ -24,9 +24,11 @@ from types import TracebackType
 from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import given, shutdown
 from intent_engine.execution.admission import Admission, Policy, check_robot, checked, limits_of
+from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
-from intent_engine.execution.conductor import Conductor, Host
+from intent_engine.execution.conductor import Conductor
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
+from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.limits import Limits
@@ -106,9 +108,12 @@ class Executor:
         if self._stepped is not None and loop is not None:
             raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
         self._events = Dispatcher(self.clock.now, threaded=self._stepped is None)
-        host = Host(self._events, self._poke, self._ended.notify_all)
+        events, loop = self._events, self.loop
+        self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
+        carriers = Carriers(robot, self._admission, loop, events.launch, self._poke, self._failsafe.stop_robot)
+        ended = self._ended.notify_all
         self._conductor = Conductor(
-            robot, self._admission, self.loop, self._gate, host, hold_limit, queue_limit, self.rates.valid_for
+            self._admission, carriers, loop, self._failsafe, events, ended, hold_limit, queue_limit
         )
         self._late_stop: tuple[Reason, EventKind] | None = None
         """A stop that could not take the lock: its bookkeeping is still to do."""
@@ -118,7 +123,7 @@ class Executor:
             if listener is not None:
                 self._events.subscribe(listener)
         if hasattr(self.loop, "attach"):
-            self.loop.attach(self._poke, self._conductor.stop_robot)
+            self.loop.attach(self._poke, self._failsafe.stop_robot)
         self._thread: threading.Thread | None = None
         if self._stepped is not None:
             self._stepped.attach(self)
@@ -200,9 +205,9 @@ class Executor:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
         with self._locked():
             self._conductor.estopped = False
-            if self._conductor.fault and hasattr(self.loop, "restart"):
+            if self._failsafe.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
-            self._conductor.fault = ""
+            self._failsafe.fault = ""
             self._events.tell(EventKind.RESET)
         self._events.flush()
 
@@ -213,14 +218,15 @@ class Executor:
         """
         self._gate.shut()
         if not self._lock.acquire(timeout=self.STOP_PATIENCE):
-            self._conductor.stop_robot()  # the robot hangs in another thread's call; see _stop
+            self._failsafe.stop_robot()  # the robot hangs in another thread's call; see _stop
             self._lock.acquire()
         try:
-            if not (self._conductor.closed or self._conductor.held):
-                self._conductor.stop_robot()
-                self._conductor.hold(self.clock.now())
-                self._events.tell(EventKind.HOLD)
-                self._wake.notify_all()
+            with self._locked() as now:
+                if not (self._conductor.closed or self._conductor.held):
+                    self._failsafe.stop_robot()
+                    self._conductor.hold(now)
+                    self._events.tell(EventKind.HOLD)
+                    self._wake.notify_all()
         finally:
             self._lock.release()
         self._events.flush()
@@ -332,9 +338,9 @@ class Executor:
     def snapshot(self) -> Snapshot:
         """How things stand."""
         with self._lock:
-            now = self._conductor
+            now, pose = self._conductor, self._failsafe.pose()
             return Snapshot(
-                now.running, now.queued, now.held, now.paused, now.estopped, now.closed, self.loop.written, now.pose()
+                now.running, now.queued, now.held, now.paused, now.estopped, now.closed, self.loop.written, pose
             )
 
     # -- end ---------------------------------------------------------------------------------------------------------
@@ -346,7 +352,7 @@ class Executor:
                 return
             self._conductor.closed = True
         self._stop(Reason.CLOSED, EventKind.STOP)
-        with self._lock:
+        with self._locked():
             self._wake.notify_all()
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join(1.0)
@@ -362,7 +368,7 @@ class Executor:
         """Zero, as often as the rates say, without lock or thread: for the end of the process."""
         self._gate.shut()
         for _ in range(self.rates.zeros):
-            self._conductor.stop_robot()
+            self._failsafe.stop_robot()
 
     def __enter__(self) -> Executor:
         return self
@@ -406,7 +412,7 @@ class Executor:
         if not locked:
             # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
             # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
-            self._conductor.stop_robot()
+            self._failsafe.stop_robot()
             locked = self._lock.acquire(timeout=self.BOOKS_PATIENCE)
         if locked:
             try:

@@ -3,7 +3,7 @@
 The states are those of ROS 2's ``GoalStatus``, with ``pending`` before and ``rejected`` beside them::
 
     pending -> accepted -> executing -> succeeded
-       |          |            |-----> canceling -> canceled
+       |          |            |-----> canceling -> canceled, aborted
        |          |            `-----> aborted, canceled
        |          `-> canceled, aborted
        `-> rejected

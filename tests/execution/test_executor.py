@@ -349,6 +349,33 @@ def test_one_goal_can_be_cancelled_alone(stage):
     assert (first.reason, second.state) == (Reason.CANCELED, GoalState.SUCCEEDED)
 
 
+@pytest.mark.parametrize("which", [1, 2, 3, 4, 5])
+def test_what_is_cancelled_takes_along_what_was_said_with_it_after_it_and_nothing_else(stage, which):
+    s = stage()
+    goals = s.executor.submit([FORWARD, LEFT, FORWARD]) + s.executor.submit([LEFT, FORWARD, LEFT], policy="queue")
+    s.executor.cancel(goals[which])
+    s.executor.run_until_idle()
+    gone = [goal for goal in goals if goal.state is GoalState.CANCELED]
+    assert gone == (goals[which:3] if which < 3 else goals[which:])
+    assert {goal.reason for goal in gone} == {Reason.CANCELED}
+    assert all(goal.succeeded for goal in goals if goal not in gone)
+
+
+@pytest.mark.parametrize("end", ["stop", "replace", "cancel", "fail"])
+def test_a_command_may_be_as_long_as_the_queue(stage, end):
+    s = stage(queue_limit=3000, handlers={"broken": lambda action: 1 / 0})
+    goals = s.executor.submit([Custom("broken") if end == "fail" else FORWARD, *[LEFT] * 2500])
+    if end == "stop":
+        s.executor.stop()
+    elif end == "replace":
+        s.executor.submit(LEFT)
+    elif end == "cancel":
+        s.executor.cancel(goals[0])
+    else:
+        s.clock.advance(0.0)
+    assert all(goal.done for goal in goals)
+
+
 def test_after_close_everything_is_rejected(stage):
     s = stage()
     (goal,) = s.executor.submit(FORWARD)

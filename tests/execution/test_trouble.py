@@ -203,6 +203,58 @@ def test_the_gate_is_shut_before_anything_is_waited_for(command):
     assert through[0] is False
 
 
+def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(stage):
+    s = stage()
+    s.executor.BOOKS_PATIENCE = 0.01
+    taken, go = threading.Event(), threading.Event()
+
+    def hang() -> None:
+        with s.executor._lock:
+            taken.set()
+            go.wait(30.0)
+
+    thread = threading.Thread(target=hang)
+    thread.start()
+    assert taken.wait(30.0)
+    s.executor.stop()
+    go.set()
+    thread.join(30.0)
+    s.executor.hold()
+    (goal,) = s.executor.submit(FORWARD)
+    s.clock.advance(1.0)
+    assert (goal.state, s.robot.speed(), s.executor.snapshot().held) == (GoalState.ACCEPTED, (0.0, 0.0), True)
+    assert [event.kind for event in s.events if event.kind is not EventKind.GOAL] == [EventKind.STOP, EventKind.HOLD]
+    s.executor.release()
+    assert goal.result().succeeded
+
+
+def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(stage):
+    s = stage()
+    s.executor.BOOKS_PATIENCE = 0.01
+    (goal,) = s.executor.submit(FORWARD)
+    taken, go = threading.Event(), threading.Event()
+
+    def hang() -> None:
+        with s.executor._lock:
+            taken.set()
+            go.wait(30.0)
+
+    thread = threading.Thread(target=hang)
+    shut, later = s.executor._gate.shut, s.executor._poke
+
+    def shut_and_hang() -> None:
+        shut()
+        s.executor._gate.shut = shut
+        thread.start()
+        assert taken.wait(30.0)
+
+    s.executor._gate.shut = shut_and_hang
+    s.executor._poke = lambda: (go.set(), later())
+    s.executor.close()
+    thread.join(30.0)
+    assert (goal.state, goal.reason) == (GoalState.CANCELED, Reason.CLOSED)
+
+
 def test_a_handler_that_exits_ends_its_goal_alone():
     with Executor(SimulatedRobot(), handlers={"exit": lambda action: sys.exit(3)}, handle_sigterm=False) as executor:
         (goal,) = executor.submit(Custom("exit"))

@@ -21,7 +21,7 @@ from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.acoustic.rows import Rows, total
 from intent_engine.speech.acoustic.writing import Writer, spellings
 from intent_engine.speech.hypotheses.detours import Detours, leads
-from intent_engine.speech.hypotheses.guided import MANY_WORDS
+from intent_engine.speech.hypotheses.word_pieces import MANY_WORDS
 
 __all__ = ["Rivals"]
 

@@ -21,13 +21,13 @@ from intent_engine.language.utterance import PhraseSet, Utterance, without_enume
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
-from intent_engine.speech.hypotheses.guided import WORD, word_count
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
 from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
+from intent_engine.speech.hypotheses.word_count import WORD, word_count
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine

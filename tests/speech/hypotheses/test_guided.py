@@ -15,8 +15,9 @@ from intent_engine.language.approximate import UtteranceSearch
 from intent_engine.language.utterance import plain
 from intent_engine.speech.acoustic.writing import Names, Writer
 from intent_engine.speech.audio import SAMPLE_RATE
-from intent_engine.speech.hypotheses import guided
+from intent_engine.speech.hypotheses import guided, word_pieces
 from intent_engine.speech.hypotheses.guided import GuidedSearch
+from intent_engine.speech.hypotheses.word_count import WORD, word_count
 
 VOCABULARY = 51864
 SENTENCES = [
@@ -83,7 +84,7 @@ def test_whatever_the_model_wants_only_sentences_of_the_grammar_come_out(search,
 
     graph = engine.matcher().likely
     found = search.likeliest(anything, ["go"], "Go.", -3.0)
-    values = [score + guided.WORD * guided.word_count(words) for words, score in found]
+    values = [score + WORD * word_count(words) for words, score in found]
     assert values == sorted(values, reverse=True)
     for words, _ in found:
         read, state = graph.walk(words)
@@ -128,7 +129,7 @@ def test_of_very_many_names_those_like_what_was_heard_are_asked_about(tmp_path, 
     (tmp_path / "map.yaml").write_text("frame: map\nlocations:\n" + names)
     root = guided.__file__.rsplit("intent_engine", 1)[0]
     engine = IntentEngine.from_files(root + "grammars/en.yaml", locations=tmp_path / "map.yaml")
-    monkeypatch.setattr(guided, "MANY_WORDS", 10)
+    monkeypatch.setattr(word_pieces, "MANY_WORDS", 10)
     tokenizer = whisper.tokenizer("en")
     search = GuidedSearch(UtteranceSearch(engine.matcher().likely), Writer(tokenizer, "en"))
     model = Wishes(tokenizer.encode(" Go to the veranda"), *tokenizer.encode("."))
@@ -185,4 +186,4 @@ def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
 )
 def test_a_number_counts_as_few_words(text, count):
     """Else "one hundred ten" would be worth two words more than the "ninety" that was said."""
-    assert guided.word_count(tuple(text.split())) == count
+    assert word_count(tuple(text.split())) == count
