@@ -295,7 +295,7 @@ class IntentEngine:
         """How far partial text has come, and how it may go on."""
         _only_text("prefix", text)
         matcher = self.matcher(language)
-        said = Utterance.of(text, matcher.grammar.language) if len(text) < 2000 else Utterance(["\0"], [False])
+        said = matcher.heard(text) if len(text) < 2000 else Utterance(["\0"], [False])
         words = said.words
         try:
             count, reached = matcher.prefix(words)

@@ -124,6 +124,9 @@ class Interpreter:
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
         meant = self._meant(text, said, state, spoken)
+        lettered = Utterance.with_letters(text, self._language)
+        if lettered is not None and not meant[0].stops:
+            said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         # How a recogniser sets its question marks tells little.
         if not spoken and _ASKED.search(text) and self._lists_only(meant[1]):
             return self._rejected(text, "a question, and not one to do something")
@@ -132,6 +135,20 @@ class Interpreter:
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant
+
+    def _by_letters(
+        self,
+        text: str,
+        otherwise: tuple[Utterance, Understood],
+        lettered: Utterance,
+        state: Collection[str],
+        spoken: bool,
+    ) -> tuple[Utterance, Understood]:
+        """What was said and meant where a letter may be a sound said twice, as in "t turn left". It is none where it
+        stands in a sentence, and be it one that is refused for a number: "from rack b bay ninety"."""
+        found = self._meant(text, lettered, state, spoken)
+        tells = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS) or found[0].beyond_limits
+        return (lettered, found) if tells else otherwise
 
     def _lists_only(self, parts: Collection[Clause]) -> bool:
         """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
