@@ -95,6 +95,15 @@ class Commands:
         readings = self.matcher.read(words, after=after)
         return [*readings, *self._patterns.read(words, self.matcher)] if self._patterns and not after else readings
 
+    def likeliest(self, words: list[str], after: str = "") -> Reading | None:
+        """What words that are corrected, or correct, are a sentence of, also with a number beyond its limits; ``after``
+        as in :meth:`exact`. None: of none."""
+        readings = self.readings(words, after)
+        best = next((one for one in readings if not one.problem), None)
+        if best is None:
+            return next((one for one in readings if one.understood), None)
+        return (_beyond_limits(best, readings) if best.free_words else None) or best
+
     def accepts(self, words: list[str], state: Collection[str]) -> bool:
         """Whether the words are a command by themselves, exactly."""
         clause = self.exact(words, state)
@@ -305,8 +314,8 @@ def _beyond_limits(best: Reading, readings: Sequence[Reading]) -> Reading | None
             for one in readings
             if one.free_words < best.free_words
             and one.intent.priority >= best.intent.priority
-            and all(slot.status == "limit" for slot in one.slots if slot.problem)
             and one.problem
+            and one.understood
         ),
         None,
     )

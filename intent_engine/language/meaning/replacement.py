@@ -55,7 +55,7 @@ class Replacements:
         if not said:
             return all_of_it if whole else None
         kept: dict[tuple[bool, bool, bool, int], dict[tuple[Any, ...], _Stretch]] = {}
-        first = next((reading for reading in self._commands.readings(said, before) if not reading.problem), None)
+        first = self._commands.likeliest(said, before)
         if first is not None and before and self._says_all_again(first, meant, before):
             return all_of_it
         for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
@@ -63,8 +63,8 @@ class Replacements:
             words = said[:at] + meant + said[after:]
             count = at + len(said) - after
             old = first.values()
-            for reading in self._commands.readings(words, before)[:1]:
-                if reading.problem or reading.intent is not first.intent:
+            for reading in filter(None, [self._commands.likeliest(words, before)]):
+                if reading.intent is not first.intent:
                     continue
                 touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
                 if label is not None and label not in (slot.label for slot in touched):
@@ -141,8 +141,8 @@ class Replacements:
         """
         found: dict[tuple[Any, ...], _Stretch] = {}
         for length in range(1, len(meant)):
-            begun = next(iter(self._commands.readings(said + meant[length:])), None)
-            if begun is None or begun.problem:
+            begun = self._commands.likeliest(said + meant[length:])
+            if begun is None:
                 continue
             spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
             for index, slot in enumerate(spoken):
@@ -152,8 +152,8 @@ class Replacements:
                     continue
                 for at in beginnings(said, meant[:length], slot.start):
                     words = said[:at] + meant
-                    reading = next(iter(self._commands.readings(words)), None)
-                    if reading is None or reading.problem or reading.intent is not begun.intent:
+                    reading = self._commands.likeliest(words)
+                    if reading is None or reading.intent is not begun.intent:
                         continue
                     if not same_but(begun, spoken[index:], len(said), reading, at, at + length):
                         continue
@@ -191,8 +191,8 @@ class Replacements:
             edges = itertools.product(beginnings(said, meant, run[0].start), ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
-                reading = next(iter(self._commands.readings(words, before)), None)
-                if reading is None or reading.problem or reading.intent is not first.intent:
+                reading = self._commands.likeliest(words, before)
+                if reading is None or reading.intent is not first.intent:
                     continue
                 stop = at + len(meant)
                 touched = [slot for slot in reading.slots if slot.start < stop and slot.end > at]
