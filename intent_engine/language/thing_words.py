@@ -57,6 +57,8 @@ class ThingWords:
     """Between a thing and the time when it is wanted."""
     ranging: frozenset[str] = frozenset()
     """Between two numbers of which one is meant."""
+    measures: frozenset[str] = frozenset()
+    """Units in which things are weighed and poured."""
     having: frozenset[str] = frozenset()
     """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()

@@ -16,6 +16,7 @@ slots:
   thing: {type: text, max_words: 3}
 intents:
   open: {action: custom, sentences: ["open drawer {drawer} [of shelf {shelf}]"]}
+  shelf: {action: custom, sentences: ["clear shelf {shelf} drawer {drawer}"]}
   any: {action: custom, sentences: ["open {thing}"]}
   spin: {action: custom, sentences: ["spin at {rpm} rpm [for {time}]"]}
   load: {action: custom, regex: "load drawer (?P<drawer>\\\\d+)"}
@@ -37,9 +38,9 @@ def engine(tmp_path_factory: pytest.TempPathFactory) -> IntentEngine:
         ("open drawer 12, no, 14, no, 3", {"drawer": 3}),
         ("open drawer 3, no, 12, no, 4", {"drawer": 4}),
         ("open drawer 12 of shelf 3, no, drawer 4", {"drawer": 4, "shelf": 3}),
-        ("spin at 5000, no, 500 rpm", {"rpm": 500}),
         ("spin at 500 rpm for two hours, no, for a minute", {"rpm": 500, "time": 60}),
         ("load drawer 9, no, 3", {"drawer": 3}),
+        ("open drawer 3 of shelf 4, no, 12", {"drawer": 3, "shelf": 12}),
     ],
 )
 def test_a_number_beyond_its_limits_is_corrected(engine: IntentEngine, said: str, slots: dict[str, object]) -> None:
@@ -54,9 +55,9 @@ def test_a_number_beyond_its_limits_is_corrected(engine: IntentEngine, said: str
         ("spin at five hundred, no, five thousand rpm", "rpm of 5000 is more than the largest, 3000"),
         ("spin at 5000 rpm for two hours, no, for a minute", "rpm of 5000 is more than the largest, 3000"),
         ("load drawer 3, no, 9", "drawer of 9 is more than the largest, 8"),
-        # The drawer is meant as well as the shelf, though no drawer has that number.
+        # The drawer may be meant as well as the shelf, though no drawer has that number.
         (
-            "open drawer 3 of shelf 4, no, 12",
+            "clear shelf 4 drawer 3, no, 12",
             "it is not clear what '12' takes the place of; say the whole command again",
         ),
     ],
