@@ -36,6 +36,8 @@ class FreeText:
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._joints = {words[0] for words in operators.sequence if len(words) == 1 and words not in operators.later}
         """Words that join, and that a slot may allow: "salt and pepper". What they end joins another command."""
+        self._pointing = {words[0] for words in operators.pronoun if len(words) == 1}
+        """Words for a thing that was named before."""
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
@@ -178,9 +180,8 @@ class FreeText:
             return ""
         if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
             return said[0]  # "take part", though a part is a thing
-        bare = self._without_articles(said)
-        if len(bare) == 1 < len(said) and bare[0] in self._words.alone - self.articles and not _meant(slot, bare[0]):
-            return bare[0]  # "take that back"
+        if len(said) > 1 and self._points_at_all(slot, said):
+            return said[-1]
         following = (*said[1:], "")
         return next(
             (
@@ -192,6 +193,13 @@ class FreeText:
             ),
             "",
         )
+
+    def _points_at_all(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether a word that is no thing by itself stands behind "that" or the like, which is all that is named: "take
+        that back", though "the back" may be a thing."""
+        if said[-1] not in self._words.alone or said[-1] in self.articles or said[-1] in slot.allow:
+            return False
+        return self._pointing.issuperset(said[:-1])
 
     def _of_nothing(self, word: str, after: str) -> bool:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
