@@ -21,6 +21,8 @@ class ThingWords:
 
     articles: frozenset[str] = frozenset()
     """Before the name of a thing or a place, and no part of it."""
+    definite: frozenset[str] = frozenset()
+    """Those of them that tell nothing of it."""
     unfinished: frozenset[str] = frozenset()
     """No thing ends so."""
     alone: frozenset[str] = frozenset()

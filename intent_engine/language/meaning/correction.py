@@ -33,6 +33,7 @@ class Corrections:
         self._commands = commands
         self._replacements = replacements
         self._matcher = commands.matcher
+        self._definite = thing_words(commands.matcher.grammar.language).definite
 
     def taken_back(self, words: list[str]) -> int:
         """Length of the correction with which the words end, with nothing in its place: "go forward, no"."""
@@ -66,8 +67,18 @@ class Corrections:
     def corrected(self, part: Utterance, state: Collection[str], before: str = "") -> Clause | None:
         """The command that is meant at last; None if nothing is corrected or it is not clear what.
 
+        Where no sentence has its "the", names are understood without, as in a command that is not corrected.
+
         ``before`` names an intent whose command the part goes on from: "to the bedroom, no, to the office".
         """
+        found = self._corrected(part, state, before)
+        if found is not None or self._definite.isdisjoint(part.words) or not self._correction.may_stand_in(part.words):
+            return found
+        bare = self._corrected(_without(part, self._definite), state, before)
+        known = bare is not None and bare.accepted and bare.reading is not None and not bare.reading.free_words
+        return bare if known else None
+
+    def _corrected(self, part: Utterance, state: Collection[str], before: str) -> Clause | None:
         pieces = list(self._split(part))
         if len(pieces) < 2:
             return self._corrected_before(part, state) if not before else None
@@ -228,3 +239,17 @@ class Corrections:
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
         return position < len(part) and bool(part.breaks[position])
+
+
+def _without(part: Utterance, words: Collection[str]) -> Utterance:
+    """An utterance without some words; a pause before one of them stands before the next."""
+    kept: list[str] = []
+    breaks: list[bool | None] = []
+    paused = False
+    for word, pause in zip(part.words, part.breaks, strict=True):
+        paused = paused or bool(pause)
+        if word not in words:
+            kept.append(word)
+            breaks.append(paused or pause)
+            paused = False
+    return Utterance(kept, breaks)
