@@ -148,6 +148,8 @@ class Interpreter:
         stands in a sentence, and be it one that is refused for a number: "from rack b bay ninety"."""
         found = self._meant(text, lettered, state, spoken)
         tells = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS) or found[0].beyond_limits
+        if found[0].intent is not None and otherwise[1][0].status is Status.REJECTED:
+            tells = True  # "no row is called 'b bay'"
         return (lettered, found) if tells else otherwise
 
     def _lists_only(self, parts: Collection[Clause]) -> bool:
