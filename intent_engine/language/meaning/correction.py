@@ -215,8 +215,7 @@ class Corrections:
             if length and position == 0 and self._begins_a_sentence(part, length):
                 position = length
             elif length:
-                bare = position == 0 and not self._pause_after(part, position + length)
-                if bare and part.words[0] in _MAY_FORBID and length == 1:
+                if position == 0 and self._may_forbid(part):
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position), denies
@@ -227,6 +226,13 @@ class Corrections:
             else:
                 position += 1
         yield part.part(start, len(part)), denies
+
+    def _may_forbid(self, part: Utterance) -> bool:
+        """Whether a part begins with one "no" or several, and goes on in one breath."""
+        end = 0
+        while length := self._correction.at(part.words, end):
+            end += length
+        return end > 0 and _MAY_FORBID.issuperset(part.words[:end]) and not self._pause_after(part, end)
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
         """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:
