@@ -91,6 +91,8 @@ def test_fillers_and_corrections_touch_only_what_they_mean(engine, text, slots):
         # and one that is not finished is none.
         "bring me a couple of feet about half a",
         "bring me half a",
+        "pick up the cup, no, less",
+        "put it on the table at least",
         # "That" is all that is named.
         "take that back",
         "take those back",
