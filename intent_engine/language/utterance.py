@@ -26,7 +26,9 @@ _ANNOTATION = re.compile(
 
 _ENUMERATION = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
 _STUTTER = re.compile(r"\b[^aio] ")
-"""A letter by itself, which may be a sound said twice."""
+"""A letter by itself, which may be a sound said twice,"""
+_SAID_TWICE = re.compile(r"\b([^\W\d_aio])\W+\1", re.IGNORECASE)
+"""if a word that begins with it follows."""
 
 
 class PhraseSet:
@@ -209,7 +211,7 @@ class Utterance:
     @classmethod
     def with_letters(cls, text: str, language: str = "en") -> Utterance | None:
         """The same with all its letters, where some may be sounds said twice; None: there are none."""
-        if _STUTTER.search(text) is None:
+        if _SAID_TWICE.search(text) is None:
             return None
         every = cls.of(text, language, letters=True)
         return every if len(every) > len(cls.of(text, language)) else None
