@@ -74,9 +74,13 @@ class Corrections:
         found = self._corrected(part, state, before)
         if found is not None or self._definite.isdisjoint(part.words) or not self._correction.may_stand_in(part.words):
             return found
-        bare = self._corrected(_without(part, self._definite), state, before)
-        known = bare is not None and bare.accepted and bare.reading is not None and not bare.reading.free_words
-        return bare if known else None
+        less = _without(part, self._definite)
+        bare = self._corrected(less, state, before)
+        if bare is None or not bare.accepted or bare.reading is None:
+            return None
+        words = bare.reading.words
+        whole = tuple(less.words[-len(words) :]) == words  # a command of its own takes the place of all
+        return bare if whole or not bare.reading.free_words else None
 
     def _corrected(self, part: Utterance, state: Collection[str], before: str) -> Clause | None:
         pieces = list(self._split(part))

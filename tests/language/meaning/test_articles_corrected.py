@@ -30,6 +30,8 @@ intents:
         ("send unit 3 to shipping no to the dock", {"unit": 3, "station": "dock"}),
         ("send unit 3 to shipping, no, the dock", {"unit": 3, "station": "dock"}),
         ("send unit 3, no, 4 to the dock", {"unit": 4, "station": "dock"}),
+        ("send unit 3 to the dock, no, load the cup at the dock", {"thing": "cup", "station": "dock"}),
+        ("send unit 3 to the dock, no, load the cup at dock", {"thing": "cup", "station": "dock"}),
     ],
 )
 def test_the_article_of_a_value_matters_to_no_correction(engine_of, said: str, slots: dict[str, object]) -> None:
