@@ -54,7 +54,7 @@ class Prefix:
 def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> Prefix:
     """How far partial text has come, and how it may go on; ``spoken`` as for :meth:`IntentEngine.prefix`."""
     matcher = interpreter.matcher
-    said = Utterance.of(text, matcher.grammar.language) if len(text) < LONGEST else Utterance(["\0"], [False])
+    said = matcher.heard(text) if len(text) < LONGEST else Utterance(["\0"], [False])
     words = said.words
     try:
         count, reached = matcher.prefix(words)

@@ -36,6 +36,8 @@ class FreeText:
         self._operators = PhraseSet(words for words in changing if len(words) > 1)
         self._joints = {words[0] for words in operators.sequence if len(words) == 1 and words not in operators.later}
         """Words that join, and that a slot may allow: "salt and pepper". What they end joins another command."""
+        self._pointing = {words[0] for words in operators.pronoun if len(words) == 1}
+        """Words for a thing that was named before."""
         self._fillers = PhraseSet(grammar.fillers)
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
@@ -167,6 +169,8 @@ class FreeText:
             return True  # "take a note, please"
         alone = list(said) == ["a"] and start > 0  # "ticket a" has a letter
         last = said[-1]
+        if last in self.articles and quantities.part_of_one(said[-2:], self._language) is not None:
+            return True  # "half a"
         never_last = self._unfinished_things if slot.known else self.unfinished
         return (alone or (last in never_last and last not in slot.known)) and last not in slot.allow
 
@@ -176,6 +180,8 @@ class FreeText:
             return ""
         if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
             return said[0]  # "take part", though a part is a thing
+        if len(said) > 1 and self._points_at_all(slot, said):
+            return said[-1]
         following = (*said[1:], "")
         return next(
             (
@@ -188,6 +194,13 @@ class FreeText:
             "",
         )
 
+    def _points_at_all(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether a word that is no thing by itself stands behind "that" or the like, which is all that is named: "take
+        that back", though "the back" may be a thing."""
+        if said[-1] not in self._words.alone or said[-1] in self.articles or said[-1] in slot.allow:
+            return False
+        return self._pointing.issuperset(said[:-1])
+
     def _of_nothing(self, word: str, after: str) -> bool:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
         return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
@@ -195,7 +208,8 @@ class FreeText:
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
-        A coin may be called a quarter, so a fraction is none; "that one" is a thing that was named before. A name that
+        So does a number with a measure of things, "half a kilo", where no thing follows. A coin may be called a
+        quarter, so a fraction is none; "that one" is a thing that was named before. A name that
         ends with a time is an amount as well, "the cup at three"; so is a count before "to" or the like: "five to the
         library".
         """
@@ -209,10 +223,16 @@ class FreeText:
         for words in (said, bare) if len(bare) < len(said) else (said,):
             if any(quantities.evaluate(words, kind, self._language) is not None for kind in _AMOUNTS):
                 return True
+            if words[-1] in self._words.measures and self._is_count(words[:-1]):
+                return True
             count = quantities.evaluate(words, "number", self._language)
             if isinstance(count, float) and count.is_integer() and (count != 1 or words is said):
                 return True
         return False
+
+    def _is_count(self, words: Sequence[str]) -> bool:
+        """Whether words say how many there are, or how much of one: "half a"."""
+        return any(after == len(words) for _, after in quantities.counts(words, self._language))
 
     def _counts(self, word: str) -> bool:
         """A quick look: whether a word may be one of a number."""

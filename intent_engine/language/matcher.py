@@ -21,6 +21,7 @@ from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.slot_values import SlotValues
 from intent_engine.language.spacing import Spacing
+from intent_engine.language.utterance import Utterance
 from intent_engine.language.word_state import Trace, WordState
 
 if TYPE_CHECKING:
@@ -262,6 +263,15 @@ class Matcher:
     def prefix(self, words: list[str]) -> tuple[int, WordState | None]:
         """How far the words can be the beginning of an utterance, and the state there."""
         return self.spoken.walk(words)
+
+    def heard(self, text: str, language: str = "") -> Utterance:
+        """The words of a text, in a language or in that of the grammar. A letter that may be a sound said twice is a
+        word where a sentence goes on with it: "rack *b* bay three"."""
+        language = language or self.grammar.language
+        lettered = Utterance.with_letters(text, language)
+        if lettered is not None and self.prefix(lettered.words)[1] is not None:
+            return lettered
+        return Utterance.of(text, language)
 
     def _reading(self, trace: Trace, words: list[str]) -> Reading:
         intent, sentence = self.sentences[trace[0][1][1][1]]

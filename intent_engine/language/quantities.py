@@ -26,6 +26,7 @@ __all__ = [
     "is_number_word",
     "is_numeral",
     "is_ordinal_word",
+    "part_of_one",
     "templates",
     "tidy",
 ]
@@ -131,6 +132,13 @@ def _in_two_pieces(words: Sequence[str], angle: float, language: str) -> bool:
 def counts(words: Sequence[str], language: str = "en") -> Iterator[tuple[float, int]]:
     """How many of something the words begin with, and where that ends: "two", "half a", "another"."""
     yield from _counts(words, 0, language, units(language) or Units({}, {}))
+
+
+def part_of_one(words: Sequence[str], language: str = "en") -> float | None:
+    """How much of one thing the words say, before the word for it: "half a", "three quarters of a"; None: nothing."""
+    if len(words) < 2 or words[-1] not in (units(language) or Units({}, {})).words.get("one", ()):
+        return None
+    return next((value for value, after in counts(words, language) if after == len(words)), None)
 
 
 def tidy(value: float) -> float:

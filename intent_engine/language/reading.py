@@ -56,6 +56,11 @@ class Reading:
         return ""
 
     @property
+    def understood(self) -> bool:
+        """Whether nothing is wrong with it but a number beyond its limits."""
+        return all(slot.status == "limit" for slot in self.slots if slot.problem)
+
+    @property
     def heard_exactly(self) -> int:
         """Words that are not only like a name, or the name of nothing. Sound-alikes count: by ear nobody
         can tell them apart."""

@@ -48,7 +48,7 @@ class SlotValues:
         self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
     ) -> SlotReading:
         if slot.type in QUANTITY_KINDS:
-            return self._quantity(slot, label, words[start:end], start, end)
+            return self._quantity(slot, label, words[start:end], start, end, before_word=end < len(words))
         if slot.type in FREE_KINDS:
             if not self.has_room(slot, words[start:end]):  # the "a" of "a 42 red" is a part of the name
                 problem = f"{' '.join(words[start:end])!r} has more words than slot {slot.name!r} takes"
@@ -74,12 +74,16 @@ class SlotValues:
         thing = self._free.thing(slot, said)
         return SlotReading(label, slot, start, end, elided(thing, self._grammar.language))
 
-    def _quantity(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
+    def _quantity(
+        self, slot: Slot, label: str, said: list[str], start: int, end: int, *, before_word: bool = False
+    ) -> SlotReading:
         if slot.digits:
             said = list(said_together(said, self._grammar.language))
         value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
         if value is None and (slot.type != "number" or slot.bare):
             value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
+        if value is None and slot.type == "number" and slot.bare and before_word:
+            value = quantities.part_of_one(said, self._grammar.language)
         problem = ""
         status = "exact"
         if value is None:

@@ -21,6 +21,8 @@ class ThingWords:
 
     articles: frozenset[str] = frozenset()
     """Before the name of a thing or a place, and no part of it."""
+    definite: frozenset[str] = frozenset()
+    """Those of them that tell nothing of it."""
     unfinished: frozenset[str] = frozenset()
     """No thing ends so."""
     alone: frozenset[str] = frozenset()
@@ -57,6 +59,8 @@ class ThingWords:
     """Between a thing and the time when it is wanted."""
     ranging: frozenset[str] = frozenset()
     """Between two numbers of which one is meant."""
+    measures: frozenset[str] = frozenset()
+    """Units in which things are weighed and poured."""
     having: frozenset[str] = frozenset()
     """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()

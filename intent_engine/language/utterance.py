@@ -12,6 +12,7 @@ from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, TENS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.thing_words import any_articles
 
 __all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
 
@@ -25,7 +26,9 @@ _ANNOTATION = re.compile(
 
 _ENUMERATION = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
 _STUTTER = re.compile(r"\b[^aio] ")
-"""A letter by itself, which may be a sound said twice."""
+"""A letter by itself, which may be a sound said twice,"""
+_SAID_TWICE = re.compile(r"\b([^\W\d_aio])\W+\1", re.IGNORECASE)
+"""if a word that begins with it follows."""
 
 
 class PhraseSet:
@@ -176,8 +179,14 @@ class Utterance:
     that a stop is found beside it; nothing else may be done with them."""
 
     @classmethod
-    def of(cls, text: str, language: str = "en") -> Utterance:
-        """What was said; ``language`` says how its numbers are written."""
+    def of(cls, text: str, language: str = "en", *, letters: bool = False) -> Utterance:
+        """What was said.
+
+        Args:
+            text: as it was written.
+            language: says how its numbers are written.
+            letters: whether a letter by itself is one, also where it may be a sound said twice: "rack *b* bay three".
+        """
         plain = plain_words(text)
         if plain is not None and _STUTTER.search(text) is None:
             return cls(plain, [False] * len(plain))
@@ -191,10 +200,21 @@ class Utterance:
             if word.endswith(UNCLEAR):
                 unclear = unclear or word.removesuffix(UNCLEAR)
                 words[place] = re.sub("[^0-9-]", "", word)
-        kept = [place for place in range(len(words)) if not _stutter(tokens, place)]
+        sounds = [place for place in range(len(words)) if _stutter(tokens, place)]
+        if letters:  # no name goes on with an article: "t the cup"
+            sounds = [place for place in sounds if words[place + 1] in any_articles()]
+        kept = [place for place in range(len(words)) if place not in sounds]
         if len(kept) < len(words):
             return cls([words[place] for place in kept], [breaks[place] for place in kept], unclear=unclear)
         return cls(words, breaks, unclear=unclear)
+
+    @classmethod
+    def with_letters(cls, text: str, language: str = "en") -> Utterance | None:
+        """The same with all its letters, where some may be sounds said twice; None: there are none."""
+        if _SAID_TWICE.search(text) is None:
+            return None
+        every = cls.of(text, language, letters=True)
+        return every if len(every) > len(cls.of(text, language)) else None
 
     def __len__(self) -> int:
         return len(self.words)

@@ -350,6 +350,11 @@ AGREED = {
     "turn right, go forward": "right 43, forward 1",
     "left, go forward": "left 43, forward 1",
     "nope turn left": NOTHING,
+    "no no turn left": NOTHING,
+    "no no no turn left": NOTHING,
+    "no nope no no turn left": NOTHING,
+    "no no no, turn left": "left 43",
+    "no wait turn left no right": "right 43",
     "nah go forward": NOTHING,
     "nope, turn left": "left 43",
 }
@@ -528,6 +533,11 @@ QUESTIONS = {
     "Uh, right?": NOTHING,
     "two meters forward?": NOTHING,
     "left, right?": NOTHING,
+    # Nor is what ends one behind a pause: it asks whether it is so.
+    "turn left, right?": NOTHING,
+    "pick up the cup, right?": NOTHING,
+    "can you turn left and right?": "left 43, right 43",
+    "can you turn left, right, left?": "left 43, right 43, left 43",
     # Questions in form only.
     "turn left?": "left 43",
     "stop?": "stop",

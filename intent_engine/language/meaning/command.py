@@ -95,6 +95,15 @@ class Commands:
         readings = self.matcher.read(words, after=after)
         return [*readings, *self._patterns.read(words, self.matcher)] if self._patterns and not after else readings
 
+    def likeliest(self, words: list[str], after: str = "") -> Reading | None:
+        """What words that are corrected, or correct, are a sentence of, also with a number beyond its limits; ``after``
+        as in :meth:`exact`. None: of none."""
+        readings = self.readings(words, after)
+        best = next((one for one in readings if not one.problem), None)
+        if best is None:
+            return next((one for one in readings if one.understood), None)
+        return (_beyond_limits(best, readings) if best.free_words else None) or best
+
     def accepts(self, words: list[str], state: Collection[str]) -> bool:
         """Whether the words are a command by themselves, exactly."""
         clause = self.exact(words, state)
@@ -223,7 +232,7 @@ class Commands:
         """The one meaning of readings that are best first, or why there is none."""
         best = readings[0]
         if best.problem:
-            return _problem_clause(best)
+            return self._too_much(best) or _problem_clause(best)
         if best.free_words and (beyond := _beyond_limits(best, readings)) is not None:
             return _problem_clause(beyond)
         allowed = readings
@@ -249,6 +258,19 @@ class Commands:
                     ambiguous=True,
                 )
         return Clause(best, action, _changes(best))
+
+    def _too_much(self, reading: Reading) -> Clause | None:
+        """Why a value of a list is none, if one of them was said and more words behind it: "pan left thirty meters" has
+        a side. None: none was said."""
+        slot = _wrong_slot(reading)
+        if slot is None or (slot.slot.type, slot.status) != ("choice", "unknown"):
+            return None
+        words = list(reading.words)
+        for end in range(slot.end - 1, slot.start, -1):
+            if self.matcher.values.from_words(slot.slot, slot.label, words[slot.start : end]).status == "exact":
+                value, rest = " ".join(words[slot.start : end]), " ".join(words[end : slot.end])
+                return Clause(reading, reason=f"{rest!r} is nothing that follows {value!r} in this grammar")
+        return None
 
     def _rivals(self, best: Reading, action: Action, others: list[Reading]) -> tuple[str, ...]:
         """Other meanings as good as the best: same words understood, same priority, another action."""
@@ -305,8 +327,8 @@ def _beyond_limits(best: Reading, readings: Sequence[Reading]) -> Reading | None
             for one in readings
             if one.free_words < best.free_words
             and one.intent.priority >= best.intent.priority
-            and all(slot.status == "limit" for slot in one.slots if slot.problem)
             and one.problem
+            and one.understood
         ),
         None,
     )

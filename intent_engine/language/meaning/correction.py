@@ -33,6 +33,7 @@ class Corrections:
         self._commands = commands
         self._replacements = replacements
         self._matcher = commands.matcher
+        self._definite = thing_words(commands.matcher.grammar.language).definite
 
     def taken_back(self, words: list[str]) -> int:
         """Length of the correction with which the words end, with nothing in its place: "go forward, no"."""
@@ -66,8 +67,22 @@ class Corrections:
     def corrected(self, part: Utterance, state: Collection[str], before: str = "") -> Clause | None:
         """The command that is meant at last; None if nothing is corrected or it is not clear what.
 
+        Where no sentence has its "the", names are understood without, as in a command that is not corrected.
+
         ``before`` names an intent whose command the part goes on from: "to the bedroom, no, to the office".
         """
+        found = self._corrected(part, state, before)
+        if found is not None or self._definite.isdisjoint(part.words) or not self._correction.may_stand_in(part.words):
+            return found
+        less = _without(part, self._definite)
+        bare = self._corrected(less, state, before)
+        if bare is None or not bare.accepted or bare.reading is None:
+            return None
+        words = bare.reading.words
+        whole = tuple(less.words[-len(words) :]) == words  # a command of its own takes the place of all
+        return bare if whole or not bare.reading.free_words else None
+
+    def _corrected(self, part: Utterance, state: Collection[str], before: str) -> Clause | None:
         pieces = list(self._split(part))
         if len(pieces) < 2:
             return self._corrected_before(part, state) if not before else None
@@ -204,8 +219,7 @@ class Corrections:
             if length and position == 0 and self._begins_a_sentence(part, length):
                 position = length
             elif length:
-                bare = position == 0 and not self._pause_after(part, position + length)
-                if bare and part.words[0] in _MAY_FORBID and length == 1:
+                if position == 0 and self._may_forbid(part):
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position), denies
@@ -216,6 +230,13 @@ class Corrections:
             else:
                 position += 1
         yield part.part(start, len(part)), denies
+
+    def _may_forbid(self, part: Utterance) -> bool:
+        """Whether a part begins with one "no" or several, and goes on in one breath."""
+        end = 0
+        while length := self._correction.at(part.words, end):
+            end += length
+        return end > 0 and _MAY_FORBID.issuperset(part.words[:end]) and not self._pause_after(part, end)
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
         """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:
@@ -228,3 +249,17 @@ class Corrections:
 
     def _pause_after(self, part: Utterance, position: int) -> bool:
         return position < len(part) and bool(part.breaks[position])
+
+
+def _without(part: Utterance, words: Collection[str]) -> Utterance:
+    """An utterance without some words; a pause before one of them stands before the next."""
+    kept: list[str] = []
+    breaks: list[bool | None] = []
+    paused = False
+    for word, pause in zip(part.words, part.breaks, strict=True):
+        paused = paused or bool(pause)
+        if word not in words:
+            kept.append(word)
+            breaks.append(paused or pause)
+            paused = False
+    return Utterance(kept, breaks)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
@@ -124,8 +124,11 @@ class Interpreter:
         if len(words) > MAX_WORDS:
             return self._rejected(text, f"longer than any command ({len(words)} words)")
         meant = self._meant(text, said, state, spoken)
+        lettered = Utterance.with_letters(text, self._language)
+        if lettered is not None and not meant[0].stops:
+            said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         # How a recogniser sets its question marks tells little.
-        if not spoken and _ASKED.search(text) and self._lists_only(meant[1]):
+        if _ASKED.search(text) and ((not spoken and self._lists_only(meant[1])) or self._asks_at_last(said, meant[1])):
             return self._rejected(text, "a question, and not one to do something")
         if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
             return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
@@ -133,10 +136,36 @@ class Interpreter:
             return self._either(text, meant, other, state)
         return meant
 
+    def _by_letters(
+        self,
+        text: str,
+        otherwise: tuple[Utterance, Understood],
+        lettered: Utterance,
+        state: Collection[str],
+        spoken: bool,
+    ) -> tuple[Utterance, Understood]:
+        """What was said and meant where a letter may be a sound said twice, as in "t turn left". It is none where it
+        stands in a sentence, and be it one that is refused for a number: "from rack b bay ninety"."""
+        found = self._meant(text, lettered, state, spoken)
+        tells = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS) or found[0].beyond_limits
+        if found[0].intent is not None and otherwise[1][0].status is Status.REJECTED:
+            tells = True  # "no row is called 'b bay'"
+        return (lettered, found) if tells else otherwise
+
     def _lists_only(self, parts: Collection[Clause]) -> bool:
         """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
         readings = [part.reading for part in parts if part.accepted and part.reading is not None]
         return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
+
+    def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:
+        """Whether what ends a question asks whether it is so: "pick up the cup, right?" is no turn to the right. It is
+        a command without a verb, behind one with a verb and a pause: "can you turn left, right, left?" asks for it."""
+        if len(parts) < 2 or parts[-2].reading is None or parts[-1].reading is None:
+            return False
+        before, last = parts[-2].reading, parts[-1].reading
+        begin = len(said) - len(last.words)
+        paused = tuple(said.words[begin:]) == last.words and said.breaks[begin] is True
+        return paused and self._commands.opens_with_a_verb(before) and not self._commands.opens_with_a_verb(last)
 
     def _either(self, text: str, meant: Understood, other: Utterance, state: Collection[str]) -> Understood:
         """What was meant, unless the same command in other words is another: a filler may have taken the "right" of

@@ -41,6 +41,7 @@ class Replacements:
 
         ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
         words as possible are kept; two ways that keep as many and differ are not clear. Else it is a whole command.
+        A number beyond the limits of the last one said is none of those before, either.
         Where free words would take it, a place or a number takes it first, then a slot that lists it ("the cup to Anna,
         no, the box"), then what begins with a word of the sentence: "on the shelf" is no box, but where it is put.
 
@@ -55,22 +56,25 @@ class Replacements:
         if not said:
             return all_of_it if whole else None
         kept: dict[tuple[bool, bool, bool, int], dict[tuple[Any, ...], _Stretch]] = {}
-        first = next((reading for reading in self._commands.readings(said, before) if not reading.problem), None)
+        first = self._commands.likeliest(said, before)
         if first is not None and before and self._says_all_again(first, meant, before):
             return all_of_it
+        last = _last_quantity(first)
         for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
             assert first is not None
             words = said[:at] + meant + said[after:]
             count = at + len(said) - after
             old = first.values()
-            for reading in self._commands.readings(words, before)[:1]:
-                if reading.problem or reading.intent is not first.intent:
+            for reading in filter(None, [self._commands.likeliest(words, before)]):
+                if reading.intent is not first.intent:
                     continue
                 touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
                 if label is not None and label not in (slot.label for slot in touched):
                     continue
                 if any(self._grafted(slot, words, at, meant, whole) for slot in touched):
                     continue
+                if any(slot.problem and slot.label != last for slot in touched):
+                    continue  # "seven thirty, no, forty": no hour, but "bay four, no, ninety" may be nothing but a bay
                 new = reading.values()
                 changed = {label for label, value in new.items() if old.get(label) != value}
                 if set(new) != set(old) or len(changed) > 1 or not changed <= {slot.label for slot in touched}:
@@ -141,8 +145,8 @@ class Replacements:
         """
         found: dict[tuple[Any, ...], _Stretch] = {}
         for length in range(1, len(meant)):
-            begun = next(iter(self._commands.readings(said + meant[length:])), None)
-            if begun is None or begun.problem:
+            begun = self._commands.likeliest(said + meant[length:])
+            if begun is None or begun.problem:  # "drill thirty, no, four rows": of which there are no thirty
                 continue
             spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
             for index, slot in enumerate(spoken):
@@ -152,8 +156,8 @@ class Replacements:
                     continue
                 for at in beginnings(said, meant[:length], slot.start):
                     words = said[:at] + meant
-                    reading = next(iter(self._commands.readings(words)), None)
-                    if reading is None or reading.problem or reading.intent is not begun.intent:
+                    reading = self._commands.likeliest(words)
+                    if reading is None or reading.intent is not begun.intent:
                         continue
                     if not same_but(begun, spoken[index:], len(said), reading, at, at + length):
                         continue
@@ -191,8 +195,8 @@ class Replacements:
             edges = itertools.product(beginnings(said, meant, run[0].start), ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
-                reading = next(iter(self._commands.readings(words, before)), None)
-                if reading is None or reading.problem or reading.intent is not first.intent:
+                reading = self._commands.likeliest(words, before)
+                if reading is None or reading.intent is not first.intent:
                     continue
                 stop = at + len(meant)
                 touched = [slot for slot in reading.slots if slot.start < stop and slot.end > at]
@@ -288,3 +292,10 @@ class Replacements:
             begun = (meant[:end] for end in range(len(meant), 0, -1))  # "no, two meters, two and a half" takes no unit
             return any(evaluate(words, kind, language) is not None for words in begun for kind in _WITH_UNITS)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"
+
+
+def _last_quantity(reading: Reading | None) -> str:
+    """The number or the like that was said last: one that corrects and is beyond its limits may be meant for that."""
+    slots = reading.slots if reading is not None else ()
+    spoken = sorted((slot.start, slot.label) for slot in slots if slot.slot.type in QUANTITY_KINDS)
+    return spoken[-1][1] if spoken else ""

@@ -31,7 +31,8 @@ ENGLISH: Mapping[str, str] = {
     "counted": "[minus|negative] ({cardinal} [and ({fraction}|{#}) [{scale}]|{fraction}|(point {decimals} [{scale}])]"
     "|[{zero}|nought|naught] point {decimals} [{scale}]|{fraction}|{zero}|[a] couple [of]"
     "|([a|{below_hundred}|{#}] dozen [and a half]|half a dozen|[a] half dozen)|a pair [of])",
-    "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}",
+    # "Half a" only before a word.
+    "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}|{fraction} [of] (a|an)",
     "ordinal_unit": "(" + "|".join(english.ORDINAL_UNITS) + ")",
     "ordinal_tens": "(" + "|".join(english.ORDINAL_TENS) + ")",
     "round": "[a|{group}] (hundred|thousand) [and]",

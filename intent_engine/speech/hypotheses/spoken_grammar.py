@@ -17,7 +17,7 @@ from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.sentence_networks import NOT_AFTER_THE_VERB
-from intent_engine.language.utterance import PhraseSet, Utterance, without_enumeration
+from intent_engine.language.utterance import PhraseSet, without_enumeration
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
@@ -113,8 +113,9 @@ class SpokenGrammar:
 
     def words(self, text: str, language: str | None = None) -> list[str]:
         """The words of a text that was heard, together or apart as the grammar writes them, numbers as words."""
-        said = Utterance.of(without_enumeration(text), language or "en")
-        words = (self._engine.matcher(self._own(language)).spacing.otherwise(said) or said).words
+        matcher, text = self._engine.matcher(self._own(language)), without_enumeration(text)
+        said = matcher.heard(text, language or "en")
+        words = (matcher.spacing.otherwise(said) or said).words
         return in_words(said_of_signs(words, language), language)
 
     def as_written(self, language: str | None = None) -> Mapping[str, str]:

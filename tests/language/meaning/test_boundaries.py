@@ -78,9 +78,43 @@ def test_fillers_and_corrections_touch_only_what_they_mean(engine, text, slots):
     test_each_word_belongs_to_one_part(engine, text, slots)
 
 
-@pytest.mark.parametrize("text", ["lift behind you", "leave it a bit to the counterclockwise", "take two degrees"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "lift behind you",
+        "leave it a bit to the counterclockwise",
+        "take two degrees",
+        # However it is measured, an amount is no thing,
+        "carry eighty pounds to the kitchen",
+        "bring me half a kilo",
+        "grab 5 ml",
+        # and one that is not finished is none.
+        "bring me a couple of feet about half a",
+        "bring me half a",
+        "pick up the cup, no, less",
+        "put it on the table at least",
+        # "That" is all that is named.
+        "take that back",
+        "take those back",
+    ],
+)
 def test_directions_and_amounts_are_nothing_to_hold(engine, text):
     assert not engine.parse(text).actions
+
+
+@pytest.mark.parametrize(
+    ("text", "thing"),
+    [
+        ("bring me five pounds of flour", "five pounds of flour"),
+        ("pick up the 5 kg weight", "5 kg weight"),
+        ("fetch half a melon", "half a melon"),
+        ("bring me box a", "box a"),
+        ("take that back wheel", "back wheel"),
+        ("take that", "that"),
+    ],
+)
+def test_what_is_measured_or_pointed_at_is_a_thing(engine, text, thing):
+    assert engine.parse(text).slots["thing"] == thing
 
 
 @pytest.mark.parametrize("joint", ["and half", "and a half", "and a quarter of"])

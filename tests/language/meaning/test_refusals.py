@@ -51,6 +51,22 @@ def test_a_value_that_no_list_has_is_told_as_one_of_that_list(text, reason):
     assert reason in found.reason
 
 
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("pan left thirty meters", "'thirty meters' is nothing that follows 'left' in this grammar"),
+        ("pan dark red quickly", "'quickly' is nothing that follows 'dark red' in this grammar"),
+        ("pan redd slowly", "no side is called 'redd slowly'"),
+    ],
+)
+def test_words_behind_a_value_are_told_and_not_the_value(engine_of, text, reason):
+    engine = engine_of(
+        "language: en\nslots: {side: [left, right, red, dark red]}\n"
+        "intents: {pan: {action: custom, sentences: ['pan {side} [twice]']}}\n"
+    )
+    assert engine.parse(text).reason == reason
+
+
 @pytest.mark.parametrize("text", ["to the kitchen", "seven steps back", "go to the kitchen and then to the bedroom"])
 def test_an_amount_tells_nothing_where_something_else_is_not_understood(text):
     """ "To the kitchen" is no turn by two degrees."""
