@@ -23,7 +23,7 @@ from intent_engine.language.nearest import Nearest
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import Utterance, plain
 from intent_engine.language_tag import code_of, language_of
-from intent_engine.needs import MOVING
+from intent_engine.needs import MOVING, states_of
 from intent_engine.resources import find
 
 if TYPE_CHECKING:
@@ -222,6 +222,8 @@ class IntentEngine:
     def _interpreter(self, language: str | None) -> Interpreter:
         if language is None:
             return self._parsers[0]
+        if not isinstance(language, str):
+            raise TypeError(f"a language is given by its tag, as 'en', not as {language!r:.80}")
         interpreter = self._loaded.interpreters.get(language_of(language))
         if interpreter is None:
             there = ", ".join(self.languages)
@@ -350,10 +352,7 @@ def _understood(
     last: Before | None,
 ) -> tuple[Interpretation, _Parser]:
     """What a text means, with what it points back to, and the parser that says so."""
-    if isinstance(state, Mapping) or not isinstance(state, Collection):
-        raise TypeError(f"states are names in a list or a set, as ['moving'], not {state!r:.80}")
-    if isinstance(state, str):  # each of its letters would be a state, and "moving" none of them
-        state = (state,)
+    state = states_of(state)
     asked = last.needs if isinstance(last, Interpretation) else ()
     if isinstance(last, Interpretation):
         last = last.actions

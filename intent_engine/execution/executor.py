@@ -32,7 +32,7 @@ from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
 from intent_engine.execution.robots.robot import Robot
-from intent_engine.execution.runs import Handler, VelocityLoop
+from intent_engine.execution.runs import Handler, VelocityLoop, check_waiter
 from intent_engine.execution.snapshot import Snapshot
 
 __all__ = ["Executor", "Policy", "Snapshot"]
@@ -59,7 +59,7 @@ class Executor:
 
     Raises:
         TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.
-        ValueError: a time below zero, or a policy that there is not.
+        ValueError: a time below zero, a policy that there is not, or a robot that another executor drives.
     """
 
     STOP_PATIENCE = 0.005
@@ -85,6 +85,7 @@ class Executor:
         handle_sigterm: bool = True,
     ) -> None:
         check_robot(robot)
+        shutdown.check_free(robot)
         given.check_parts(clock, rates, loop, journal, on_event)
         given.check_number("hold_limit", hold_limit)
         given.check_number("queue_limit", queue_limit, "goals")
@@ -92,6 +93,7 @@ class Executor:
         self.limits: Limits = limits_of(robot, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
         self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
+        given.check_clock(self.clock)
         if hasattr(robot, "use_clock"):
             robot.use_clock(self.clock)
         self._lock = threading.RLock()
@@ -290,8 +292,13 @@ class Executor:
 
         Returns:
             False if ``timeout`` s went by first, or, on a virtual clock, if nothing more is due (a pause).
+
+        Raises:
+            RuntimeError: a handler waits without a timeout for its own goal, which ends when the handler does.
         """
         listed = None if goals is None else given.goals_of("wait", goals)
+        given.check_timeout(timeout)
+        check_waiter(listed, timeout)
         deadline = None if timeout is None else self.clock.now() + timeout
         if self._stepped is not None:
             while not self._all_ended(listed):
@@ -311,6 +318,7 @@ class Executor:
 
         :meth:`wait` waits for no listener: one that hangs would hold up whoever waits for the robot.
         """
+        given.check_number("timeout", timeout)
         return self._events.settle(timeout)
 
     def run_until_idle(self) -> bool:
@@ -388,8 +396,12 @@ class Executor:
     def _main(self) -> None:
         with self._lock:
             while not self._conductor.closed:
-                with self._locked() as now:
-                    self._advance(now)
+                try:
+                    with self._locked() as now:
+                        self._advance(now)
+                except BaseException as error:  # a robot's sys.exit(), say: without this thread no goal would end
+                    self._events.tell(EventKind.ERROR, detail=f"{type(error).__name__}: {error}")
+                    self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
                 self.clock.wait_until(self._wake, self._due(self.clock.now()))
 
     def _due(self, now: float) -> float | None:

@@ -9,20 +9,32 @@ import signal
 import threading
 import weakref
 from types import FrameType
-from typing import Protocol
+from typing import Any, Protocol
 
-__all__ = ["register", "unregister"]
+__all__ = ["check_free", "register", "unregister"]
 
 log = logging.getLogger(__name__)
 
 
 class _Closable(Protocol):
+    robot: Any
+
     def close(self) -> None: ...
     def last_zeros(self) -> None: ...
 
 
 # The end of a process is the process's own: one list for all executors in it.
 _open: weakref.WeakSet[_Closable] = weakref.WeakSet()
+
+
+def check_free(robot: object) -> None:
+    """See that no executor of this process drives a robot: a stop of one would not end what the other does.
+
+    Raises:
+        ValueError: one does.
+    """
+    if any(executor.robot is robot for executor in list(_open)):
+        raise ValueError("another executor drives this robot: share that one, or close() it first")
 
 
 def register(executor: _Closable, sigterm: bool) -> None:
