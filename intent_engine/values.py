@@ -64,7 +64,7 @@ def check_text(name: str, value: object, *, empty: bool = True) -> None:
     """
     if not isinstance(value, str):
         raise TypeError(f"{name} is a text, not {value!r:.80}")
-    if not (empty or value.strip()):
+    if not (empty or value):
         raise ValueError(f"{name} is empty")
 
 

@@ -179,7 +179,7 @@ def test_what_is_no_action_is_refused_with_what_was_meant(given, said):
         (lambda: Navigate(5, 1.0, 2.0, 0.0), "Navigate.location is a text, not 5"),
         (lambda: Navigate("kitchen", 1.0, 2.0, 0.0, None), "Navigate.frame is a text, not None"),
         (lambda: Pick(None), "Pick.object is a text, not None"),
-        (lambda: Pick(" "), "Pick.object is empty"),
+        (lambda: Pick(""), "Pick.object is empty"),
         (lambda: Place(5), "Place.object is a text, not 5"),
         (lambda: Custom("wave", ["a"]), r"Custom.slots are a dictionary, as \{'person': 'Ada'\}, not \['a'\]"),
         (lambda: Custom(print), "Custom.name is a text"),

@@ -43,7 +43,8 @@ class Executor:
 
     Args:
         robot: what to drive. It is not closed with the executor: who made it closes it.
-        limits: of this robot; None: the robot's own (``robot.limits``), or none but that numbers are numbers.
+        limits: of this robot; None: the robot's own (``robot.limits``, as they are now), or none but that numbers are
+            numbers.
         clock: None: the robot's own, or the machine's.
         handlers: name of a custom action (or a type of action) -> what carries it out; see :meth:`register`.
         journal: is given every event, as :class:`~intent_engine.execution.journal.Journal` is.
@@ -90,7 +91,7 @@ class Executor:
         given.check_number("hold_limit", hold_limit)
         given.check_number("queue_limit", queue_limit, "goals")
         self.robot = robot
-        self.limits: Limits = limits_of(robot, limits)
+        limits = limits_of(robot, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
         self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
         given.check_clock(self.clock)
@@ -102,8 +103,8 @@ class Executor:
         self._ended = threading.Condition(self._lock)
         """A goal has ended."""
         self._gate = Gate(robot)
-        self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, self.limits, self.rates)
-        self._admission = Admission(robot, self.limits, handlers or {}, policies or {}, expire_after)
+        self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, limits, self.rates)
+        self._admission = Admission(robot, limits, handlers or {}, policies or {}, expire_after)
         self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
         if self._stepped is not None and loop is not None:
             raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
@@ -174,7 +175,7 @@ class Executor:
         actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
         taken = given.named(Policy, "policy", policy) if policy is not None else None
-        amends = given.goal_of("amends", amends) if amends is not None else None
+        amends = given.goal_of("amends", amends, self) if amends is not None else None
         if not listed:
             return []
         try:
@@ -255,9 +256,13 @@ class Executor:
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
-        """End one goal (else a TypeError), and what was said with it after it; a motion comes to rest with the robot's
-        deceleration."""
-        goal = given.goal_of("cancel", goal)
+        """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration.
+
+        Raises:
+            TypeError: it is no goal.
+            ValueError: it is another executor's.
+        """
+        goal = given.goal_of("cancel", goal, self)
         with self._locked() as now:
             self._conductor.cancel(goal, now)
             self._advance(now)
@@ -296,7 +301,7 @@ class Executor:
         Raises:
             RuntimeError: a handler waits without a timeout for its own goal, which ends when the handler does.
         """
-        listed = None if goals is None else given.goals_of("wait", goals)
+        listed = None if goals is None else given.goals_of("wait", goals, self)
         given.check_timeout(timeout)
         check_waiter(listed, timeout)
         deadline = None if timeout is None else self.clock.now() + timeout
@@ -332,6 +337,11 @@ class Executor:
         """Nothing is being carried out and nothing waits."""
         with self._lock:
             return self._conductor.idle
+
+    @property
+    def limits(self) -> Limits:
+        """Those that it was made with, for good: another limit is another executor's."""
+        return self._admission.limits
 
     @property
     def estopped(self) -> bool:
@@ -371,6 +381,11 @@ class Executor:
         self._gate.shut()
         for _ in range(self.rates.zeros):
             self._conductor.stop_robot()
+
+    def disown(self) -> None:
+        """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
+        self._gate.shut()
+        self._conductor.closed = True
 
     def __enter__(self) -> Executor:
         return self

@@ -193,24 +193,28 @@ def _takes(function: Any, count: int) -> bool:
     return True
 
 
-def goal_of(taker: str, given: object) -> Goal:
-    """The goal that a program gave.
+def goal_of(taker: str, given: object, executor: object) -> Goal:
+    """The goal that a program gave to ``executor``.
 
     Raises:
         TypeError: it is none. To do nothing then would let a robot drive on that somebody wants to halt.
+        ValueError: it is another executor's, which would not hear of it, nor tell of its end.
     """
     if isinstance(given, Goal):
+        if getattr(given._wait, "__self__", executor) is not executor:
+            raise ValueError(f"{taker} takes a goal of this executor, and {given!r:.80} is another's")
         return given
     several = isinstance(given, list | tuple) and given and all(isinstance(one, Goal) for one in given)
     how = "one of the list that submit returned" if several else "as submit returns for each action"
     raise TypeError(f"{taker} takes a goal, {how}, not {given!r:.80}")
 
 
-def goals_of(taker: str, given: object) -> list[Goal]:
-    """The goals that a program gave: one, or several.
+def goals_of(taker: str, given: object, executor: object) -> list[Goal]:
+    """The goals that a program gave to ``executor``: one, or several.
 
     Raises:
         TypeError: something among them is none.
+        ValueError: something among them is another executor's.
     """
     listed = list(given) if isinstance(given, Iterable) and not isinstance(given, str | Mapping) else [given]
-    return [goal_of(taker, one) for one in listed]
+    return [goal_of(taker, one, executor) for one in listed]

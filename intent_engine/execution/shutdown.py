@@ -20,6 +20,7 @@ class _Closable(Protocol):
     robot: Any
 
     def close(self) -> None: ...
+    def disown(self) -> None: ...
     def last_zeros(self) -> None: ...
 
 
@@ -52,8 +53,15 @@ def unregister(executor: _Closable) -> None:
     _open.discard(executor)
 
 
-# A child that was forked has the parent's objects and not its robot: its end must not stop what the parent drives.
-os.register_at_fork(after_in_child=_open.clear)
+def _forked() -> None:
+    """A child that was forked has the parent's objects, and neither its threads nor its robot: what is submitted there
+    would begin and never end, and its end must not stop what the parent drives."""
+    for executor in list(_open):
+        executor.disown()
+    _open.clear()
+
+
+os.register_at_fork(after_in_child=_forked)
 
 
 @atexit.register

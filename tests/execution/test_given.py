@@ -12,6 +12,7 @@ from intent_engine.actions import Custom, Move, Navigate
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Rates
 from intent_engine.execution.robots.robot import Capability, Pose
 from intent_engine.execution.robots.simulated import SimulatedRobot
@@ -301,3 +302,20 @@ def test_a_robot_that_leaves_the_program_ends_its_goal_alone():
         robot.leaves_at = 0
         (goal,) = executor.submit(Move(0.5, 0.01, 0.02))
         assert goal.result(60.0).succeeded
+
+
+def test_a_goal_is_its_own_executors():
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as one, Executor(SimulatedRobot(clock), clock=clock) as other:
+        (goal,) = one.submit(MOVE)
+        for call in (other.cancel, other.wait, lambda goal: other.submit(MOVE, amends=goal)):
+            with pytest.raises(ValueError, match=r"takes a goal of this executor, and <Goal .* is another's"):
+                call(goal)
+        assert goal.result().succeeded
+
+
+def test_limits_are_not_changed_on_the_way():
+    with Executor(SimulatedRobot(), Limits(linear_velocity=1.0)) as executor:
+        with pytest.raises(AttributeError, match="limits"):
+            executor.limits = Limits(linear_velocity=0.1)
+        assert executor.limits == Limits(linear_velocity=1.0)
