@@ -299,7 +299,8 @@ class Executor:
             False if ``timeout`` s went by first, or, on a virtual clock, if nothing more is due (a pause).
 
         Raises:
-            RuntimeError: a handler waits without a timeout for its own goal, which ends when the handler does.
+            RuntimeError: a handler waits without a timeout for its own goal, which ends when the handler does, or for
+                one that waits its turn behind it.
         """
         listed = None if goals is None else given.goals_of("wait", goals, self)
         given.check_timeout(timeout)

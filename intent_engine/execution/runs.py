@@ -373,7 +373,7 @@ class StopRun:
 
 
 def check_waiter(goals: Sequence[Goal] | None, timeout: float | None) -> None:
-    """See that a handler does not wait for ever for its own goal, which ends when the handler does.
+    """See that a handler does not wait for ever: for its own goal, which ends when the handler does, or one behind it.
 
     Args:
         goals: what is waited for; None: everything.
@@ -383,8 +383,10 @@ def check_waiter(goals: Sequence[Goal] | None, timeout: float | None) -> None:
         RuntimeError: it does.
     """
     own: Goal | None = getattr(_at_work, "goal", None)
-    if own is not None and timeout is None and not own.done and (goals is None or own in goals):
-        hint = "wait for the goals that it submitted itself, or give a timeout"
+    if own is None or own.done or timeout is not None:
+        return
+    if goals is None or any(goal is own or goal.state is GoalState.ACCEPTED for goal in goals):
+        hint = "return first, submit in its place (policy='replace'), or give a timeout"
         raise RuntimeError(f"the handler of {own!r} would wait for its own end: {hint}")
 
 

@@ -198,13 +198,16 @@ def test_a_handler_that_waits_for_a_coroutine_succeeds():
 
 
 @pytest.mark.parametrize("clock", [VirtualClock, MonotonicClock])
-@pytest.mark.parametrize("waits", ["everything", "itself"])
+@pytest.mark.parametrize("waits", ["everything", "itself", "what waits its turn"])
 def test_a_handler_cannot_wait_for_its_own_end(clock, waits):
     time = clock()
     with Executor(SimulatedRobot(time), clock=time) as executor:
 
         def wave(action, context):
-            return executor.wait() if waits == "everything" else context.goal.result()
+            if waits == "everything":
+                executor.wait()
+            behind = executor.submit(Move(0.5, 0.01, 0.02), policy="queue")
+            (context.goal if waits == "itself" else behind[0]).result()
 
         executor.register("wave", wave)
         (goal,) = executor.submit(Custom("wave"))
