@@ -17,6 +17,7 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
 from intent_engine.last_said import LastSaid
+from intent_engine.needs import states_of
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
 __all__ = ["Acting"]
@@ -77,7 +78,7 @@ class Acting:
         says."""
         linear, angular = self._executor.snapshot().velocity
         moves = linear or angular or not self._executor.idle or self._holding.on
-        return {*self._states(), *(("moving",) if moves else ())}
+        return {*states_of(self._states()), *(("moving",) if moves else ())}
 
     def carry_out(self, utterance: SpokenUtterance, time: float) -> None:
         """Do what an utterance means, if anything; it was decoded, and its result is there."""

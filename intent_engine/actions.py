@@ -15,7 +15,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any, ClassVar, TypeAlias
 
+from intent_engine.values import check_text, is_number
+
 __all__ = [
+    "ACTION_TYPES",
     "Action",
     "Custom",
     "Move",
@@ -33,8 +36,17 @@ __all__ = [
 
 def _finite(owner: object, **values: float) -> None:
     for name, value in values.items():
+        if type(value) is not float and type(value) is not int:
+            if not is_number(value):
+                raise TypeError(f"{type(owner).__name__}.{name} is a number in SI units, not {value!r:.80}")
+            object.__setattr__(owner, name, float(value))  # of NumPy, say, which JSON has no word for
         if not math.isfinite(value):
             raise ValueError(f"{type(owner).__name__}.{name} must be a finite number, not {value}")
+
+
+def _text(owner: object, empty: bool = True, **values: str) -> None:
+    for name, value in values.items():
+        check_text(f"{type(owner).__name__}.{name}", value, empty=empty)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +110,7 @@ class Navigate:
     frame: str = "map"
 
     def __post_init__(self) -> None:
+        _text(self, location=self.location, frame=self.frame)
         _finite(self, x=self.x, y=self.y, yaw=self.yaw)
 
 
@@ -107,6 +120,9 @@ class Pick:
 
     type: ClassVar[str] = "pick"
     object: str
+
+    def __post_init__(self) -> None:
+        _text(self, empty=False, object=self.object)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +135,9 @@ class Place:
     location: str | None = None
     """A map name or a place in words ("table"); None: here."""
 
+    def __post_init__(self) -> None:
+        _text(self, **{name: value for name in ("object", "location") if (value := getattr(self, name)) is not None})
+
 
 @dataclass(frozen=True, slots=True)
 class Custom:
@@ -129,6 +148,11 @@ class Custom:
     slots: Mapping[str, Any] = field(default_factory=dict)
     """Slot values: strings, numbers in SI units, booleans or None."""
 
+    def __post_init__(self) -> None:
+        _text(self, empty=False, name=self.name)
+        if not isinstance(self.slots, Mapping):
+            raise TypeError(f"Custom.slots are a dictionary, as {{'person': 'Ada'}}, not {self.slots!r:.80}")
+
     def __hash__(self) -> int:
         return hash((self.name, json.dumps(dict(self.slots), sort_keys=True)))
 
@@ -136,6 +160,10 @@ class Custom:
 Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | Custom
 
 _TYPES: dict[str, type[Any]] = {kind.type: kind for kind in (Move, Turn, Stop, Navigate, Pick, Place, Custom)}
+
+
+ACTION_TYPES = tuple(_TYPES)
+"""What ``type`` of an action may be."""
 
 
 def actions_of(taker: str, given: Action | Iterable[Action]) -> tuple[Action, ...]:
@@ -169,7 +197,14 @@ def _instead(given: object) -> str:
 
 
 def to_json(action: Action) -> dict[str, Any]:
-    """A plain dictionary with ``type`` first; ``json.dumps`` of it is valid under :func:`json_schema`."""
+    """A plain dictionary with ``type`` first; ``json.dumps`` of it is valid under :func:`json_schema`.
+
+    Raises:
+        TypeError: it is no action, or several.
+    """
+    if not hasattr(action, "type") or isinstance(action, type):
+        hint = ": one at a time" if isinstance(action, list | tuple) else _instead(action)
+        raise TypeError(f"to_json takes an action, not {_kind(action)}{hint}")
     data: dict[str, Any] = {"type": action.type}
     for item in fields(action):
         value = getattr(action, item.name)

@@ -18,7 +18,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import plain
-from intent_engine.needs import MOVING
+from intent_engine.needs import MOVING, states_of
 from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
 
 if TYPE_CHECKING:
@@ -226,10 +226,7 @@ def _understood(
     last: Before | None,
 ) -> tuple[Interpretation, _Parser]:
     """What a text means, with what it points back to, and the parser that says so."""
-    if isinstance(state, Mapping) or not isinstance(state, Collection):
-        raise TypeError(f"states are names in a list or a set, as ['moving'], not {state!r:.80}")
-    if isinstance(state, str):  # each of its letters would be a state, and "moving" none of them
-        state = (state,)
+    state = states_of(state)
     asked = last.needs if isinstance(last, Interpretation) else ()
     if isinstance(last, Interpretation):
         last = last.actions

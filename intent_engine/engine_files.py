@@ -49,9 +49,12 @@ class Loaded:
 
         Raises:
             ConfigError: no grammar of this language is loaded; says which are.
+            TypeError: it is no text.
         """
         if language is None:
             return tuple(self.interpreters.values())
+        if not isinstance(language, str):
+            raise TypeError(f"a language is given by its tag, as 'en', not as {language!r:.80}")
         interpreter = self.interpreters.get(language_of(language))
         if interpreter is None:
             there = ", ".join(self.interpreters)

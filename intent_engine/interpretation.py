@@ -61,6 +61,8 @@ class Interpretation:
         Args:
             state: gives the states in which the robot is, when it is called; "moving" does not matter among them.
         """
+        if not callable(state):
+            raise TypeError(f"guards takes a function that tells the states, not {state!r:.80}: lambda: {state!r:.80}")
         guards = [needs.guard(state) for needs in self.needs]
         return (*guards, *[None] * (len(self.actions) - len(guards)))
 

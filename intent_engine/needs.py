@@ -3,13 +3,27 @@ what waited its turn begins."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
-__all__ = ["MOVING", "Needs"]
+__all__ = ["MOVING", "Needs", "states_of"]
 
 MOVING = "moving"
 """The robot state in which any utterance that begins with a stop word stops it."""
+
+
+def states_of(given: object) -> Collection[str]:
+    """The states that a program says a robot is in. A text is the one state of that name: each of its letters would be
+    one, and what "docked" forbids would be done.
+
+    Raises:
+        TypeError: they are none.
+    """
+    if isinstance(given, str):
+        return (given,)
+    if isinstance(given, Mapping) or not isinstance(given, Collection):
+        raise TypeError(f"states are names in a list or a set, as ['moving'], not {given!r:.80}")
+    return given
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,4 +53,4 @@ class Needs:
         that, so it is not asked again.
         """
         rest = Needs(self.intent, self.requires - {MOVING}, self.excludes - {MOVING})
-        return (lambda: rest.unmet(state())) if rest.requires or rest.excludes else None
+        return (lambda: rest.unmet(states_of(state()))) if rest.requires or rest.excludes else None

@@ -151,7 +151,7 @@ class Runtime:
         self._judgement.continuing = on and self._endpoint.settings.wait_continued > 0
 
     def close(self) -> None:
-        """End :meth:`run` and stop the robot. Idempotent, from any thread."""
+        """End :meth:`run` and stop the robot, for good: a later ``run`` ends at once. Idempotent, from any thread."""
         self._closing.set()
         source = self._source
         if source is not None:

@@ -9,7 +9,7 @@ from numbers import Real
 from pathlib import PurePath
 from types import FunctionType
 
-from intent_engine.execution.given import check_listener, check_number
+from intent_engine.execution.given import check_awaitless, check_listener, check_number
 from intent_engine.speech.endpoint import Settings
 
 __all__ = ["check_parts"]
@@ -41,4 +41,6 @@ def check_parts(settings: object, on_event: object, state: object, patience: obj
         check_listener("on_event", on_event)
     if state is not None and not callable(state):
         raise TypeError(f"state is a function that tells the states, not {state!r:.80}: lambda: {state!r:.80}")
+    if state is not None:
+        check_awaitless("state", state)
     check_number("patience", patience)

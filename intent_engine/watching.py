@@ -29,7 +29,7 @@ _log = logging.getLogger(__name__)
 class Watcher:
     """Watches the files of an engine in a thread of its own.
 
-    Life cycle: made -> ``start`` -> ``close``; or a ``with``. ``close`` may be called twice.
+    Life cycle: made -> ``start`` -> ``close``; or a ``with``. Both may be called twice.
 
     Args:
         engine: made from files.
@@ -38,6 +38,8 @@ class Watcher:
     """
 
     def __init__(self, engine: IntentEngine, told: Callable[[ConfigError | None], None] | None = None) -> None:
+        if not hasattr(engine, "reload"):
+            raise TypeError(f"Watcher takes an IntentEngine, not {engine!r:.80}: IntentEngine.from_files(...)")
         self._engine = engine
         self._told = told or (lambda error: None)
         self._stop = threading.Event()
@@ -69,7 +71,12 @@ class Watcher:
 
         Raises:
             ConfigError: the ``watchfiles`` package is not installed, or the engine was not made from files.
+            RuntimeError: it was closed.
         """
+        if self._stop.is_set():
+            raise RuntimeError("this watcher is closed, and would watch nothing; make another")
+        if self._thread is not None:
+            return
         try:
             import watchfiles  # noqa: F401
         except ImportError:

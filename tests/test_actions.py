@@ -167,3 +167,37 @@ def test_one_action_or_several_are_taken():
 def test_what_is_no_action_is_refused_with_what_was_meant(given, said):
     with pytest.raises(TypeError, match=rf"^submit takes actions \(Move, Turn, Stop, \.\.\.\), {said}"):
         actions_of("submit", given)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: Move("0.5", 1.0, 2.0), "Move.linear_velocity is a number in SI units, not '0.5'"),
+        (lambda: Move(True, 1.0, 2.0), "Move.linear_velocity is a number in SI units, not True"),
+        (lambda: Turn(1.0, None, 2.0), "Turn.angular_velocity is a number in SI units, not None"),
+        (lambda: Navigate("kitchen", "1", 2.0, 0.0), "Navigate.x is a number"),
+        (lambda: Navigate(5, 1.0, 2.0, 0.0), "Navigate.location is a text, not 5"),
+        (lambda: Navigate("kitchen", 1.0, 2.0, 0.0, None), "Navigate.frame is a text, not None"),
+        (lambda: Pick(None), "Pick.object is a text, not None"),
+        (lambda: Pick(""), "Pick.object is empty"),
+        (lambda: Place(5), "Place.object is a text, not 5"),
+        (lambda: Custom("wave", ["a"]), r"Custom.slots are a dictionary, as \{'person': 'Ada'\}, not \['a'\]"),
+        (lambda: Custom(print), "Custom.name is a text"),
+        (lambda: Custom(""), "Custom.name is empty"),
+    ],
+)
+def test_what_no_action_is_made_of(make, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        make()
+
+
+def test_numbers_of_numpy_are_written_as_others():
+    numpy = pytest.importorskip("numpy")
+    move = Move(numpy.float32(0.5), numpy.float64(1.0), numpy.int64(2))
+    assert from_json(json.dumps(to_json(move))) == move == Move(0.5, 1.0, 2.0)
+
+
+@pytest.mark.parametrize("given", [5, None, [Stop()], Stop, {"type": "stop"}])
+def test_what_is_no_action_is_not_written(given):
+    with pytest.raises(TypeError, match="to_json takes an action, not"):
+        to_json(given)

@@ -71,6 +71,8 @@ CASES: dict[str, Callable[[], object]] = {
         WAVE + "      - 'wave {who}'\n      - 'wave [at {whom}'\n      - 'look [at me'\n"
     ),
     "grammar: a map": _grammar("frame: map\nlocations:\n  kitchen: {x: 5, y: 2.0, yaw: 0.0}\n"),
+    "grammar: waypoints": _grammar("waypoints:\n  kitchen: {pose: [5, 2, 0]}\n"),
+    "grammar: a robot": _grammar("name: rover\nlimits: {linear_velocity: 0.5}\n"),
     "grammar: the same sentence twice": _grammar(
         WAVE + "      - wave\n  greet: {action: {type: custom, name: greet}, sentences: [wave]}\n"
     ),
@@ -80,11 +82,15 @@ CASES: dict[str, Callable[[], object]] = {
     ),
     "map: no number": _map("frame: map\nlocations:\n  kitchen: {x: five, y: 2.0, yaw: 0.0}\n"),
     "map: a grammar": _map("language: en\nintents:\n  wave: {action: custom, sentences: [wave]}\n"),
+    "map: a robot": _map("name: rover\nrates: {rate: 20}\n"),
     "map: said alike": _map(
         "frame: map\nlocations:\n  bay 3: {x: 1, y: 2, yaw: 0}\n  bay three: {x: 1, y: 3, yaw: 0}\n"
     ),
     "robot: misspelt limit": _robot("name: r\nlimits: {linear_velocty: 1.0}\n"),
     "robot: unknown capability": _robot("name: r\ncapabilities: [fly]\n"),
+    "robot: a grammar": _robot(WAVE + "      - wave\n"),
+    "robot: a map": _robot("locations: {kitchen: {x: 5, y: 2.0}}\n"),
+    "robot: no such name": lambda: load_robot("turtlebot"),
     "sound: missing": lambda: FileSource("missing.wav"),
     "sound: empty": _sound("empty.wav", b""),
     "sound: not sound": _sound("notes.wav", b"go forward two meters"),

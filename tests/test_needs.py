@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.needs import MOVING, Needs
+from intent_engine.needs import MOVING, Needs, states_of
 
 states = st.frozensets(st.sampled_from(["docked", "carrying", "on the ramp", MOVING]))
 
@@ -26,3 +27,16 @@ def test_a_guard_asks_the_same_of_the_states_of_its_moment_but_for_moving(requir
     now = state | {MOVING} if moves else state - {MOVING}
     if guard is not None:
         assert guard() == Needs("wave", requires - {MOVING}, excludes - {MOVING}).unmet(now)
+
+
+def test_a_text_is_the_one_state_of_that_name():
+    guard = Needs("wave", excludes=frozenset({"docked"})).guard(lambda: "docked")
+    assert guard is not None
+    assert guard() == "wave cannot be done while the robot is docked"
+    assert set(states_of("docked")) == {"docked"}
+
+
+@pytest.mark.parametrize("wrong", [None, 5, {"docked": False}])
+def test_what_are_no_states(wrong):
+    with pytest.raises(TypeError, match=r"states are names in a list or a set, as \['moving'\], not"):
+        states_of(wrong)

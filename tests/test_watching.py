@@ -237,8 +237,26 @@ def test_parse_takes_up_changes(file):
         while not run.stderr.readline().startswith("reloaded: 3 sentences"):
             pass
         assert ask() == "g2"
+        file.write_text(grammar(3).replace("[alpha]", "[alpha, alpha]"))
+        told = iter(run.stderr.readline, "")
+        assert any(line.startswith("reloaded:") for line in told)
+        assert f"1 warning in grammar {file}: intent-engine check {file} shows it" in next(told)
         run.stdin.close()
         assert run.wait(timeout=30) == 0
+
+
+def test_a_watcher_begins_once_and_ends_once(file):
+    pytest.importorskip("watchfiles")
+    watcher = Watcher(IntentEngine.from_files(file))
+    with watcher:
+        thread = watcher._thread
+        watcher.start()
+        assert watcher._thread is thread
+    watcher.close()
+    with pytest.raises(RuntimeError, match="this watcher is closed"):
+        watcher.start()
+    with pytest.raises(TypeError, match="Watcher takes an IntentEngine, not 'en'"):
+        Watcher("en")
 
 
 def test_watch_is_for_many_sentences(intent_engine, file):

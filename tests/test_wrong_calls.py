@@ -10,6 +10,7 @@ from intent_engine.errors import AudioError, ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.limits import Limits
 from intent_engine.language.locations import LocationMap
+from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.sources.stream import StreamSource
 from intent_engine.testing import sentences
 
@@ -69,6 +70,10 @@ def test_what_no_sentences_are_made_of():
         sentences(engine, noise=["spelling", "filler"])
 
 
+async def asks() -> set[str]:
+    return set()
+
+
 MOVE = Move(0.5, 1.0, 2.0)
 
 
@@ -126,6 +131,7 @@ def test_what_no_executor_is_made_of_is_told(given, says):
         ({"settings": {"wait_complete": 0.2}}, r"settings are Settings\("),
         ({"on_event": "print"}, "on_event is a function that takes an event, not 'print'"),
         ({"state": ["docked"]}, r"state is a function .* not \['docked'\]: lambda: \['docked'\]"),
+        ({"state": asks}, "state is called, and not awaited, but is async"),
         ({"patience": "10 s"}, "patience is a number of s, not '10 s'"),
     ],
 )
@@ -161,3 +167,32 @@ def test_an_engine_of_grammars_takes_a_map_that_is_read(places):
         IntentEngine(grammars, places)
     read = LocationMap.from_mapping({"kitchen": (5.0, 2.0)})
     assert IntentEngine(grammars, read).parse("go to the kitchen").actions
+
+
+@pytest.mark.parametrize("language", [5, ["en"], b"en"])
+def test_a_language_is_a_tag(language):
+    engine = IntentEngine.from_files("en", locations="home")
+    for ask in (engine.parse, engine.prefix, engine.explain, engine.dictated, engine.comes_later):
+        with pytest.raises(TypeError, match="a language is given by its tag, as 'en', not as"):
+            ask("stop", language=language)
+
+
+def test_guards_ask_for_the_states():
+    engine = IntentEngine.from_files("en", locations="home")
+    with pytest.raises(TypeError, match=r"guards takes a function that tells the states, not \['docked'\]: lambda"):
+        engine.parse("turn left").guards(["docked"])
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"wait_complete": "1"}, "wait_complete is a number of s, not '1'"),
+        ({"wait_other": -1.0}, "wait_other must not be below zero"),
+        ({"max_speech": float("nan")}, "max_speech must not be below zero, as nan"),
+        ({"onset": 50}, "onset is a probability, at most 1, not 50"),
+        ({"onset_frames": None}, "onset_frames is a number of frames"),
+    ],
+)
+def test_what_no_endpoint_is_set_to(given, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        Settings(**given)

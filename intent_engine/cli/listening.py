@@ -75,7 +75,7 @@ def run(
                 "    listen to it; if there is speech, it is too quiet or buried in noise"
             )
 
-    with watched(made.engine, telling.watch):
+    with watched(made.engine, hearing.grammar, telling.watch):
         ended = made.play(source, check=somebody_spoke)
     return 0 if ended.summary.accepted and not ended.failed else EXIT_NOT_ACCEPTED
 
@@ -145,7 +145,7 @@ def listen(
         microphone = Microphone(device, on_report=made.report)
         source, name, begin = microphone, f"microphone {microphone.device.name!r}", None
     made.controls = functools.partial(_controls, name, push_to_talk, begin)
-    with watched(made.engine, telling.watch):
+    with watched(made.engine, hearing.grammar, telling.watch):
         made.play(source)
     return 0
 

@@ -49,7 +49,7 @@ def parse(
     tell_doubts(engine, grammar)
     states = known_states(engine, state)
     if text == "-":
-        with watched(engine, watch):
+        with watched(engine, grammar, watch):
             return _parse_lines(engine, states, language, explain)
     if watch:
         hint = "leave it out, or read from there: intent-engine parse --watch -"

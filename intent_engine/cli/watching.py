@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from intent_engine.cli.options import tell_doubts
 from intent_engine.cli.terminal import note
 
 if TYPE_CHECKING:
@@ -20,8 +21,13 @@ Watch = Annotated[bool, typer.Option("--watch", help="Take up changes of the gra
 
 
 @contextlib.contextmanager
-def watched(engine: IntentEngine, wanted: bool = True) -> Iterator[None]:
+def watched(engine: IntentEngine, given: list[str] | None, wanted: bool = True) -> Iterator[None]:
     """Reload the engine when its files change, as long as the block lasts, and say so on standard error.
+
+    Args:
+        engine: that was loaded.
+        given: its grammars as the option named them; None: the shipped one.
+        wanted: whether the option was given.
 
     Raises:
         ConfigError: the ``watchfiles`` package is not installed.
@@ -35,6 +41,7 @@ def watched(engine: IntentEngine, wanted: bool = True) -> Iterator[None]:
         if error is None:
             sentences = sum(len(one.all_sentences) for grammar in engine.grammars for one in grammar.intents.values())
             note(f"reloaded: {sentences} sentences, {len(engine.locations or ())} places")
+            tell_doubts(engine, given)
         else:
             note(f"not reloaded, the old grammar stays in use:\n{error}")
 

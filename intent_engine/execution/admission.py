@@ -11,7 +11,14 @@ from numbers import Real
 from typing import Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.execution.given import check_handler, check_number, named
+from intent_engine.execution.given import (
+    check_awaitless,
+    check_handler,
+    check_number,
+    check_policies,
+    check_robot,
+    named,
+)
 from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
@@ -21,6 +28,9 @@ from intent_engine.execution.runs import Ending, Handler
 __all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
 
 log = logging.getLogger(__name__)
+
+A_DAY = 86_400.0
+"""s; sound that is read faster than it was said may end so much later than now, and not more."""
 
 _NEEDS: dict[type[Any], Capability] = {
     Move: Capability.MOVE,
@@ -66,6 +76,8 @@ def checked(
     """
     if not isinstance(guards, Sequence):
         raise TypeError(f"guards are a list with one for each action, or none at all, not {guards!r:.80}")
+    if not isinstance(keep, str | Sequence):
+        raise TypeError(f"keep is 'distance', 'duration', or a list with one for each action, not {keep!r:.80}")
     keeps = [named(Keep, "keep", each) for each in ([keep] * len(actions) if isinstance(keep, str) else keep)]
     if len(keeps) != len(actions):
         raise ValueError(f"{len(actions)} actions, but {len(keeps)} values of keep")
@@ -74,6 +86,8 @@ def checked(
     for guard in guards:
         if not (guard is None or callable(guard)):
             raise TypeError(f"a guard is called and answers with text, not a {type(guard).__name__}")
+        if guard is not None:
+            check_awaitless("a guard", guard)
     if isinstance(spoken_at, bool) or not isinstance(spoken_at, Real | None):
         hint = f"; a policy is given by its name: policy={spoken_at!r}" if spoken_at in [*Policy] else ""
         raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
@@ -109,23 +123,6 @@ def limits_of(robot: object, given: Limits | None) -> Limits:
     return found
 
 
-def check_robot(robot: object) -> None:
-    """See that a robot has the methods that will be called.
-
-    Raises:
-        TypeError: it has not; names those that are missing.
-    """
-    if isinstance(robot, type):
-        raise TypeError(f"Executor needs a robot, not the class {robot.__name__}: pass an instance of it")
-    needed = ["capabilities", "velocity", "stop", "pose"]
-    able = getattr(robot, "capabilities", ())
-    tasks = [need for need in (Capability.NAVIGATE, Capability.PICK, Capability.PLACE) if need in able]
-    needed += [*(need.value for need in tasks), *(["cancel"] if tasks else [])]
-    missing = [name for name in needed if not hasattr(robot, name)]
-    if missing:
-        raise TypeError(f"Executor needs a robot, and {robot!r:.100} is none: it has no {', '.join(missing)}")
-
-
 class Admission:
     """The rules by which a goal is accepted; it holds no state of what is going on."""
 
@@ -146,6 +143,7 @@ class Admission:
                 raise TypeError(f"{what} are a dictionary by action, as {how}, not {given!r:.80}")
         for name, handler in handlers.items():
             check_handler("handlers", name, handler)
+        check_policies(policies, handlers)
         self.handlers: dict[str, Handler] = dict(handlers)
         self.policies = {name: named(Policy, f"the policy of {name!r}", given) for name, given in policies.items()}
         self.expire_after = expire_after
@@ -171,8 +169,11 @@ class Admission:
     def expired(self, goal: Goal, now: float) -> Ending | None:
         """The words ended too long ago."""
         spoken = goal.times.spoken
-        if spoken is None or now - spoken <= self.expire_after:
+        if spoken is None or -A_DAY <= now - spoken <= self.expire_after:
             return None
+        if now < spoken:  # on another clock, and so nobody knows how old they are
+            why = "spoken_at is on the executor's clock, as executor.clock.now() is"
+            return _no(Reason.EXPIRED, f"the words would end {spoken - now:.0f} s from now: {why}")
         return _no(Reason.EXPIRED, f"the words ended {now - spoken:.1f} s ago; the limit is {self.expire_after:g} s")
 
     def impossible(self, goal: Goal) -> Ending | None:

@@ -34,7 +34,7 @@ from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
 from intent_engine.execution.robots.robot import Robot
-from intent_engine.execution.runs import Handler, VelocityLoop
+from intent_engine.execution.runs import Handler, VelocityLoop, check_waiter
 from intent_engine.execution.snapshot import Snapshot
 
 __all__ = ["Executor", "Policy", "Snapshot"]
@@ -45,7 +45,8 @@ class Executor:
 
     Args:
         robot: what to drive. It is not closed with the executor: who made it closes it.
-        limits: of this robot; None: the robot's own (``robot.limits``), or none but that numbers are numbers.
+        limits: of this robot; None: the robot's own (``robot.limits``, as they are now), or none but that numbers are
+            numbers.
         clock: None: the robot's own, or the machine's.
         handlers: name of a custom action (or a type of action) -> what carries it out; see :meth:`register`.
         journal: is given every event, as :class:`~intent_engine.execution.journal.Journal` is.
@@ -61,7 +62,7 @@ class Executor:
 
     Raises:
         TypeError: the robot lacks methods, or is a class and not an instance; or something else is not what it should.
-        ValueError: a time below zero, or a policy that there is not.
+        ValueError: a time below zero, a policy that there is not, or a robot that another executor drives.
     """
 
     STOP_PATIENCE = 0.005
@@ -87,13 +88,15 @@ class Executor:
         handle_sigterm: bool = True,
     ) -> None:
         check_robot(robot)
+        shutdown.check_free(robot)
         given.check_parts(clock, rates, loop, journal, on_event)
         given.check_number("hold_limit", hold_limit)
         given.check_number("queue_limit", queue_limit, "goals")
         self.robot = robot
-        self.limits: Limits = limits_of(robot, limits)
+        limits = limits_of(robot, limits)
         self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
         self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
+        given.check_clock(self.clock)
         if hasattr(robot, "use_clock"):
             robot.use_clock(self.clock)
         self._lock = threading.RLock()
@@ -102,8 +105,8 @@ class Executor:
         self._ended = threading.Condition(self._lock)
         """A goal has ended."""
         self._gate = Gate(robot)
-        self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, self.limits, self.rates)
-        self._admission = Admission(robot, self.limits, handlers or {}, policies or {}, expire_after)
+        self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, limits, self.rates)
+        self._admission = Admission(robot, limits, handlers or {}, policies or {}, expire_after)
         self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
         if self._stepped is not None and loop is not None:
             raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
@@ -177,7 +180,7 @@ class Executor:
         actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
         taken = given.named(Policy, "policy", policy) if policy is not None else None
-        amends = given.goal_of("amends", amends) if amends is not None else None
+        amends = given.goal_of("amends", amends, self) if amends is not None else None
         if not listed:
             return []
         try:
@@ -259,9 +262,13 @@ class Executor:
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
-        """End one goal (else a TypeError), and what was said with it after it; a motion comes to rest with the robot's
-        deceleration."""
-        goal = given.goal_of("cancel", goal)
+        """End one goal, and what was said with it after it; a motion comes to rest with the robot's deceleration.
+
+        Raises:
+            TypeError: it is no goal.
+            ValueError: it is another executor's.
+        """
+        goal = given.goal_of("cancel", goal, self)
         with self._locked() as now:
             self._conductor.cancel(goal, now)
             self._advance(now)
@@ -296,8 +303,14 @@ class Executor:
 
         Returns:
             False if ``timeout`` s went by first, or, on a virtual clock, if nothing more is due (a pause).
+
+        Raises:
+            RuntimeError: a handler waits without a timeout for its own goal, which ends when the handler does, or for
+                one that waits its turn behind it.
         """
-        listed = None if goals is None else given.goals_of("wait", goals)
+        listed = None if goals is None else given.goals_of("wait", goals, self)
+        given.check_timeout(timeout)
+        check_waiter(listed, timeout)
         deadline = None if timeout is None else self.clock.now() + timeout
         if self._stepped is not None:
             while not self._all_ended(listed):
@@ -317,6 +330,7 @@ class Executor:
 
         :meth:`wait` waits for no listener: one that hangs would hold up whoever waits for the robot.
         """
+        given.check_number("timeout", timeout)
         return self._events.settle(timeout)
 
     def run_until_idle(self) -> bool:
@@ -330,6 +344,11 @@ class Executor:
         """Nothing is being carried out and nothing waits."""
         with self._lock:
             return self._conductor.idle
+
+    @property
+    def limits(self) -> Limits:
+        """Those that it was made with, for good: another limit is another executor's."""
+        return self._admission.limits
 
     @property
     def estopped(self) -> bool:
@@ -370,6 +389,11 @@ class Executor:
         for _ in range(self.rates.zeros):
             self._failsafe.stop_robot()
 
+    def disown(self) -> None:
+        """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
+        self._gate.shut()
+        self._conductor.closed = True
+
     def __enter__(self) -> Executor:
         return self
 
@@ -394,8 +418,12 @@ class Executor:
     def _main(self) -> None:
         with self._lock:
             while not self._conductor.closed:
-                with self._locked() as now:
-                    self._advance(now)
+                try:
+                    with self._locked() as now:
+                        self._advance(now)
+                except BaseException as error:  # a robot's sys.exit(), say: without this thread no goal would end
+                    self._events.tell(EventKind.ERROR, detail=f"{type(error).__name__}: {error}")
+                    self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
                 self.clock.wait_until(self._wake, self._due(self.clock.now()))
 
     def _due(self, now: float) -> float | None:

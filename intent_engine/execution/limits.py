@@ -6,12 +6,13 @@ NaN and infinity are refused by every limit set, the empty one included.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from numbers import Real
 from typing import Any
 
 from intent_engine.actions import Action, Move, Navigate, Turn
+from intent_engine.values import is_number, named
 
 __all__ = ["Checked", "Limits", "OverLimit"]
 
@@ -68,19 +69,32 @@ class Limits:
     """Limit name -> what to do beyond this one, where it differs from ``over``."""
 
     def __post_init__(self) -> None:
-        for name in (*_NAMES, "linear_deceleration", "angular_deceleration"):
+        for name in (*_NAMES, *_OPTIONAL):
             value: Any = getattr(self, name)
-            number = isinstance(value, Real) and not isinstance(value, bool)
-            if value is not None and not number:
+            if value is None and name in _OPTIONAL:
+                continue
+            if not is_number(value):
                 raise TypeError(f"the limit {name} is a number in SI units, not {value!r}")
-            if value is not None and not value > 0:
+            if not value > 0:
                 raise ValueError(f"the limit {name} must be positive, not {value}")
+        # By name a choice reads as well, and compared as a text it would be the other one: to clamp, not to refuse.
+        object.__setattr__(self, "over", named(OverLimit, "over", self.over))
+        if not isinstance(self.over_each, Mapping):
+            raise TypeError(
+                f"over_each is a dictionary by limit, as {{'distance': 'clamp'}}, not {self.over_each!r:.80}"
+            )
+        if unknown := [name for name in self.over_each if name not in _BOUNDS]:
+            raise ValueError(f"over_each is by limit: there is {', '.join(_BOUNDS)}, not {unknown[0]!r:.80}")
+        each = {name: named(OverLimit, f"over_each[{name!r}]", over) for name, over in self.over_each.items()}
+        object.__setattr__(self, "over_each", each)
 
     def check(self, action: Action) -> Checked:
         """What of ``action`` may be done. A velocity that is cut down keeps its distance and takes longer."""
         for name, value in _numbers(action):
             if not math.isfinite(value):
                 return Checked(action, f"{action.type}: {name} is {value}, not a number to drive by", "finite")
+        if wrong := _contradiction(action):
+            return Checked(action, wrong, "duration")
         if isinstance(action, Move):
             return self._move(action)
         if isinstance(action, Turn):
@@ -106,8 +120,9 @@ class Limits:
         if duration > self.duration:
             duration, distance = self.duration, speed * self.duration
         velocity = math.copysign(speed, move.linear_velocity)
-        changed = replace(move, linear_velocity=velocity, distance=distance, duration=duration) if notes else move
-        return Checked(changed, clamped=tuple(notes))
+        if notes or duration != move.duration:
+            move = replace(move, linear_velocity=velocity, distance=distance, duration=duration)
+        return Checked(move, clamped=tuple(notes))
 
     def _turn(self, turn: Turn) -> Checked:
         if turn.angle != 0 and turn.angular_velocity == 0:
@@ -120,14 +135,17 @@ class Limits:
                 return Checked(turn, refused, limit)
         speed, angle = min(speed, self.angular_velocity), min(angle, self.angle)
         duration = angle / speed if speed else 0.0
+        if not notes and math.isclose(duration, turn.duration, rel_tol=1e-9):
+            duration = turn.duration
         refused = self._over("duration", duration, "s", notes)
         if refused:
             return Checked(turn, refused, "duration")
         if duration > self.duration:
             duration, angle = self.duration, speed * self.duration
         sign = math.copysign(1.0, turn.angle)
-        changed = replace(turn, angle=sign * angle, angular_velocity=sign * speed, duration=duration) if notes else turn
-        return Checked(changed, clamped=tuple(notes))
+        if notes or duration != turn.duration:
+            turn = replace(turn, angle=sign * angle, angular_velocity=sign * speed, duration=duration)
+        return Checked(turn, clamped=tuple(notes))
 
     def _over(self, limit: str, value: float, unit: str, notes: list[str]) -> str:
         bound: float = getattr(self, limit)
@@ -151,6 +169,26 @@ _NAMES = (
     "duration",
     "task_duration",
 )
+_OPTIONAL = ("linear_deceleration", "angular_deceleration")
+_BOUNDS = ("linear_velocity", "angular_velocity", "distance", "angle", "duration")
+"""Limits of what is asked for, which can be refused or cut down."""
+AS_ROUNDED = 0.01
+"""Part of its duration, and s, by which an action's may differ from what its other numbers make: JSON is rounded."""
+
+
+def _contradiction(action: Action) -> str:
+    """Why the numbers of a motion cannot all be meant; empty: they can. To keep its duration would drive another way
+    than the one that was looked at."""
+    if isinstance(action, Move):
+        amount, speed, unit = action.distance, abs(action.linear_velocity), "m"
+    elif isinstance(action, Turn):
+        amount, speed, unit = abs(action.angle), abs(action.angular_velocity), "rad"
+    else:
+        return ""
+    takes = amount / speed if speed else action.duration
+    if math.isclose(takes, action.duration, rel_tol=AS_ROUNDED, abs_tol=AS_ROUNDED):
+        return ""
+    return f"{action.type}: {amount:g} {unit} at {speed:g} {unit}/s take {takes:.4g} s, not {action.duration:g} s"
 
 
 def _numbers(action: Any) -> list[tuple[str, float]]:

@@ -9,12 +9,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from numbers import Integral
 from typing import Any, Protocol
 
 from intent_engine.actions import Action, Move, Turn
 from intent_engine.errors import RobotError
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.profile import Profile, brake, for_distance, for_duration
+from intent_engine.values import check_number
 
 __all__ = ["Ended", "Follower", "Keep", "Motion", "Rates", "Travel", "VelocitySink"]
 
@@ -92,6 +94,10 @@ class Rates:
     """How many zeros end a motion; after them the loop is silent, so that other sources can drive."""
 
     def __post_init__(self) -> None:
+        for name, unit in (("rate", "Hz"), ("valid_for", "s"), ("zeros", "zeros")):
+            check_number(name, getattr(self, name), unit)
+        if not isinstance(self.zeros, Integral):
+            raise TypeError(f"zeros is a whole number, not {self.zeros!r}")
         if not (0 < self.rate <= 1000 and self.valid_for > 0 and self.zeros >= 1):
             raise ValueError(f"impossible rates: {self}")
         if self.valid_for <= 1.0 / self.rate:

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import inspect
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine, Generator, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from intent_engine.errors import IntentEngineError
+from intent_engine.errors import IntentEngineError, RobotError
 from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason
 from intent_engine.execution.motion import Ended, Motion, Travel
 from intent_engine.execution.robots.robot import Robot, Task, TaskState
+from intent_engine.values import named
 
 __all__ = [
     "Ending",
@@ -26,7 +27,11 @@ __all__ = [
     "StopRun",
     "TaskRun",
     "VelocityLoop",
+    "check_waiter",
 ]
+
+_at_work = threading.local()
+"""``goal``: the one whose handler this thread carries out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,7 +199,12 @@ class TaskRun:
     def begin(self, now: float) -> None:
         self._deadline = now + self._timeout
         self._look_at = now + self.POLL
-        self._task = self._begin()
+        task = self._begin()
+        if not (hasattr(task, "state") and hasattr(task, "add_done_callback")):
+            raise RobotError(
+                f"{self.goal.action.type}() of a robot returns a Task, by which it is followed, not {task!r:.80}"
+            )
+        self._task = task
         self._task.add_done_callback(self._poke)
 
     def step(self, now: float) -> Ending | None:
@@ -202,7 +212,7 @@ class TaskRun:
         if task is None or self._suspended:
             return None
         self._look_at = now + self.POLL
-        state = task.state
+        state = named(TaskState, "the state of a task", task.state)
         if state is TaskState.RUNNING:
             if now < self._deadline:
                 return None
@@ -295,15 +305,17 @@ class HandlerRun:
     def _work(self) -> None:
         if self._context.cancelled.is_set():
             return
+        before, _at_work.goal = getattr(_at_work, "goal", None), self.goal
         try:
             result = self._handler(*([self.goal.action, self._context][: _arguments(self._handler)]))
-            self._ending = Ending(GoalState.SUCCEEDED, detail=result if isinstance(result, str) else "")
+            self._ending = _after(result)
         except BaseException as error:  # a handler that calls sys.exit() ends its goal, too
             text = str(error) if isinstance(error, IntentEngineError) else f"{type(error).__name__}: {error}"
             self._ending = Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, text)
             if isinstance(error, KeyboardInterrupt):
                 raise
         finally:
+            _at_work.goal = before
             self._poke()
 
     def step(self, now: float) -> Ending | None:
@@ -358,6 +370,34 @@ class StopRun:
 
     def feedback(self, now: float) -> Feedback:
         return Feedback(None, None)
+
+
+def check_waiter(goals: Sequence[Goal] | None, timeout: float | None) -> None:
+    """See that a handler does not wait for ever: for its own goal, which ends when the handler does, or one behind it.
+
+    Args:
+        goals: what is waited for; None: everything.
+        timeout: s; None: there is none.
+
+    Raises:
+        RuntimeError: it does.
+    """
+    own: Goal | None = getattr(_at_work, "goal", None)
+    if own is None or own.done or timeout is not None:
+        return
+    if goals is None or any(goal is own or goal.state is GoalState.ACCEPTED for goal in goals):
+        hint = "return first, submit in its place (policy='replace'), or give a timeout"
+        raise RuntimeError(f"the handler of {own!r} would wait for its own end: {hint}")
+
+
+def _after(result: object) -> Ending:
+    """How a handler ended that returned."""
+    if not (inspect.isawaitable(result) or inspect.isgenerator(result)):
+        return Ending(GoalState.SUCCEEDED, detail=result if isinstance(result, str) else "")
+    if isinstance(result, Coroutine | Generator):
+        result.close()
+    why = "the handler returned what has to be awaited, and nobody does: it is done when it returns"
+    return Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, why)
 
 
 def _arguments(handler: Handler) -> int:

@@ -9,20 +9,33 @@ import signal
 import threading
 import weakref
 from types import FrameType
-from typing import Protocol
+from typing import Any, Protocol
 
-__all__ = ["register", "unregister"]
+__all__ = ["check_free", "register", "unregister"]
 
 log = logging.getLogger(__name__)
 
 
 class _Closable(Protocol):
+    robot: Any
+
     def close(self) -> None: ...
+    def disown(self) -> None: ...
     def last_zeros(self) -> None: ...
 
 
 # The end of a process is the process's own: one list for all executors in it.
 _open: weakref.WeakSet[_Closable] = weakref.WeakSet()
+
+
+def check_free(robot: object) -> None:
+    """See that no executor of this process drives a robot: a stop of one would not end what the other does.
+
+    Raises:
+        ValueError: one does.
+    """
+    if any(executor.robot is robot for executor in list(_open)):
+        raise ValueError("another executor drives this robot: share that one, or close() it first")
 
 
 def register(executor: _Closable, sigterm: bool) -> None:
@@ -40,8 +53,16 @@ def unregister(executor: _Closable) -> None:
     _open.discard(executor)
 
 
-# A child that was forked has the parent's objects and not its robot: its end must not stop what the parent drives.
-os.register_at_fork(after_in_child=_open.clear)
+def _forked() -> None:
+    """A child that was forked has the parent's objects, and neither its threads nor its robot: what is submitted there
+    would begin and never end, and its end must not stop what the parent drives."""
+    for executor in list(_open):
+        executor.disown()
+    _open.clear()
+
+
+if hasattr(os, "register_at_fork"):  # Windows cannot fork
+    os.register_at_fork(after_in_child=_forked)
 
 
 @atexit.register

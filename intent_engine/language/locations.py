@@ -16,6 +16,7 @@ from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
+from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.several_names import on_several_lines
 from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, YamlSource, parse_yaml, read_yaml
@@ -203,8 +204,8 @@ def _draft(source: YamlSource) -> Draft:
     if source.data is None:
         empty = Problem("is empty", source.file, hint="the shortest map: 'locations: {kitchen: {x: 5.0, y: 2.0}}'")
         return Draft(problems=[empty if problem.message == "is empty" else problem for problem in source.problems])
-    if isinstance(source.data, dict) and "intents" in source.data and "locations" not in source.data:
-        return Draft(problems=[Problem("is a grammar, not a map", source.file, hint="give it as grammar")])
+    if (kind := given_for("map", source.data, source.file)) is not None:
+        return Draft(problems=[kind])
     if isinstance(source.data, dict) and (other := _other_form(source)) is not None:
         return Draft(problems=[*source.problems, other])
     source.problems.extend(schema_problems(source, _schema()))

@@ -6,10 +6,11 @@ sentence that nothing can follow is over in the first silence; one that could go
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from enum import StrEnum
 
 from intent_engine.speech.audio import FRAME_SECONDS
+from intent_engine.values import check_number
 
 __all__ = ["Endpointer", "Outlook", "Settings", "Signal"]
 
@@ -89,6 +90,16 @@ class Settings:
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
     """An utterance longer than any command is ended."""
+
+    def __post_init__(self) -> None:
+        for one in fields(self):
+            value = getattr(self, one.name)
+            if one.name in ("onset", "offset", "fading"):
+                check_number(one.name, value, "probability")
+                if value > 1:
+                    raise ValueError(f"{one.name} is a probability, at most 1, not {value}")
+            else:
+                check_number(one.name, value, "frames" if one.name == "onset_frames" else "s")
 
     def wait(self, outlook: Outlook, asked: float | None = None) -> float:
         """Silence after which an utterance with this outlook is over.

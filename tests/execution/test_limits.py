@@ -82,3 +82,47 @@ def test_other_actions_are_not_the_business_of_limits():
 def test_a_limit_is_a_positive_number(value):
     with pytest.raises(ValueError, match="linear_velocity"):
         Limits(linear_velocity=value)
+
+
+@pytest.mark.parametrize("name", ["refuse", OverLimit.REFUSE])
+def test_what_happens_beyond_a_limit_may_be_named(name):
+    fast = Move(1.0, 0.5, 0.5)
+    assert Limits(linear_velocity=0.5, over=name).check(fast).refused
+    assert Limits(linear_velocity=0.5, over="clamp", over_each={"linear_velocity": name}).check(fast).refused
+    assert Limits(linear_velocity=0.5, over="clamp").check(fast).clamped
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"over": "refuze"}, "over is one of 'refuse', 'clamp', not 'refuze'"),
+        ({"over": None}, "over is one of"),
+        ({"over_each": {"distance": "clmap"}}, r"over_each\['distance'\] is one of 'refuse', 'clamp', not 'clmap'"),
+        ({"over_each": {"distnace": "clamp"}}, "over_each is by limit: there is .*, distance, .*, not 'distnace'"),
+        ({"over_each": "clamp"}, "over_each is a dictionary by limit"),
+        ({"linear_velocity": None}, "the limit linear_velocity is a number in SI units, not None"),
+    ],
+)
+def test_what_cannot_happen_beyond_a_limit(given, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        Limits(**given)
+
+
+@pytest.mark.parametrize(
+    ("action", "says"),
+    [
+        (Move(0.5, 1.0, 100.0), "move: 1 m at 0.5 m/s take 2 s, not 100 s"),  # 50 m, if its duration were kept
+        (Move(0.5, 1.0, 0.0), "move: 1 m at 0.5 m/s take 2 s, not 0 s"),
+        (Turn(-1.0, -0.5, 20.0), "turn: 1 rad at 0.5 rad/s take 2 s, not 20 s"),
+    ],
+)
+def test_numbers_that_cannot_all_be_meant(action, says):
+    for limits in (Limits(), LIMITS, Limits(over="clamp")):
+        assert limits.check(action).refused == says
+
+
+@pytest.mark.parametrize(("asked", "done"), [(Move(0.3, 1.0, 3.33), 3.3333), (Turn(1.0, 0.3, 3.33), 3.3333)])
+def test_a_duration_that_was_rounded_is_reckoned_again(asked, done):
+    checked = Limits().check(asked)
+    assert not checked.refused
+    assert checked.action.duration == pytest.approx(done, abs=1e-4)  # type: ignore[union-attr]

@@ -18,6 +18,12 @@ from intent_engine.execution.robots.robot_file import load_robot
 ROBOTS = sorted((Path(__file__).resolve().parents[2] / "robots").glob("*.yaml"))
 
 
+def test_a_shipped_robot_is_known_by_its_name():
+    assert load_robot("turtlebot3").limits == load_robot(next(p for p in ROBOTS if p.stem == "turtlebot3")).limits
+    with pytest.raises(TypeError, match="a robot file is given by path or name, not as NoneType"):
+        load_robot(None)
+
+
 @pytest.mark.parametrize("path", ROBOTS, ids=lambda path: path.stem)
 def test_every_shipped_robot_drives(path):
     file = load_robot(path)

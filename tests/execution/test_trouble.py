@@ -309,6 +309,8 @@ from intent_engine.execution.robots.jsonl import JsonLinesRobot
 executor = Executor(JsonLinesRobot(1))
 (goal,) = executor.submit(Move(0.5, 0.1, 0.2))
 if os.fork() == 0:
+    (mine,) = executor.submit(Move(0.25, 0.1, 0.4))
+    print(mine.result(30).reason, file=sys.stderr)
     sys.exit(0)
 os.wait()
 print(goal.result(30).state, file=sys.stderr)
@@ -316,9 +318,10 @@ print(goal.result(30).state, file=sys.stderr)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
-def test_the_end_of_a_forked_child_stops_nothing():
+def test_a_forked_child_drives_nothing_and_its_end_stops_nothing():
     done = subprocess.run([sys.executable, "-c", FORKING], capture_output=True, text=True, timeout=60)
-    assert done.stderr.splitlines()[-1] == "succeeded"
+    assert done.stderr.splitlines()[-2:] == ["closed", "succeeded"]
+    assert '"linear": 0.25' not in done.stdout
     lines = done.stdout.splitlines()
     driven = max(index for index, line in enumerate(lines) if '"linear": 0.5' in line)
     assert not [line for line in lines[:driven] if "stop" in line]

@@ -53,6 +53,11 @@ def test_what_a_state_forbids_is_not_done(engine, said, docked, names):
     assert done(engine, said, state=lambda: ["docked"] if docked else []) == names
 
 
+def test_a_text_is_the_one_state_of_that_name(engine):
+    assert done(engine, "wave", state=lambda: "docked") == []
+    assert done(engine, "let us leave", state=lambda: "docked") == ["undock"]
+
+
 def test_without_a_program_that_tells_it_is_in_none(engine):
     assert done(engine, "wave") == ["wave"]
     assert done(engine, "let us leave") == []

@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
-from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
@@ -17,6 +16,7 @@ from intent_engine.execution.limits import Limits, OverLimit
 from intent_engine.execution.motion import Rates
 from intent_engine.execution.robots.robot import Capability, Pose
 from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.resources import find
 
 __all__ = ["Footprint", "RobotFile", "load_robot", "robot_schema"]
 
@@ -108,18 +108,24 @@ def robot_schema() -> dict[str, Any]:
 
 
 def load_robot(path: str | os.PathLike[str]) -> RobotFile:
-    """Read and check a robot file.
+    """Read and check a robot file: a path, or the name of one that comes with the engine (``"turtlebot3"``).
 
     Raises:
         ConfigError: with every problem in it, each with file, line and column.
+        TypeError: neither a path nor a name was given.
     """
+    if not isinstance(path, str | os.PathLike):
+        raise TypeError(f"a robot file is given by path or name, not as {type(path).__name__}")
     # Reading YAML with the place of each value is the language room's; a program that drives without files needs none.
+    from intent_engine.language.loading.file_kind import given_for
     from intent_engine.language.loading.schema_problems import schema_problems
     from intent_engine.language.loading.yaml_source import read_yaml
 
-    source = read_yaml(Path(path), shortest="the shortest robot file: {name: rover}")
+    source = read_yaml(find("robots", os.fspath(path)), shortest="the shortest robot file: {name: rover}")
     if source.problems:
         raise ConfigError(source.problems)
+    if (other := given_for("robot file", source.data, source.file)) is not None:
+        raise ConfigError(other)
     problems = schema_problems(source, robot_schema())
     if problems:
         raise ConfigError(problems)

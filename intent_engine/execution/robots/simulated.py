@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
+from intent_engine.execution.given import capabilities_of, check_clock, check_number, check_pose
 from intent_engine.execution.robots.kinematics import drive
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
 from intent_engine.execution.robots.simulated_hand import SimulatedHand
@@ -65,10 +66,27 @@ class SimulatedRobot:
         hand_time: float = 2.0,
         reach: float = 1.0,
     ) -> None:
+        check_clock(clock)
+        check_pose("start", start)
+        for name, places in (("locations", locations), ("objects", objects)):
+            if places is not None and not isinstance(places, Mapping):
+                raise TypeError(f"{name} are a dictionary by name, not {places!r:.80}")
+        for name, where in (locations or {}).items():
+            check_pose(f"the location {name!r}", where)
+        for name, value, unit in (
+            ("acceleration", acceleration, "m/s^2"),
+            ("angular_acceleration", angular_acceleration, "rad/s^2"),
+            ("navigation_speed", navigation_speed, "m/s"),
+            ("navigation_turn", navigation_turn, "rad/s"),
+        ):
+            check_number(name, value, unit, positive=True)
+        for name, value, unit in (("slip", slip, "1"), ("delay", delay, "s"), ("hand_time", hand_time, "s")):
+            check_number(name, value, unit)
+        check_number("reach", reach, "m")
         self.locations = dict(locations or {})
         self._hand = SimulatedHand(self.locations, objects, reach)
         self.start = start
-        self._capabilities = frozenset(capabilities)
+        self._capabilities = capabilities_of(capabilities)
         self._acceleration = (acceleration, angular_acceleration)
         self._slip, self._delay, self._random = slip, delay, random.Random(seed)
         self._navigation_speed, self._navigation_turn = navigation_speed, navigation_turn

@@ -66,6 +66,9 @@ class SimulatedHand:
     def _where(self, name: str, where: str | Pose | None) -> Pose | None:
         if where is None or isinstance(where, Pose):
             return where
+        if not isinstance(where, str):
+            kinds = "the name of a location, a Pose, or None for at hand"
+            raise TypeError(f"where {name!r} is, is {kinds}, not {where!r:.80}")
         if where not in self._locations:
             raise RobotError(f"{name!r} is said to be at {where!r}, which is not on the simulated robot's map")
         return self._locations[where]

@@ -14,6 +14,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.as_written import as_written, texts_in
 from intent_engine.language.grammar import Grammar, Intent, Operators, Place, Slot
 from intent_engine.language.loading.contracted import with_contractions
+from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
@@ -151,8 +152,8 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
         if resolved in done:
             return
         source = read_yaml(path)
-        if isinstance(source.data, dict) and "locations" in source.data and "intents" not in source.data:
-            source.problems.append(Problem("is a map, not a grammar", source.file, hint="give it as locations"))
+        if (other := given_for("grammar", source.data, source.file)) is not None:
+            source.problems.append(other)
             source.data = None
         if source.data is not None:
             source.problems.extend(schema_problems(source, schema()))

@@ -1,0 +1,32 @@
+"""What kind of file was given in the place of another: a grammar, a map and a robot file are all YAML."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from intent_engine.errors import Problem
+
+__all__ = ["given_for"]
+
+_MARKS = {
+    "grammar": (frozenset({"intents"}), "give it as grammar"),
+    "map": (frozenset({"locations", "waypoints"}), "give it as locations"),
+    "robot file": (frozenset({"limits", "rates", "capabilities", "simulation", "footprint"}), "give it as robot"),
+}
+"""Kind -> keys that no other kind has, and where such a file belongs."""
+
+
+def given_for(kind: str, data: Any, file: str) -> Problem | None:
+    """The problem of a file that is of another kind; None: it has a key of its own, or of none.
+
+    Args:
+        kind: what it was given as: ``grammar``, ``map`` or ``robot file``.
+        data: what stands in it.
+        file: its name.
+    """
+    if not isinstance(data, dict) or not _MARKS[kind][0].isdisjoint(data):
+        return None
+    for other, (marks, hint) in _MARKS.items():
+        if not marks.isdisjoint(data):
+            return Problem(f"is a {other}, not a {kind}", file, hint=hint)
+    return None
