@@ -20,10 +20,11 @@ from intent_engine.execution.given import (
     named,
 )
 from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
+from intent_engine.execution.handlers import Handler
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
 from intent_engine.execution.robots.robot import Capability, Robot
-from intent_engine.execution.runs import Ending, Handler
+from intent_engine.execution.runs import Ending
 
 __all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
 

@@ -8,9 +8,10 @@ from typing import Any
 from intent_engine.actions import Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.execution.admission import Admission
 from intent_engine.execution.goal import Goal
+from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.motion import Keep, Motion, Travel
 from intent_engine.execution.robots.robot import Pose, Robot
-from intent_engine.execution.runs import HandlerRun, MotionRun, Run, StopRun, TaskRun, VelocityLoop
+from intent_engine.execution.runs import MotionRun, Run, StopRun, TaskRun, VelocityLoop
 
 __all__ = ["Carriers"]
 

@@ -18,8 +18,9 @@ from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe, reason_of
 from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
+from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.motion import Motion, Travel
-from intent_engine.execution.runs import Ending, HandlerRun, MotionRun, Run, VelocityLoop
+from intent_engine.execution.runs import Ending, MotionRun, Run, VelocityLoop
 
 __all__ = ["Conductor"]
 

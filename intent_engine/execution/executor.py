@@ -31,10 +31,11 @@ from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
+from intent_engine.execution.handlers import Handler, check_waiter
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
 from intent_engine.execution.robots.robot import Robot
-from intent_engine.execution.runs import Handler, VelocityLoop, check_waiter
+from intent_engine.execution.runs import VelocityLoop
 from intent_engine.execution.snapshot import Snapshot
 
 __all__ = ["Executor", "Policy", "Snapshot"]

@@ -34,7 +34,7 @@ from intent_engine.ros2.robot_states import in_one_line, state_names
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
-    from intent_engine.execution.runs import HandlerContext
+    from intent_engine.execution.handlers import HandlerContext
     from intent_engine.runtime import Heard
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.recognizer import Recognizer, Transcript
