@@ -20,15 +20,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.speech.acoustic.decoder_graphs import (
-    EMBEDDINGS,
-    DecoderShape,
-    Variables,
-    as_bytes,
-    listening,
-    stepping,
-    telling,
-)
+from intent_engine.speech.acoustic.decoder_graphs import EMBEDDINGS, DecoderShape, listening, stepping, telling
+from intent_engine.speech.acoustic.graph_writer import Variables, as_bytes
 from intent_engine.speech.acoustic.moonshine_graphs import MoonshineGraph, looking
 from intent_engine.speech.acoustic.onnx_sessions import onnx_runtime
 
@@ -50,12 +43,13 @@ PLACE = "/model/decoder/"
 """How the names of nodes begin."""
 
 
-def unfold(encoder: Path, decoder: Path, target: Path) -> None:
+def unfold(encoder: Path, decoder: Path, target: Path, *, blocks: bool = False) -> None:
     """Write the graphs into a folder, whole or not at all.
 
     Args:
         encoder, decoder: as published, in ONNX Runtime's own format.
         target: the folder; it must not be there.
+        blocks: whether the decoder multiplies by blocks.
 
     Raises:
         OSError: there is no room.
@@ -84,7 +78,7 @@ def unfold(encoder: Path, decoder: Path, target: Path) -> None:
             parts = [variables[f"layers.{layer}/self_attn/{one}_proj/weight"] for one in "qkv"]
             variables[f"{looking(layer)}/weight"] = np.concatenate(parts)
         for name, write in ((LISTENING, listening), (STEPPING, stepping), (TELLING, telling)):
-            (work / name).write_bytes(write(MoonshineGraph(variables, shape)))
+            (work / name).write_bytes(write(MoonshineGraph(variables, shape, blocks=blocks)))
         small, scales = as_bytes(variables[f"{EMBEDDINGS}/weight"])
         np.save(work / PIECES, small)
         np.save(work / SCALES, scales)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from intent_engine.errors import WeightsError
+from intent_engine.speech.acoustic.block_products import blocks_are_quick
 from intent_engine.speech.weights import MOONSHINE, Packaged, cache_folder, check_digest, folder_of, sha256
 
 __all__ = ["MOONSHINE", "MoonshineFiles", "find_moonshine", "find_moonshine_files", "is_moonshine", "moonshine_package"]
@@ -22,7 +23,7 @@ DIGESTS = {
     TOKENIZER: "04670d78994d030185c3dd843c60591788fed0a56cc6750747bd326825f13ca9",
 }
 """sha256 of the published files of moonshine-base."""
-MADE = "4"
+MADE, MADE_BY_BLOCKS = "5", "5b"
 """Of the way in which the graphs are made ready: another way is another folder."""
 
 
@@ -85,7 +86,8 @@ def find_moonshine_files(model: str = MOONSHINE) -> Path:
 
 def _ready(model: str, folder: Path, tell: Callable[[str], object] | None) -> Path:
     key = DIGESTS[DECODER] if model == MOONSHINE else sha256(folder / DECODER)
-    graphs = cache_folder() / "models" / f"moonshine-{key[:12]}-{MADE}"
+    blocks = blocks_are_quick()
+    graphs = cache_folder() / "models" / f"moonshine-{key[:12]}-{MADE_BY_BLOCKS if blocks else MADE}"
     if graphs.is_dir():
         return graphs
     if tell is not None:
@@ -93,7 +95,7 @@ def _ready(model: str, folder: Path, tell: Callable[[str], object] | None) -> Pa
     try:
         from intent_engine.speech.acoustic.moonshine_unfold import unfold
 
-        unfold(folder / ENCODER, folder / DECODER, graphs)
+        unfold(folder / ENCODER, folder / DECODER, graphs, blocks=blocks)
     except ImportError as error:
         raise WeightsError(f"model {model} needs the package {error.name}\n    pip install '{INSTALL}'") from None
     except OSError as error:

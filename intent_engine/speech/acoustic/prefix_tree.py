@@ -13,7 +13,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.speech.acoustic.decoder_graphs import as_bytes
+from intent_engine.speech.acoustic.graph_writer import as_bytes
 from intent_engine.speech.recognizer import Encoded
 
 __all__ = ["Beginning", "Decoder", "PrefixTree", "RecentTrees"]

@@ -10,8 +10,10 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from intent_engine.speech.acoustic.block_products import blocks_are_quick
 from intent_engine.speech.acoustic.ctranslate2_file import read_variables
-from intent_engine.speech.acoustic.decoder_graphs import EMBEDDINGS, as_bytes, listening, stepping, telling
+from intent_engine.speech.acoustic.decoder_graphs import EMBEDDINGS, listening, stepping, telling
+from intent_engine.speech.acoustic.graph_writer import as_bytes
 from intent_engine.speech.acoustic.onnx_sessions import load_graph
 from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.acoustic.whisper_graphs import WhisperGraph, whisper_shape
@@ -43,8 +45,9 @@ class WhisperDecoder:
         """Pieces that are not written: noises and signs."""
         self.never_first: npt.NDArray[np.int64] = np.array(config.get("suppress_ids_begin", []), np.int64)
         """Pieces that are not written at the beginning."""
+        blocks = blocks_are_quick()
         self.listening, self.stepping, self.telling = (
-            load_graph(write(WhisperGraph(variables, shape))) for write in (listening, stepping, telling)
+            load_graph(write(WhisperGraph(variables, shape, blocks=blocks))) for write in (listening, stepping, telling)
         )
 
     def able(self, chances: _Floats, *, first: bool) -> _Floats:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from intent_engine.speech.acoustic.decoder_graphs import DecoderGraph, DecoderShape, Variables
+from intent_engine.speech.acoustic.decoder_graphs import DecoderGraph, DecoderShape
+from intent_engine.speech.acoustic.graph_writer import Variables
 
 __all__ = ["WhisperGraph", "whisper_shape"]
 
