@@ -111,7 +111,12 @@ def evaluate(
     ] = None,
     snr: Annotated[
         str | None,
-        typer.Option("--snr", help="Signal to noise in dB, several with commas.", show_default=DEFAULT_SNRS),
+        typer.Option(
+            "--snr",
+            callback=filled,
+            help="Signal to noise in dB, several with commas.",
+            show_default=DEFAULT_SNRS,
+        ),
     ] = None,
     no_clean: Annotated[
         bool, typer.Option("--no-clean", help="Hear the recordings in noise alone, not as they are.")

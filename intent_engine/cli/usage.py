@@ -36,6 +36,9 @@ def usage_problem(error: Any, verb: str = "", example: str = "") -> Problem | No
     if kind == "NoSuchOption":
         message = f"there is no option {error.option_name}"
         hints = [_meant(error.option_name, context)]
+    elif message == "Missing command":
+        message = "the verb is missing"
+        hints = [f"there is {', '.join(context.command.list_commands(context))}"] if context is not None else []
     elif kind == "BadOptionUsage":
         value = "takes no value" if "not take" in message else "needs a value"
         message = f"{error.option_name} {value}"
