@@ -12,6 +12,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.loading.grammar_file import load_grammars
 from intent_engine.language.loading.grammar_parts import plain_phrase
+from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.nearest import Nearest
@@ -129,6 +130,9 @@ class EngineFiles:
                 places = load(self.locations)
             except ConfigError as error:
                 problems.extend(error.problems)
+        for words in self.wake:
+            wrong = (wake_that_stops(words, grammar.operators) for grammar in grammars)
+            problems.extend(Problem(message, hint=hint) for message, hint in dict.fromkeys(filter(None, wrong)))
         if problems:
             raise ConfigError(problems)
         if self.wake:

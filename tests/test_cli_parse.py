@@ -168,3 +168,35 @@ def test_of_several_files_that_are_one_grammar_it_is_told_once(intent_engine, tm
     assert done.stderr == (
         "2 warnings in grammars one.yaml and two.yaml: intent-engine check --together one.yaml two.yaml shows them\n"
     )
+
+
+def test_the_mark_before_utf_8_is_not_said(intent_engine):
+    done = intent_engine("parse", "-", stdin="\N{BOM}stop\n\N{BOM}stop\n".encode())
+    assert [json.loads(line)["text"] for line in done.stdout.splitlines()] == ["stop", "\N{BOM}stop"]
+
+
+def test_sentences_in_another_encoding_are_told_of(intent_engine):
+    done = intent_engine("parse", "-", stdin="stop\ngeh zur Küche\nzur Tür\n".encode("latin-1"))
+    assert len(done.stdout.splitlines()) == 3
+    assert done.stderr == "line 2 of standard input is not UTF-8 text: save the sentences as UTF-8\n"
+
+
+def test_a_long_line_is_cut_within_no_character(intent_engine):
+    done = intent_engine("parse", "-", stdin=b"a" + "ü".encode() * 50_000 + b"\n")
+    assert done.returncode == 7
+    assert "UTF-8" not in done.stderr
+
+
+def test_no_sentence_at_all_is_no_success(intent_engine):
+    done = intent_engine("parse", "-", stdin=b"")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "standard input is empty: no sentence was given\n"
+
+
+def test_the_name_of_a_file_is_no_sentence(intent_engine, tmp_path):
+    path = tmp_path / "my sentences.txt"
+    path.write_text("stop\n", "utf-8")
+    done = intent_engine("parse", path)
+    assert done.returncode == 1
+    assert done.stdout.startswith("rejected: ")
+    assert f"{path} is a file; for the sentences in it, one a line: intent-engine parse - < '{path}'" in done.stderr

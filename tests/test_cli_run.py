@@ -162,3 +162,11 @@ def test_states_that_the_robot_is_in(intent_engine, tmp_path, go_forward):
     assert "go cannot be done while the robot is docked" in docked.stdout
     assert "doing" not in docked.stdout
     assert "did you mean 'docked'?" in intent_engine(*options, "dokced", tmp_path / "speech.wav").stderr
+
+
+def test_the_form_of_raw_samples_changes_no_recording_that_has_a_header(intent_engine, tmp_path, go_forward):
+    path = tmp_path / "speech.wav"
+    soundfile.write(path, go_forward, RATE)
+    done = intent_engine("run", path, "--rate", 8_000)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stderr.startswith(f"--rate, --format and --channels are of raw samples; {path} says how its own lie")

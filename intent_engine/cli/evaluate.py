@@ -13,8 +13,18 @@ import typer
 
 from intent_engine.cli.guard import EXIT_INTERRUPTED, EXIT_NOT_ACCEPTED, EXIT_TERMINATED, Terminated, verb
 from intent_engine.cli.listening_options import NoNoiseFilter, NoReflex, SecondModel, Wait, waits
-from intent_engine.cli.options import Grammars, Json, Language, Locations, Robots, States, known_states, load_engine
-from intent_engine.cli.outputs import check_file, check_picture
+from intent_engine.cli.options import (
+    Grammars,
+    Json,
+    Language,
+    Locations,
+    Robots,
+    States,
+    filled,
+    known_states,
+    load_engine,
+)
+from intent_engine.cli.outputs import check_apart, check_file, check_picture
 from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.pauses import avoid_pauses
@@ -83,6 +93,7 @@ def evaluate(
         typer.Option(
             "--model",
             "-m",
+            callback=filled,
             help="Whisper model, a name or a folder; may be repeated.",
             show_default="tiny.en; base for other languages",
         ),
@@ -100,7 +111,12 @@ def evaluate(
     ] = None,
     snr: Annotated[
         str | None,
-        typer.Option("--snr", help="Signal to noise in dB, several with commas.", show_default=DEFAULT_SNRS),
+        typer.Option(
+            "--snr",
+            callback=filled,
+            help="Signal to noise in dB, several with commas.",
+            show_default=DEFAULT_SNRS,
+        ),
     ] = None,
     no_clean: Annotated[
         bool, typer.Option("--no-clean", help="Hear the recordings in noise alone, not as they are.")
@@ -148,10 +164,13 @@ def evaluate(
         check_file(csv, "--csv")
     if plot is not None:
         check_picture(plot, "--plot", "evaluate")
+    robot_file = find("robots", robot)
     engine = load_engine(grammar, locations, language)
     states = known_states(engine, state)
     labels = find_labels(folder)
     rows = evenly(read_labels(labels, engine), limit)
+    files = [robot_file, labels, *engine.files, *(row.audio for row in rows), *(noise or ())]
+    check_apart({"--csv": csv, "--plot": plot}, files)
     check(rows, labels)
     trial = Trial(Noise.read(noise) if noise else None, snrs, clean=not no_clean)
     models = model or [usual_model(engine.languages, language)]
@@ -161,7 +180,7 @@ def evaluate(
             for name, recognizer in _recognizers(engine, models, second_model, language, free):
                 with contextlib.closing(recognizer):
                     reflex = None if no_reflex else _reflex(engine, language, recognizer)
-                    listener = _listener(engine, recognizer, robot, settings, reflex, not no_noise_filter, states)
+                    listener = _listener(engine, recognizer, robot_file, settings, reflex, not no_noise_filter, states)
                     avoid_pauses()
                     for found in trial.hear(rows, listener, name):
                         run.outcomes += found
@@ -243,7 +262,7 @@ def _reflex(engine: IntentEngine, language: str | None, beside: Recognizer) -> R
 def _listener(
     engine: IntentEngine,
     recognizer: Recognizer,
-    robot: str,
+    robot_file: Path,
     settings: Settings,
     reflex: Reflex | None,
     noise_filter: bool,
@@ -255,7 +274,7 @@ def _listener(
     return Listener(
         engine,
         recognizer,
-        load_robot(find("robots", robot)),
+        load_robot(robot_file),
         settings=settings,
         reflex=reflex,
         noise_filter="auto" if noise_filter else None,

@@ -15,6 +15,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, robot_verb
 from intent_engine.cli.listening_options import Hearing, RawSamples, Telling, session
 from intent_engine.cli.option_groups import grouped
+from intent_engine.cli.options import filled
 from intent_engine.cli.terminal import json_line, note, table
 from intent_engine.cli.watching import watched
 from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
@@ -64,8 +65,10 @@ def run(
         source, name = _pcm("-", form, realtime=realtime), "standard input"
     else:
         raw = form if samples.given and is_headerless(file) else None
+        if samples.given and raw is None:
+            note(f"--rate, --format and --channels are of raw samples; {file} says how its own lie in it")
         source, name = FileSource(file, realtime=realtime, form=raw), str(file)
-    made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock())
+    made = session(hearing, telling, MonotonicClock() if realtime else VirtualClock(), sound=file)
 
     def somebody_spoke(summary: Summary) -> None:
         if summary.utterances == 0 and not summary.errors:
@@ -85,7 +88,10 @@ def run(
 def listen(
     *,
     device: Annotated[
-        str | None, typer.Option(help="Microphone: its number, name, or a part of the name.", show_default="default")
+        str | None,
+        typer.Option(
+            callback=filled, help="Microphone: its number, name, or a part of the name.", show_default="default"
+        ),
     ] = None,
     list_devices: Annotated[bool, typer.Option("--list-devices", help="List the microphones and exit.")] = False,
     push_to_talk: Annotated[
@@ -132,8 +138,8 @@ def listen(
         raise ConfigError(
             Problem("only a simulated robot has a way to draw", hint="leave out --plot, --map and --live")
         )
-    made = session(hearing, telling, MonotonicClock())
-    made.drive, made.in_process = drive, in_process
+    made = session(hearing, telling, MonotonicClock(), sound=pcm, drive=drive)
+    made.in_process = in_process
     source: AudioSource
     begin: Callable[[], object] | None
     if pcm is not None:

@@ -17,11 +17,12 @@ from intent_engine.cli.options import (
     Locations,
     Robots,
     States,
+    filled,
     known_states,
     load_engine,
     tell_doubts,
 )
-from intent_engine.cli.outputs import check_picture
+from intent_engine.cli.outputs import check_apart, check_file, check_picture
 from intent_engine.cli.watching import Watch
 from intent_engine.errors import AudioError, ConfigError, Problem
 from intent_engine.hints import did_you_mean
@@ -41,6 +42,7 @@ Model = Annotated[
     typer.Option(
         "--model",
         "-m",
+        callback=filled,
         help="Whisper model: a name (tiny.en, base, ...) or a folder.",
         show_default="tiny.en; base for other languages",
     ),
@@ -48,6 +50,7 @@ Model = Annotated[
 SecondModel = Annotated[
     str | None,
     typer.Option(
+        callback=filled,
         help="Another model for what the first is not sure of: a name, a folder, or none.",
         show_default="moonshine-base or base, if installed",
     ),
@@ -161,8 +164,17 @@ class Telling:
     watch: Watch = False
 
 
-def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
+def session(
+    hearing: Hearing, telling: Telling, clock: Clock, *, sound: str | Path | None = None, drive: Path | None = None
+) -> Session:
     """The session that the options describe.
+
+    Args:
+        hearing: what is understood, and how it is heard.
+        telling: what is told and kept.
+        clock: of the robot.
+        sound: the file or pipe that is listened to; None: a microphone.
+        drive: where the commands for another process go; None: the robot is simulated.
 
     Raises:
         ConfigError: a file is missing or wrong, or cannot be written.
@@ -172,12 +184,20 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
 
     if telling.plot is not None:
         check_picture(telling.plot, "--plot", "plot")
+    if telling.journal is not None:
+        check_file(telling.journal, "--journal")
+    if hearing.denoise and hearing.no_noise_filter:
+        hint = "give one: --denoise takes noise out in another way, --no-noise-filter takes out none"
+        raise ConfigError(Problem("--denoise and --no-noise-filter at once", hint=hint))
     engine = load_engine(hearing.grammar, hearing.locations, hearing.language, hearing.wake_word)
     tell_doubts(engine, hearing.grammar)
+    robot_file = find("robots", hearing.robot)
+    outputs = {"--plot": telling.plot, "--journal": telling.journal, "--drive": drive}
+    check_apart(outputs, [robot_file, *engine.files, *([] if sound is None else [Path(sound)])])
     return Session(
         engine=engine,
         states=known_states(engine, hearing.state),
-        robot=load_robot(find("robots", hearing.robot)),
+        robot=load_robot(robot_file),
         clock=clock,
         model=hearing.model,
         second_model=hearing.second_model,
@@ -192,6 +212,7 @@ def session(hearing: Hearing, telling: Telling, clock: Clock) -> Session:
         draw=telling.draw,
         live=telling.live,
         journal=telling.journal,
+        drive=drive,
     )
 
 

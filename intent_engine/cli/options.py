@@ -26,10 +26,23 @@ __all__ = [
     "NamedToo",
     "Robots",
     "States",
+    "filled",
     "known_states",
     "load_engine",
     "tell_doubts",
 ]
+
+
+def filled(given: str | list[str] | None, param: typer.CallbackParam) -> str | list[str] | None:
+    """What an option was given, which is not empty: as a shell makes it of a variable that is not set.
+
+    Raises:
+        ConfigError: it is.
+    """
+    if "" in ([given] if isinstance(given, str) else given or ()):
+        raise ConfigError(Problem(f"{param.opts[0]} is empty", hint="give a name, or leave the option out"))
+    return given
+
 
 Grammars = Annotated[
     list[str] | None,

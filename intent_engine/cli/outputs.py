@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import importlib.util
 import stat
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["check_file", "check_picture"]
+__all__ = ["check_apart", "check_file", "check_picture"]
 
 PICTURES = [".png", ".svg", ".pdf", ".svgz", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".eps", ".ps"]
 """Endings of the pictures that matplotlib writes."""
@@ -43,7 +44,7 @@ def check_file(path: Path, option: str) -> None:
         ConfigError: it cannot.
     """
     if path.is_dir():
-        raise ConfigError(Problem(f"{option}: {path} is a folder", hint=f"give the name of a file: {path / 'all.csv'}"))
+        raise ConfigError(Problem(f"{option}: {path} is a folder", hint="give the name of a file in it"))
     there = path.exists()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -57,3 +58,29 @@ def check_file(path: Path, option: str) -> None:
         why = error.strerror or str(error)
         hint = "give a file in a folder that you may write to"
         raise ConfigError(Problem(f"{option}: {path} cannot be written: {why}", hint=hint)) from None
+
+
+def check_apart(outputs: Mapping[str, Path | None], inputs: Iterable[Path]) -> None:
+    """Whether each file that is written is one, and neither read by the same command nor written twice: a recording or
+    a grammar would be lost. Devices and pipes are nobody's only copy.
+
+    Args:
+        outputs: option -> the file that it names; None: it was not given.
+        inputs: files that are read, by whatever name.
+
+    Raises:
+        ConfigError: a file is both, or is called ``-``, which would be a file of that name and no stream.
+    """
+    taken = {path.resolve(): "is read by the same command" for path in inputs if path.is_file()}
+    for option, path in outputs.items():
+        if path is None or (path.exists() and not path.is_file()):
+            continue
+        if str(path) == "-":
+            raise ConfigError(
+                Problem(
+                    f"{option}: - is no file, and standard output is not written to", hint="give the name of a file"
+                )
+            )
+        if why := taken.get(path.resolve()):
+            raise ConfigError(Problem(f"{option}: {path} {why}, and would be lost", hint="give another name"))
+        taken[path.resolve()] = f"is what {option} writes"

@@ -36,6 +36,9 @@ def usage_problem(error: Any, verb: str = "", example: str = "") -> Problem | No
     if kind == "NoSuchOption":
         message = f"there is no option {error.option_name}"
         hints = [_meant(error.option_name, context)]
+    elif message == "Missing command":
+        message = "the verb is missing"
+        hints = [f"there is {', '.join(context.command.list_commands(context))}"] if context is not None else []
     elif kind == "BadOptionUsage":
         value = "takes no value" if "not take" in message else "needs a value"
         message = f"{error.option_name} {value}"
@@ -49,7 +52,7 @@ def usage_problem(error: Any, verb: str = "", example: str = "") -> Problem | No
         message = f"{found[1]!r} is too much"
         parameters = context.command.params if context is not None else ()
         takes = any(one.param_type_name == "argument" for one in parameters)
-        hints = [f"put words that belong together in quotes: {example}" if takes else f"{verb} takes options alone"]
+        hints = [_quoted(context, example) if takes else f"{verb} takes options alone"]
         if not takes and found[1].endswith((".yaml", ".yml")) and any("--grammar" in one.opts for one in parameters):
             hints = [f"a grammar is an option here: {NAME} {verb} --grammar {found[1]}"]
     hints.append(f"{NAME} {verb} --help".replace("  ", " ") + " tells all of it")
@@ -63,17 +66,38 @@ def _named(parameter: Any) -> str:
     return str(getattr(parameter, "metavar", None) or parameter.name).upper()
 
 
+def _quoted(context: Any, example: str) -> str:
+    """What to do about an argument too many, of a verb that takes one sentence or one file."""
+    quotes = "put words that belong together in quotes"
+    if not any(_names_file(one) for one in context.command.params if one.param_type_name == "argument"):
+        return f"{quotes}: {example}"
+    return "give one path; in quotes, if it has spaces"
+
+
+def _names_file(parameter: Any) -> bool:
+    return str(getattr(parameter.type, "name", "")) in ("path", "file", "directory")
+
+
 def _meant(option: str, context: Any) -> str:
     """The option that was meant, or where this one stands."""
     if context is None:
         return ""
     if context.parent is not None and option in _options(context.parent):
         return f"it stands before the verb: {NAME} {option} {context.info_name}"
+    verbs = context.parent.command if context.parent is not None else context.command
+    if having := [name for name in verbs.list_commands(context) if option in _options_of(verbs.commands[name])]:
+        if context.parent is None:
+            return f"it stands after the verb: {NAME} {having[0]} {option}"
+        return f"it is an option of {' and '.join(having)}"
     return did_you_mean(option, _options(context)) or ""
 
 
 def _options(context: Any) -> Iterator[str]:
-    for parameter in context.command.params:
+    return _options_of(context.command)
+
+
+def _options_of(command: Any) -> Iterator[str]:
+    for parameter in command.params:
         if parameter.param_type_name == "option":
             yield from (*parameter.opts, *parameter.secondary_opts)
 

@@ -94,7 +94,7 @@ VERBS = {
         _TRUST,
         (
             "intent-engine check my_grammar.yaml",
-            "intent-engine check --strict --locations warehouse en my_grammar.yaml",
+            "intent-engine check --strict --locations warehouse my_grammar.yaml",
             "intent-engine check --json | jq .figures",
         ),
     ),

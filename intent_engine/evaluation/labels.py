@@ -28,6 +28,7 @@ from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import ACTION_PARAMETERS
+from intent_engine.language.loading.yaml_source import not_utf8
 from intent_engine.language.template_tree import references
 from intent_engine.language.utterance import PhraseSet, Utterance
 
@@ -131,10 +132,10 @@ def read_labels(path: Path, engine: IntentEngine) -> list[Row]:
     rows: list[Row] = []
     try:
         text = path.read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "is not UTF-8"
-        hint = f"give the folder with it and {FILE}" if isinstance(error, UnicodeDecodeError) else None
-        raise ConfigError(Problem(f"cannot be read: {why}", file=str(path), hint=hint)) from None
+    except UnicodeDecodeError as error:
+        raise ConfigError(not_utf8(str(path), error, f"give the folder with it and {FILE}")) from None
+    except OSError as error:
+        raise ConfigError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     intents = {name for grammar in engine.grammars for name in grammar.intents}
     slots = {name: _slot_names(engine, name) for name in intents}
     for number, line in enumerate(text.split("\n"), 1):

@@ -162,11 +162,22 @@ def test_all_mistakes_are_told_at_once_and_a_wrong_grammar_once(engine, write):
     assert len(caught.value.problems) <= 11
 
 
-@pytest.mark.parametrize("content", [b"", b"\n\n", b"\xff\xfe\x00"])
+@pytest.mark.parametrize("content", [b"", b"\n\n", b"RIFF\xff\x00\x00\x00"])
 def test_files_without_labels(engine, tmp_path, content):
     path = tmp_path / "labels.jsonl"
     path.write_bytes(content)
-    with pytest.raises(ConfigError, match=r"holds no labels|not UTF-8\n    give the folder with it and labels.jsonl"):
+    with pytest.raises(
+        ConfigError, match=r"holds no labels|no text at all\n    give the folder with it and labels.jsonl"
+    ):
+        read_labels(path, engine)
+
+
+def test_labels_in_another_encoding_are_told_with_their_line(engine, tmp_path):
+    path = tmp_path / "labels.jsonl"
+    path.write_bytes('{"audio": "a.wav"}\n{"audio": "é.wav"}\n'.encode("latin-1"))
+    with pytest.raises(
+        ConfigError, match=r"labels\.jsonl:2:12: is not UTF-8 text: byte 0xe9\n(.*\n)+    save it as UTF-8"
+    ):
         read_labels(path, engine)
 
 

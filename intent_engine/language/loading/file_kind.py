@@ -1,4 +1,4 @@
-"""What kind of file was given in the place of another: a grammar, a map and a robot file are all YAML."""
+"""What kind of file was given in the place of another: a grammar, a map, a robot file and tests are all YAML."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from intent_engine.errors import Problem
 __all__ = ["given_for"]
 
 _MARKS = {
+    "test file": (frozenset({"tests"}), "intent-engine test runs it, if its name ends in .intents.yaml"),
     "grammar": (frozenset({"intents"}), "give it as grammar"),
     "map": (frozenset({"locations", "waypoints"}), "give it as locations"),
     "robot file": (frozenset({"limits", "rates", "capabilities", "simulation", "footprint"}), "give it as robot"),
 }
-"""Kind -> keys that no other kind has, and where such a file belongs."""
+"""Kind -> keys that no later kind has, and where such a file belongs."""
 
 
 def given_for(kind: str, data: Any, file: str) -> Problem | None:

@@ -19,6 +19,7 @@ from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.loading.schema_problems import schema_problems
+from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.template_tree import Node
@@ -321,6 +322,10 @@ class _Builder:
             as_written=self._as_written(),
             files=tuple(parts.source.file for parts in self.parts),
         )
+        for parts in self.parts:
+            for at, _, text in _section(parts.source, "wake"):
+                if wrong := wake_that_stops(plain_phrase(text), grammar.operators):
+                    parts.source.problem(at, *wrong)
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
         return replace(
             grammar,

@@ -15,7 +15,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 from intent_engine.language.loading.json_mistakes import json_problem
 
-__all__ = ["YamlSource", "read_yaml"]
+__all__ = ["YamlSource", "not_utf8", "read_yaml"]
 
 MAX_BYTES = 64 * 1024 * 1024
 """A file beyond this is not one that a person wrote for us."""
@@ -107,6 +107,10 @@ def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the 
             return source
         text = file.read_text("utf-8-sig")
     except FileNotFoundError:
+        if file.is_symlink():
+            message = f"is a link to {file.readlink()}, which is not there"
+            source.problems.append(Problem(message, str(path), hint="mend the link, or give the path of a YAML file"))
+            return source
         alike = [other.name for other in _neighbours(file) if did_you_mean(file.stem, [other.stem])]
         near = did_you_mean(file.name, alike)
         source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
@@ -115,7 +119,7 @@ def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the 
         source.problems.append(Problem("is a folder, not a file", str(path), hint="give the path of a YAML file"))
         return source
     except UnicodeDecodeError as error:
-        source.problems.append(_not_utf8(str(path), error))
+        source.problems.append(not_utf8(str(path), error))
         return source
     except OSError as error:
         source.problems.append(Problem(f"cannot be read: {error.strerror}", str(path)))
@@ -123,13 +127,19 @@ def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the 
     return parse_yaml(text, source, shortest)
 
 
-def _not_utf8(name: str, error: UnicodeDecodeError) -> Problem:
-    """Where the first byte stands that is no UTF-8, and what the file may be instead."""
+def not_utf8(name: str, error: UnicodeDecodeError, otherwise: str = "is this the right file?") -> Problem:
+    """Where the first byte stands that is no UTF-8, and what the file may be instead.
+
+    Args:
+        name: of the file.
+        error: that came of reading it.
+        otherwise: what to do about one that is no text at all.
+    """
     data = bytes(error.object)
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return Problem("is UTF-16 text, not UTF-8", name, hint="save it as UTF-8")
     if b"\0" in data[:4096]:
-        return Problem("is no text at all", name, hint="is this the right file?")
+        return Problem("is no text at all", name, hint=otherwise)
     start = data.rfind(b"\n", 0, error.start) + 1
     end = data.find(b"\n", error.start)
     line = data[start : end if end >= 0 else len(data)].decode("utf-8", "replace").rstrip("\r")

@@ -176,6 +176,13 @@ def test_a_file_that_cannot_be_had(tmp_path):
     assert problem.message == "is a folder, not a file"
 
 
+def test_a_link_to_nothing(tmp_path):
+    (tmp_path / "grammar.yaml").symlink_to("moved.yaml")
+    (problem,) = read_yaml(tmp_path / "grammar.yaml").problems
+    assert problem.message == "is a link to moved.yaml, which is not there"
+    assert problem.hint == "mend the link, or give the path of a YAML file"
+
+
 def test_an_ending_alone_makes_no_file_the_one_that_was_meant(tmp_path):
     (tmp_path / "wave.yaml").write_text("a: 1\n", "utf-8")
     (problem,) = read_yaml(tmp_path / "nowhere.yaml").problems
