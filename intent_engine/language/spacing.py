@@ -5,7 +5,7 @@ which hardly sound otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cached_property
 from itertools import permutations
 from typing import TypeAlias
@@ -13,6 +13,7 @@ from typing import TypeAlias
 from intent_engine.language.contractions import apart, in_full, together
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 
@@ -23,6 +24,9 @@ LEAST_LETTERS = 2
 
 _VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü")
 """What a word may begin with before which others are shortened."""
+
+_JOINS_SLOTS = frozenset(("de",))
+"""Languages that write a verb together with the word of a list before it: "zurückfahren", of "{direction} fahren"."""
 
 _Words: TypeAlias = frozenset[str]
 _Ends: TypeAlias = tuple[_Words, _Words, bool]
@@ -44,6 +48,8 @@ class Spacing:
         """
         words, breaks = self._unelided(said.words), list(said.breaks)
         for place in range(len(words) - 1, -1, -1):
+            if place and self._grammar.language in _JOINS_SLOTS and words[place - 1] in self._articles:
+                continue  # "die Vorfahren": a noun
             if (parts := self._parted(words[place], words[place + 1 :])) is not None:
                 words[place : place + 1] = parts
                 breaks.insert(place + 1, False)
@@ -111,6 +117,10 @@ class Spacing:
         return 2 * max(map(len, self._words), default=0)
 
     @cached_property
+    def _articles(self) -> Collection[str]:
+        return thing_words(self._grammar.language).articles
+
+    @cached_property
     def _closed(self) -> _Words:
         return self._grammar.operators.closed
 
@@ -121,11 +131,13 @@ class Spacing:
         templates = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
         templates += [node for slot in grammar.slots.values() for _, node in slot.values]
         templates += [Sequence(tuple(map(Word, words))) for words in grammar.operators.stop]
-        return _Neighbours(grammar.phrases).of(templates)
+        slots = grammar.slots if grammar.language in _JOINS_SLOTS else {}
+        lists = {name: Choice(tuple(node for _, node in slot.values)) for name, slot in slots.items() if slot.values}
+        return _Neighbours({**lists, **grammar.phrases}).of(templates)
 
 
 class _Neighbours:
-    """Words that follow each other in templates. What slots hold stays by itself."""
+    """Words that follow each other in templates. What slots hold stays by itself, unless they are given as phrases."""
 
     def __init__(self, phrases: Mapping[str, Node]) -> None:
         self._phrases = phrases

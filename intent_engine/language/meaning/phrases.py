@@ -14,6 +14,14 @@ __all__ = ["Phrases"]
 _AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
 """Commands that say nothing where a pause and another command follow: "right, go forward"."""
 
+_COMPARES: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("instead", "rather", "place", "other", "apart", "aside")),
+    "fr": frozenset(("lieu", "plutôt")),
+    "es": frozenset(("vez", "lugar", "mejor")),
+    "it": frozenset(("invece", "piuttosto")),
+}
+"""Words of negations that compare ("instead of"), and no more than join words where a grammar is written in them."""
+
 
 class Phrases:
     """Fillers, wake words and operators (stop, negation, correction ...) of a grammar, ready to be found.
@@ -34,16 +42,18 @@ class Phrases:
         """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
         says_nothing = (*fillers, *operators.opener)
         self.hesitation = PhraseSet(words for words in grammar.hesitations if words in says_nothing)
-        self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
+        compares = _COMPARES.get(grammar.language, frozenset())
+        negation = [words for words in operators.negation if not _joins(words, own, compares)]
+        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
         """Operators, of which no filler takes a part."""
         self._operators = PhraseSet(
             (*operators.stop, *operators.sequence, *operators.contrast, *operators.correction, *operators.cancel,
-             *operators.negation)
+             *negation)
         )  # fmt: skip
         self.wake = PhraseSet(grammar.wake)
         self.stop = PhraseSet(operators.stop)
         self.stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
-        self.negation = PhraseSet(operators.negation)
+        self.negation = PhraseSet(negation)
         self.correction = PhraseSet(operators.correction)
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
@@ -258,3 +268,8 @@ def _echo(words: list[str], position: int) -> int:
 def _may_be_cut(filler: Sequence[str], fillers: PhraseSet, own: Collection[str]) -> bool:
     """Whether the end of a filler is one too, and the words before that may be a sentence's."""
     return any(fillers.cover(filler[at:]) and all(word in own for word in filler[:at]) for at in range(1, len(filler)))
+
+
+def _joins(negation: Sequence[str], own: Collection[str], compares: Collection[str]) -> bool:
+    """Whether a grammar has a negation that compares in its sentences: "use the {tool} instead of the {other}"."""
+    return any(word in compares for word in negation) and all(word in own for word in negation)
