@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cached_property
-from itertools import permutations
+from itertools import pairwise, permutations
 from typing import TypeAlias
 
 from intent_engine.language.contractions import apart, in_full, together
@@ -17,7 +17,7 @@ from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 
-__all__ = ["Spacing"]
+__all__ = ["Spacing", "in_a_row"]
 
 LEAST_LETTERS = 2
 """Of a part: "alight" is no "a light"."""
@@ -65,7 +65,7 @@ class Spacing:
         full = list(words)
         for place, word in enumerate(words[:-1]):
             known = [one for one in in_full(word, self._grammar.language) if one in self._words]
-            follows = [one for one in known if place and self._follow(full[place - 1], one)]
+            follows = [one for one in known if place and self.follow(full[place - 1], one)]
             if known and words[place + 1][0] in _VOWELS:
                 full[place] = (follows or known)[0]
         return full
@@ -75,11 +75,11 @@ class Spacing:
         if word not in self._words and word not in self._closed and len(word) <= self._longest:
             for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
                 first, second = word[:place], word[place:]
-                if self._closed.isdisjoint((first, second)) and self._follow(first, second):
+                if self._closed.isdisjoint((first, second)) and self.follow(first, second):
                     return first, second
         if self._grammar.language == "en":
             for first, second in apart(word):
-                if self._follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
+                if self.follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
                     return first, second
         return None
 
@@ -91,13 +91,13 @@ class Spacing:
         short = together(first, second) if self._grammar.language == "en" else None
         if short is None or short not in self._words:
             return None
-        return short if not self._follow(first, second) or self._goes_on(short, second, after) else None
+        return short if not self.follow(first, second) or self._goes_on(short, second, after) else None
 
     def _goes_on(self, one: str, other: str, after: list[str]) -> bool:
         """Whether what comes next follows one word in the grammar, and not the other."""
-        return bool(after) and self._follow(one, after[0]) and not self._follow(other, after[0])
+        return bool(after) and self.follow(one, after[0]) and not self.follow(other, after[0])
 
-    def _follow(self, first: str, second: str) -> bool:
+    def follow(self, first: str, second: str) -> bool:
         """Whether one word may follow another in the grammar."""
         return any(first in ends and second in begins for ends, begins in self._following)
 
@@ -134,6 +134,12 @@ class Spacing:
         slots = grammar.slots if grammar.language in _JOINS_SLOTS else {}
         lists = {name: Choice(tuple(node for _, node in slot.values)) for name, slot in slots.items() if slot.values}
         return _Neighbours({**lists, **grammar.phrases}).of(templates)
+
+
+def in_a_row(grammar: Grammar, words: Iterable[str]) -> bool:
+    """Whether words may follow each other, all of them, in what the grammar writes out."""
+    spacing = Spacing(grammar)
+    return all(spacing.follow(first, second) for first, second in pairwise(words))
 
 
 class _Neighbours:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache
 
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
 
@@ -20,7 +21,7 @@ _COMPARES: Mapping[str, frozenset[str]] = {
     "es": frozenset(("vez", "lugar", "mejor")),
     "it": frozenset(("invece", "piuttosto")),
 }
-"""Words of negations that compare ("instead of"), and no more than join words where a grammar is written in them."""
+"""Words of negations that compare ("instead of"), which join what a sentence of the grammar has them between."""
 
 
 class Phrases:
@@ -43,7 +44,9 @@ class Phrases:
         says_nothing = (*fillers, *operators.opener)
         self.hesitation = PhraseSet(words for words in grammar.hesitations if words in says_nothing)
         compares = _COMPARES.get(grammar.language, frozenset())
-        negation = [words for words in operators.negation if not _joins(words, own, compares)]
+        joins = (words for words in operators.negation if not compares.isdisjoint(words) and own.issuperset(words))
+        compared = frozenset(words for words in joins if in_a_row(grammar, words))
+        negation = [words for words in operators.negation if words not in compared]
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
         """Operators, of which no filler takes a part."""
         self._operators = PhraseSet(
@@ -268,8 +271,3 @@ def _echo(words: list[str], position: int) -> int:
 def _may_be_cut(filler: Sequence[str], fillers: PhraseSet, own: Collection[str]) -> bool:
     """Whether the end of a filler is one too, and the words before that may be a sentence's."""
     return any(fillers.cover(filler[at:]) and all(word in own for word in filler[:at]) for at in range(1, len(filler)))
-
-
-def _joins(negation: Sequence[str], own: Collection[str], compares: Collection[str]) -> bool:
-    """Whether a grammar has a negation that compares in its sentences: "use the {tool} instead of the {other}"."""
-    return any(word in compares for word in negation) and all(word in own for word in negation)

@@ -71,6 +71,14 @@ def test_a_grammar_may_compare_in_its_sentences(tmp_path: Path) -> None:
     assert done(engine.parse("don't use the brush instead of the mop")) == "rejected"
 
 
+def test_words_that_stand_apart_in_a_grammar_compare_nothing(tmp_path: Path) -> None:
+    text = (
+        FETCH.format(language="en", verb="take")
+        + "  warm: {action: custom, sentences: [rather warm, warmer than now]}\n"
+    )
+    assert not engine_of(text, tmp_path).parse("take the glass rather than the cup").actions
+
+
 SPANISH = """
 language: es
 slots: {side: {type: choice, values: {left: [izquierda], right: [derecha]}}}
