@@ -16,12 +16,12 @@ _AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
 """Commands that say nothing where a pause and another command follow: "right, go forward"."""
 
 _COMPARES: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("instead", "rather", "place", "other", "apart", "aside")),
+    "en": frozenset(("rather", "place", "other", "apart", "aside")),
     "fr": frozenset(("lieu", "plutôt")),
     "es": frozenset(("vez", "lugar", "mejor")),
     "it": frozenset(("invece", "piuttosto")),
 }
-"""Words of negations that compare ("instead of"), which join what a sentence of the grammar has them between."""
+"""Words of negations that compare ("in place of"), which join what a sentence of the grammar has them between."""
 
 
 class Phrases:

@@ -46,7 +46,7 @@ language: en
 slots:
   tool: [brush, mop, broom]
 intents:
-  use: {action: {type: custom, name: use}, sentences: ["use the {tool} instead of the {tool:other}"]}
+  use: {action: {type: custom, name: use}, sentences: ["use the {tool} in place of the {tool:other}"]}
   home: {action: custom, sentences: [go home]}
 """
 
@@ -66,9 +66,9 @@ def test_what_is_excluded_is_not_done(language: str, text: str, tmp_path: Path) 
 
 def test_a_grammar_may_compare_in_its_sentences(tmp_path: Path) -> None:
     engine = engine_of(BROOMS, tmp_path)
-    assert done(engine.parse("go home and use the brush instead of the mop")) == "home, use"
-    assert engine.parse("use the brush instead of the mop, no, the broom").slots["other"] == "broom"
-    assert done(engine.parse("don't use the brush instead of the mop")) == "rejected"
+    assert done(engine.parse("go home and use the brush in place of the mop")) == "home, use"
+    assert engine.parse("use the brush in place of the mop, no, the broom").slots["other"] == "broom"
+    assert done(engine.parse("don't use the brush in place of the mop")) == "rejected"
 
 
 def test_words_that_stand_apart_in_a_grammar_compare_nothing(tmp_path: Path) -> None:
