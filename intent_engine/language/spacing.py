@@ -5,24 +5,28 @@ which hardly sound otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cached_property
-from itertools import permutations
+from itertools import pairwise, permutations
 from typing import TypeAlias
 
 from intent_engine.language.contractions import apart, in_full, together
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 
-__all__ = ["Spacing"]
+__all__ = ["Spacing", "in_a_row"]
 
 LEAST_LETTERS = 2
 """Of a part: "alight" is no "a light"."""
 
 _VOWELS = frozenset("aeiouyhàâäæéèêëìîïòôöœùûü")
 """What a word may begin with before which others are shortened."""
+
+_JOINS_SLOTS = frozenset(("de",))
+"""Languages that write a verb together with the word of a list before it: "zurückfahren", of "{direction} fahren"."""
 
 _Words: TypeAlias = frozenset[str]
 _Ends: TypeAlias = tuple[_Words, _Words, bool]
@@ -44,6 +48,8 @@ class Spacing:
         """
         words, breaks = self._unelided(said.words), list(said.breaks)
         for place in range(len(words) - 1, -1, -1):
+            if place and self._grammar.language in _JOINS_SLOTS and words[place - 1] in self._articles:
+                continue  # "die Vorfahren": a noun
             if (parts := self._parted(words[place], words[place + 1 :])) is not None:
                 words[place : place + 1] = parts
                 breaks.insert(place + 1, False)
@@ -59,7 +65,7 @@ class Spacing:
         full = list(words)
         for place, word in enumerate(words[:-1]):
             known = [one for one in in_full(word, self._grammar.language) if one in self._words]
-            follows = [one for one in known if place and self._follow(full[place - 1], one)]
+            follows = [one for one in known if place and self.follow(full[place - 1], one)]
             if known and words[place + 1][0] in _VOWELS:
                 full[place] = (follows or known)[0]
         return full
@@ -69,11 +75,11 @@ class Spacing:
         if word not in self._words and word not in self._closed and len(word) <= self._longest:
             for place in range(LEAST_LETTERS, len(word) - LEAST_LETTERS + 1):
                 first, second = word[:place], word[place:]
-                if self._closed.isdisjoint((first, second)) and self._follow(first, second):
+                if self._closed.isdisjoint((first, second)) and self.follow(first, second):
                     return first, second
         if self._grammar.language == "en":
             for first, second in apart(word):
-                if self._follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
+                if self.follow(first, second) and (word not in self._words or self._goes_on(second, word, after)):
                     return first, second
         return None
 
@@ -85,13 +91,13 @@ class Spacing:
         short = together(first, second) if self._grammar.language == "en" else None
         if short is None or short not in self._words:
             return None
-        return short if not self._follow(first, second) or self._goes_on(short, second, after) else None
+        return short if not self.follow(first, second) or self._goes_on(short, second, after) else None
 
     def _goes_on(self, one: str, other: str, after: list[str]) -> bool:
         """Whether what comes next follows one word in the grammar, and not the other."""
-        return bool(after) and self._follow(one, after[0]) and not self._follow(other, after[0])
+        return bool(after) and self.follow(one, after[0]) and not self.follow(other, after[0])
 
-    def _follow(self, first: str, second: str) -> bool:
+    def follow(self, first: str, second: str) -> bool:
         """Whether one word may follow another in the grammar."""
         return any(first in ends and second in begins for ends, begins in self._following)
 
@@ -111,6 +117,10 @@ class Spacing:
         return 2 * max(map(len, self._words), default=0)
 
     @cached_property
+    def _articles(self) -> Collection[str]:
+        return thing_words(self._grammar.language).articles
+
+    @cached_property
     def _closed(self) -> _Words:
         return self._grammar.operators.closed
 
@@ -121,11 +131,19 @@ class Spacing:
         templates = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
         templates += [node for slot in grammar.slots.values() for _, node in slot.values]
         templates += [Sequence(tuple(map(Word, words))) for words in grammar.operators.stop]
-        return _Neighbours(grammar.phrases).of(templates)
+        slots = grammar.slots if grammar.language in _JOINS_SLOTS else {}
+        lists = {name: Choice(tuple(node for _, node in slot.values)) for name, slot in slots.items() if slot.values}
+        return _Neighbours({**lists, **grammar.phrases}).of(templates)
+
+
+def in_a_row(grammar: Grammar, words: Iterable[str]) -> bool:
+    """Whether words may follow each other, all of them, in what the grammar writes out."""
+    spacing = Spacing(grammar)
+    return all(spacing.follow(first, second) for first, second in pairwise(words))
 
 
 class _Neighbours:
-    """Words that follow each other in templates. What slots hold stays by itself."""
+    """Words that follow each other in templates. What slots hold stays by itself, unless they are given as phrases."""
 
     def __init__(self, phrases: Mapping[str, Node]) -> None:
         self._phrases = phrases

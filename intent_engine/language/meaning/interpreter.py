@@ -307,7 +307,7 @@ class Interpreter:
             if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
             return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
-        negated = self._negations.stands_in(words)
+        negated = self._negations.stands_in(core)
         if negated:
             wanted, reason = self._negations.wanted(core, state)
             if wanted is None:

@@ -31,12 +31,14 @@ class Negations:
         self._compounds = compounds
         self._corrections = corrections
 
-    def stands_in(self, words: list[str]) -> bool:
-        return self._negation.may_stand_in(words) and self._first(words) is not None
+    def stands_in(self, core: Utterance) -> bool:
+        return self._negation.may_stand_in(core.words) and self._first(core) is not None
 
-    def _first(self, words: list[str]) -> tuple[int, int] | None:
-        """(position, length) of the first negation that is no part of a correction: "no espera" corrects, where "no"
-        negates; "no no" may be either, and so negates."""
+    def _first(self, core: Utterance) -> tuple[int, int] | None:
+        """(position, length) of the first negation that is no correction, nor a part of one: "no espera" corrects,
+        where "no" negates; "no no" may be either, and so negates. Spanish "no" corrects between two pauses: "a la
+        izquierda, no, a la derecha"."""
+        words = core.words
         position = 0
         while position < len(words):
             length = self._negation.at(words, position)
@@ -45,10 +47,10 @@ class Negations:
                 self._negation.at([word], 0) for word in words[position : position + corrects]
             ):
                 position += corrects
-            elif length:
+            elif length and not (corrects == length and position and _apart(core, position, position + length)):
                 return position, length
             else:
-                position += 1
+                position += length or 1
         return None
 
     def forbids_motion(self, core: Utterance, state: Collection[str]) -> bool:
@@ -56,15 +58,16 @@ class Negations:
 
         It need not be said as the grammar has it: "don't go to the kichen", "don't my left turn".
         """
-        found = self._first(core.words)
+        found = self._first(core)
         if found is None:
             return False
         position, length = found
         before = core.words[:position]
         if before in _BEFORE or self._phrases.fillers.cover([word for word in before if [word] not in _BEFORE]):
             before = []
-        rest = [*before, *core.words[position + length :]]
-        said = bool(rest) and self._first(rest) is None
+        after = core.part(position + length, len(core))
+        rest = [*before, *after.words]
+        said = bool(rest) and self._first(after) is None
         clause = (self._commands.exact(rest, state) or self._commands.misheard(rest, state)) if said else None
         if clause is None or clause.reading is None:
             return False
@@ -80,7 +83,7 @@ class Negations:
         "don't go to the kitchen but to the bedroom". Anything else with a negation does nothing.
         """
         words = core.words
-        found = self._first(words)
+        found = self._first(core)
         if found is None:
             return core, ""
         position, length = found
@@ -106,3 +109,8 @@ class Negations:
             if contrast and (instead := self._corrections.instead(denied, wanted, state)) is not None:
                 return instead, ""
         return None, refused
+
+
+def _apart(said: Utterance, start: int, end: int) -> bool:
+    """Whether pauses stand before and behind some words, and something follows."""
+    return end < len(said) and bool(said.breaks[start] and said.breaks[end])

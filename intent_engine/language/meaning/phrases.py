@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache
 
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
 
@@ -13,6 +14,14 @@ __all__ = ["Phrases"]
 
 _AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
 """Commands that say nothing where a pause and another command follow: "right, go forward"."""
+
+_COMPARES: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("rather", "place", "other", "apart", "aside")),
+    "fr": frozenset(("lieu", "plutôt")),
+    "es": frozenset(("vez", "lugar", "mejor")),
+    "it": frozenset(("invece", "piuttosto")),
+}
+"""Words of negations that compare ("in place of"), which join what a sentence of the grammar has them between."""
 
 
 class Phrases:
@@ -34,16 +43,20 @@ class Phrases:
         """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
         says_nothing = (*fillers, *operators.opener)
         self.hesitation = PhraseSet(words for words in grammar.hesitations if words in says_nothing)
-        self.kept = PhraseSet((*operators.correction, *operators.cancel, *operators.negation))
+        compares = _COMPARES.get(grammar.language, frozenset())
+        joins = (words for words in operators.negation if not compares.isdisjoint(words) and own.issuperset(words))
+        compared = frozenset(words for words in joins if in_a_row(grammar, words))
+        negation = [words for words in operators.negation if words not in compared]
+        self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
         """Operators, of which no filler takes a part."""
         self._operators = PhraseSet(
             (*operators.stop, *operators.sequence, *operators.contrast, *operators.correction, *operators.cancel,
-             *operators.negation)
+             *negation)
         )  # fmt: skip
         self.wake = PhraseSet(grammar.wake)
         self.stop = PhraseSet(operators.stop)
         self.stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
-        self.negation = PhraseSet(operators.negation)
+        self.negation = PhraseSet(negation)
         self.correction = PhraseSet(operators.correction)
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)

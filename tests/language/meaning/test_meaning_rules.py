@@ -33,8 +33,12 @@ def failures(engine: IntentEngine, rows: dict[str, str]) -> list[str]:
     return [text for text, meant in rows.items() if not matches(meant, done(engine.parse(text)))]
 
 
+ELSEWHERE = {("rather", "than"), ("in", "place", "of")}
+"""Needed where free text is not a thing: test_words_that_exclude.py."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("words", shipped().grammar.operators.negation, ids=" ".join)
+@pytest.mark.parametrize("words", sorted({*shipped().grammar.operators.negation} - ELSEWHERE), ids=" ".join)
 def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> None:
     grammar = shipped().grammar
     operators = grammar.operators

@@ -1,0 +1,107 @@
+"""Words that say no without a "not": what is excluded, or left for something else, is not done."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from meanings import done
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Status
+
+FETCH = """
+language: {language}
+slots: {{thing: {{type: text, max_words: 6}}}}
+intents:
+  fetch: {{action: {{type: custom, name: fetch, thing: "{{thing}}"}}, sentences: ["{verb} {{thing}}"]}}
+"""
+VERBS = {"en": "take", "de": "nimm", "fr": "prends", "es": "toma", "it": "prendi"}
+EXCLUDED = [
+    ("en", "take the glass rather than the cup"),  # and never: take "than the cup"
+    ("en", "take none of the cups"),
+    ("en", "take anything other than the cup"),
+    ("en", "take all apart from the cup"),
+    ("en", "take the cup in place of the glass"),
+    ("de", "nimm keinesfalls die Tasse"),
+    ("de", "nimm weder Tasse noch Teller"),
+    ("de", "nimm alles außer der Tasse"),
+    ("de", "nimm den Teller statt der Tasse"),
+    ("de", "nimm nichts"),
+    ("fr", "prends rien"),
+    ("fr", "prends tout sauf la tasse"),
+    ("fr", "prends le verre au lieu de la tasse"),
+    ("fr", "prends le verre plutôt que la tasse"),
+    ("es", "toma nada"),
+    ("es", "toma todo menos la taza"),
+    ("es", "toma el vaso en vez de la taza"),
+    ("es", "toma la taza a menos que esté llena"),
+    ("it", "prendi niente"),
+    ("it", "prendi tutto tranne la tazza"),
+    ("it", "prendi il bicchiere piuttosto che la tazza"),
+    ("it", "prendi nemmeno la tazza"),
+]
+BROOMS = """
+language: en
+slots:
+  tool: [brush, mop, broom]
+intents:
+  use: {action: {type: custom, name: use}, sentences: ["use the {tool} in place of the {tool:other}"]}
+  home: {action: custom, sentences: [go home]}
+"""
+
+
+def engine_of(text: str, folder: Path) -> IntentEngine:
+    file = folder / "grammar.yaml"
+    file.write_text(text, encoding="utf-8")
+    return IntentEngine.from_files(file)
+
+
+@pytest.mark.parametrize(("language", "text"), EXCLUDED)
+def test_what_is_excluded_is_not_done(language: str, text: str, tmp_path: Path) -> None:
+    found = engine_of(FETCH.format(language=language, verb=VERBS[language]), tmp_path).parse(text)
+    assert found.status is Status.REJECTED
+    assert "negated" in (found.reason or "")
+
+
+def test_a_grammar_may_compare_in_its_sentences(tmp_path: Path) -> None:
+    engine = engine_of(BROOMS, tmp_path)
+    assert done(engine.parse("go home and use the brush in place of the mop")) == "home, use"
+    assert engine.parse("use the brush in place of the mop, no, the broom").slots["other"] == "broom"
+    assert done(engine.parse("don't use the brush in place of the mop")) == "rejected"
+
+
+def test_words_that_stand_apart_in_a_grammar_compare_nothing(tmp_path: Path) -> None:
+    text = (
+        FETCH.format(language="en", verb="take")
+        + "  warm: {action: custom, sentences: [rather warm, warmer than now]}\n"
+    )
+    assert not engine_of(text, tmp_path).parse("take the glass rather than the cup").actions
+
+
+SPANISH = """
+language: es
+slots: {side: {type: choice, values: {left: [izquierda], right: [derecha]}}}
+intents:
+  turn: {action: {type: custom, name: turn, side: "{side}"}, sentences: ["gira a la {side}"]}
+  ahead: {action: custom, sentences: [avanza]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "side"),
+    [
+        ("gira a la izquierda, no, a la derecha", "right"),
+        ("Gira a la izquierda. No, gira a la derecha.", "right"),
+        ("gira a la izquierda no a la derecha", None),
+        ("gira a la izquierda, no a la derecha", None),
+        ("gira a la izquierda no, a la derecha", None),
+        ("no, gira a la derecha", None),
+        ("avanza, no, no gira a la derecha", None),
+        ("no gira a la izquierda, no, a la derecha", None),
+        ("gira a la izquierda, no", None),
+    ],
+)
+def test_spanish_no_corrects_between_pauses_and_else_forbids(text: str, side: str | None, tmp_path: Path) -> None:
+    found = engine_of(SPANISH, tmp_path).parse(text)
+    assert found.slots.get("side") == side if side else not found.actions
