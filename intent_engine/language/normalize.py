@@ -83,7 +83,7 @@ _TOKEN = re.compile(
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
 
-_QUOTES = ("\"“”„", "'‘’‚")
+_QUOTES = ('"“”„', "'‘’‚")
 """Signs that begin and end a quotation, each kind with its own."""
 
 _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
