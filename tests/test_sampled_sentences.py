@@ -177,3 +177,19 @@ def test_every_beginning_of_a_sentence_may_go_on(engine, said):
             assert found.status is not PrefixStatus.IMPOSSIBLE, begun
             assert found.next_words, begun
     assert engine.prefix(said.text).status in (PrefixStatus.COMPLETE, PrefixStatus.EXTENDABLE)
+
+
+@law()
+def test_an_article_behind_a_sentence_says_that_it_broke_off(engine, said):
+    last = said.text.split()[-1]
+    article = {"en": "the", "de": "die"}[engine.grammar.language]
+    assume(last != article)  # which is a stutter
+    assert not moves(engine.parse(f"{said.text} {article}"))
+
+
+@law()
+def test_a_quotation_does_what_is_quoted_or_nothing(engine, said):
+    """The sign that ends it is no inches or feet."""
+    meant = engine.parse(said.text).actions
+    for begin, end in ('""', "“”", "''", "‘’", "„“", "«»"):
+        assert engine.parse(f"{begin}{said.text}{end}").actions in ((), meant)

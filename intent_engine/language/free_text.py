@@ -158,8 +158,9 @@ class FreeText:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
             if word in self._words.telling and said[place - 1] not in self._binding:
                 return frozenset((word,))
-            last = place == len(said) - 1  # "box a" has a letter
-            if word in self._words.next_begins and not last and said[place - 1] not in self._binding:
+            last = place == len(said) - 1
+            begins = word in self._words.next_begins and not (last and len(word) == 1)  # "box a" has a letter
+            if begins and (last or said[place - 1] not in self._binding):
                 return frozenset((word,))
         return frozenset()
 

@@ -251,6 +251,7 @@ class Matcher:
                 _cut_off(trace, words)
                 or _leads_to_a_number(trace, words, language)
                 or _names_no_number(trace, words, language)
+                or self._loses_a_number(trace, words)
             )
         ]
         readings = [self._reading(trace, words) for trace in traces]
@@ -336,6 +337,28 @@ class Matcher:
             found = alternatives(sentence.template, self.grammar.phrases)
             self._alternatives_of[id(sentence)] = found
         return found
+
+    def _loses_a_number(self, trace: Trace, words: Sequence[str]) -> bool:
+        """Whether a number is taken for another word and what belongs to it for free text: "wave two times once" is no
+        "wave to *times once*", for "wave two times" was said."""
+        return any(
+            mark[0] == "alike"
+            and mark[1] not in NUMBER_WORDS
+            and self.is_number(words[position - 1])
+            and self._opens_free_text(trace, position)
+            and self.strict.walk(list(words))[0] > position
+            for position, mark in trace
+        )
+
+    def _opens_free_text(self, trace: Trace, place: int) -> bool:
+        """Whether what stands behind a word is free text."""
+        return any(
+            position == place and mark[0] == "open" and mark[1][0] == "slot" and self._is_free(mark[1][2])
+            for position, mark in trace
+        )
+
+    def _is_free(self, slot: str) -> bool:
+        return self.grammar.slots[slot].type in FREE_KINDS
 
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""

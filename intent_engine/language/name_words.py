@@ -21,7 +21,8 @@ __all__ = [
 ]  # fmt: skip
 
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
-"""Dropped before a name if the name is not known with it. "the" carries nothing and is dropped everywhere."""
+"""Dropped before a name if the name is not known with it. "the" carries nothing and is dropped
+everywhere but at the end, where what it belongs to was not said."""
 OWNERS = {"my": "us", "our": "us", "your": "you"}
 """Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
 office"."""
@@ -85,7 +86,8 @@ def name_words(name: str | Sequence[str]) -> tuple[str, ...]:
         words = tuple(name)
         if _SPECIAL.isdisjoint(words) and "".join(words).isalpha():
             return words
-    kept = [word for word in words if word and word != "the"] or [word for word in words if word]
+    last = len(words) - 1
+    kept = [word for at, word in enumerate(words) if word and (word != "the" or at == last)]
     return tuple(_numbered(kept))
 
 

@@ -83,6 +83,9 @@ _TOKEN = re.compile(
     r"|(?P<pause>[,.;:!?…–—]|(?<=\s)-+(?=\s)|--+|\n)",
 )
 
+_QUOTES = ('"“”„', "'‘’‚")
+"""Signs that begin and end a quotation, each kind with its own."""
+
 _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
@@ -235,6 +238,22 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
         return ("per",) if between or _unit_beside(text, place, before) else ()
+    if not number_before or _closes_a_quotation(sign, text, place):
+        return ()
     if sign in ("'", "’", "′"):  # two of them are inches
-        return ("feet",) if number_before and not after.isalpha() else ()
-    return ("inches",) if number_before else ()
+        return ("feet",) if not after.isalpha() else ()
+    return ("inches",)
+
+
+def _closes_a_quotation(sign: str, text: str, place: int) -> bool:
+    """Whether a sign behind a number ends what was begun with such a sign ('"go forward 2"'), and is no unit. Of two,
+    the second does."""
+    alike = next((family for family in _QUOTES if sign in family), "")
+    if not alike or text[place + 1 : place + 2] in tuple(alike):
+        return False
+    for before in range(place - 1, -1, -1):
+        if text[before] in alike:
+            opens = not text[before - 1 : before].isalnum()
+            if opens or not (text[before - 1].isalpha() and text[before + 1].isalpha()):  # "don't" holds none
+                return opens
+    return False

@@ -20,6 +20,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds, names_taken
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
+from intent_engine.language.free_text import FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.own_units import units_called
@@ -30,6 +31,7 @@ from intent_engine.language.spoken_quantities import Spoken, spoken_forms
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template_tree import Sequence as Parts
 from intent_engine.language.thing_words import thing_words
+from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -335,7 +337,9 @@ class Sampler:
     def _things(self, slot: Slot) -> Iterator[Spoken]:
         given = self._texts.get(slot.name)
         if given is not None:
-            yield from (Spoken(text, text) for text in given)
+            yield from (
+                Spoken(text, text if slot.dictation else self._free.thing(slot, self._heard(text))) for text in given
+            )
             return
         taken = self._words | slot.without
         known = [text for text in thing_words(self.grammar.language).examples if taken.isdisjoint(text.split())]
@@ -345,6 +349,13 @@ class Sampler:
             room = slot.max_words - slot.dictation  # what is dictated is taken with its article
             if self.grammar.language == "en" and _words(text) <= room:
                 yield Spoken(f"the {text}", f"the {text}" if slot.dictation else text)
+
+    def _heard(self, text: str) -> list[str]:
+        return Utterance.of(text, self.grammar.language).words
+
+    @cached_property
+    def _free(self) -> FreeText:
+        return FreeText(self.grammar)
 
     @cached_property
     def _words(self) -> frozenset[str]:

@@ -11,9 +11,13 @@ from hypothesis.strategies import DrawFn, SearchStrategy
 
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
+from intent_engine.grammar_states import unknown_states
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.drawing import RandomChoices
 from intent_engine.language.sampler import Piece, Sample, Sampler
+from intent_engine.needs import states_of
 from intent_engine.testing.noise import Noise, corrected, misheard, negated, spelled, with_fillers
+from intent_engine.testing.texts import texts_of
 
 __all__ = ["Sentence", "sentences"]
 
@@ -51,12 +55,19 @@ def sentences(
         texts: slot name to what is said for it, for text slots; else they are filled with common things.
 
     Raises:
-        ConfigError: there is nothing to say.
-        TypeError: ``engine`` is none.
+        ConfigError: there is nothing to say, or to correct; or no such intent, state or text slot.
+        TypeError: ``engine`` is none, or another argument is not of its kind.
         ValueError: an unknown kind of noise, or a negation together with a correction.
     """
     if not isinstance(engine, IntentEngine):
         raise TypeError(f"sentences takes an IntentEngine, not {engine!r}: IntentEngine.from_files(...) makes one")
+    if intent is not None and not isinstance(intent, str):
+        raise TypeError(f"sentences takes the name of one intent, not {intent!r:.80}; st.one_of(...) joins several")
+    if not isinstance(noise, Collection):
+        raise TypeError(f"noise is a name, or several in a list ({', '.join(Noise)}), not {noise!r:.80}")
+    state = states_of(state)
+    if unknown := unknown_states(state, engine.states, "state"):
+        raise ConfigError(unknown)
     given = (noise,) if isinstance(noise, str) else tuple(noise)
     if strange := [kind for kind in given if kind not in list(Noise)]:
         raise ValueError(f"there is no noise {strange[0]!r}; there is {', '.join(Noise)}")
@@ -74,9 +85,27 @@ def sentences(
         if kind in kinds and not words:
             hint = f"add them to the grammar: operators: {{{kind}: [...]}}"
             raise ConfigError(f"language {grammar.language!r} has no words of {kind}; {hint}")
-    sampler = Sampler(grammar, engine.locations, state=state, texts=texts, without=stops)
+    said = None if texts is None else texts_of(texts, grammar)
+    sampler = Sampler(grammar, engine.locations, state=state, texts=said, without=stops)
     sampler.check(intent)
+    if Noise.CORRECTION in kinds:
+        _check_corrections(sampler, intent)
     return _sentences(sampler, intent, kinds)
+
+
+CORRECTIONS_TRIED = 500
+"""Sentences after which it is told that none can be corrected; Hypothesis would only say that it found nothing."""
+
+
+def _check_corrections(sampler: Sampler, intent: str | None) -> None:
+    choices = RandomChoices(0)
+    drawn = (sampler.attempt(choices, intent) for _ in range(CORRECTIONS_TRIED))
+    if not any(sample is not None and corrected(sample, sampler, choices) is not None for sample in drawn):
+        raise ConfigError(
+            f"no sentence of {'the grammar' if intent is None else f'intent {intent!r}'} can be corrected so that what "
+            "is meant is known: none ends with a value that can be said again by itself, and there is no other intent "
+            "to say instead"
+        )
 
 
 DRAWS_PER_WORD = 3

@@ -209,3 +209,22 @@ def test_a_letter_is_what_is_written_for_it(engine_of, said: str, slots: dict[st
 @pytest.mark.parametrize("said", ["show row you", "show row are", "show row why", "fill well dee one"])
 def test_letters_that_a_grammar_does_not_have_are_none(engine_of, said: str) -> None:
     assert not engine_of(WELLS).parse(said).actions
+
+
+WAVE = """
+slots:
+  person: {type: text, max_words: 2}
+  times: {type: number, min: 1, max: 10}
+intents:
+  wave: {action: custom, sentences: ["wave [(at|to) [my] {person}] [{times} times]"]}
+"""
+
+
+@pytest.mark.parametrize("heard", ["wave two times once", "wave two point five", "wave two seven times"])
+def test_no_number_is_taken_for_a_word_before_free_text_that_what_belongs_to_it_would_be(engine_of, heard) -> None:
+    assert not engine_of(WAVE).parse(heard).actions
+
+
+@pytest.mark.parametrize("heard", ["wave two my friend", "wave two anna three times"])
+def test_but_it_is_where_as_a_number_it_leads_nowhere(engine_of, heard) -> None:
+    assert engine_of(WAVE).parse(heard).reason == f"read as '{heard.replace('two', 'to')}'"

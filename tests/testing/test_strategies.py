@@ -130,6 +130,49 @@ def test_what_cannot_be_said_is_told_at_once(engine, options, message):
         sentences(engine, **options)
 
 
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"intent": ["paint", "halt"]}, TypeError, "the name of one intent"),
+        ({"noise": 3}, TypeError, "noise is a name, or several in a list (fillers"),
+        ({"state": {"asked": True}}, TypeError, "states are names in a list"),
+        ({"state": ["askd"]}, ConfigError, "no intent of the grammar asks for a state 'askd'"),
+        ({"texts": ["boat"]}, TypeError, "texts is a dictionary"),
+        ({"texts": {"thing": [3]}}, TypeError, "for 'thing' is a list of texts"),
+        ({"texts": {"thin": ["boat"]}}, ConfigError, "no text slot 'thin'; did you mean 'thing'?"),
+        ({"texts": {"colour": ["mauve"]}}, ConfigError, "no text slot 'colour'; there is thing"),
+        ({"texts": {"thing": ["very old boat"]}}, ConfigError, "has more words than the 2 that slot 'thing' takes"),
+        ({"texts": {"thing": []}}, ConfigError, "nothing is said for slot 'thing'"),
+        ({"texts": {"thing": ["?"]}}, ConfigError, "'?', for slot 'thing', has no word"),
+    ],
+)
+def test_what_is_asked_for_wrongly_is_told_at_once(engine, options, error, message):
+    with pytest.raises(error, match=re.escape(message)):
+        sentences(engine, **options)
+
+
+def test_where_nothing_can_be_corrected_it_is_told_at_once(engine_of):
+    alone = engine_of("intents: {bow: {action: custom, sentences: [bow, 'bow now']}}")
+    with pytest.raises(ConfigError, match="no sentence of the grammar can be corrected"):
+        sentences(alone, noise="correction")
+
+
+def test_a_state_that_is_given_as_text_is_that_state(engine):
+    assert find(sentences(engine, "answer", state="asked"), lambda _: True, settings=FIND).text == "yes"
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [("the old boat", "old boat"), ("Boat 3", "boat 3"), ("Boat", "boat")],
+)
+def test_what_is_said_for_a_text_slot_has_the_value_that_the_engine_gives_it(engine, said, value):
+    strategy = sentences(engine, texts={"thing": said})
+    found = find(strategy, lambda case: "thing" in case.expected.slots, settings=FIND)
+    assert said in found.text
+    assert found.expected.slots["thing"] == value
+    assert_means(engine.parse(found.text), found.expected)
+
+
 @pytest.mark.parametrize("noise", ["loud", ["negation", "correction"]])
 def test_noise_that_means_nothing(engine, noise):
     with pytest.raises(ValueError, match=r"loud|negated or corrected"):
