@@ -59,7 +59,7 @@ meters metres; microliter microlitre; microliters microlitres; might mite; milli
 millilitres; millimeter millimetre; millimeters
 millimetres; mind mined; miner minor; missed mist; mode mowed; mold mould; molds moulds; moose mousse; morning
 mourning; muscle mussel; muscles mussels; mustache moustache; mustard mustered; naval navel; neighbor neighbour;
-none nun; nose knows; oar ore or; oars ores; ode owed; ok okay; omelet omelette; organize organise; paced paste;
+nose knows; oar ore or; oars ores; ode owed; ok okay; omelet omelette; organize organise; paced paste;
 packed pact; pail pale; pails pales; pain pane; pains panes; pair pare pear; pairs pares pears; pajamas pyjamas;
 palate palette pallet; palates pallets; passed past; patience patients; pause paws; peace piece; peak peek pique;
 peaks peeks; peal peel; peas pees; pedal peddle; pedals peddles; peer pier; peers piers; phase faze; plain plane;

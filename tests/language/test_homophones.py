@@ -91,11 +91,13 @@ def test_either_may_be_heard_for_the_other(word: str) -> None:
         assert word in homophones("en")[other]
 
 
-@given(st.sampled_from(sorted(homophones("en"))))
-def test_numbers_and_what_turns_a_meaning_around_are_none(word: str) -> None:
+def test_numbers_and_what_turns_a_meaning_around_are_none():
+    """But for "wait", which stops: a robot that stands for a "weight" does no harm."""
     operators = shipped().grammar.operators
-    assert word not in NUMBER_WORDS
-    assert (word,) not in (*operators.negation, *operators.correction, *operators.cancel)
+    turning = {words[0] for words in (*operators.negation, *operators.correction, *operators.cancel) if len(words) == 1}
+    assert turning.intersection(homophones("en")) == {"wait"}
+    assert ("wait",) in operators.stop
+    assert not NUMBER_WORDS & homophones("en").keys()
 
 
 @pytest.mark.parametrize("heard", ["Break.", "break break please", "break hard", "frees", "Woe!", "no, break"])

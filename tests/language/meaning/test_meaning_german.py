@@ -32,7 +32,6 @@ TABLE = {
     "nimm die Tasse da": "pick tasse",
     "nimm die Tasse die": NOTHING,
     "hol Ball mir die": NOTHING,
-    "nimm die": "pick die",
     "folge mir": "follow",
     "komm her": "come",
     "bring mir die Tasse": "bring",
