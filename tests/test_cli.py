@@ -155,7 +155,7 @@ def test_debug_shows_where():
 
 @pytest.mark.parametrize(("ending", "code"), [(KeyboardInterrupt, 130), (guard.Terminated, 143)])
 def test_of_a_robot_only_a_verb_that_has_one_speaks(monkeypatch, ending, code):
-    def ended(*_: object) -> None:
+    def ended(*_: object, **__: object) -> None:
         raise ending
 
     monkeypatch.setattr("intent_engine.cli.parse.load_engine", ended)
