@@ -110,7 +110,8 @@ class Navigate:
     frame: str = "map"
 
     def __post_init__(self) -> None:
-        _text(self, location=self.location, frame=self.frame)
+        if type(self.location) is not str or type(self.frame) is not str:  # a quick look: every sentence makes actions
+            _text(self, location=self.location, frame=self.frame)
         _finite(self, x=self.x, y=self.y, yaw=self.yaw)
 
 
@@ -122,7 +123,8 @@ class Pick:
     object: str
 
     def __post_init__(self) -> None:
-        _text(self, empty=False, object=self.object)
+        if type(self.object) is not str or not self.object.strip():
+            _text(self, empty=False, object=self.object)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +138,10 @@ class Place:
     """A map name or a place in words ("table"); None: here."""
 
     def __post_init__(self) -> None:
-        _text(self, **{name: value for name in ("object", "location") if (value := getattr(self, name)) is not None})
+        if self.object is not None and type(self.object) is not str:
+            _text(self, object=self.object)
+        if self.location is not None and type(self.location) is not str:
+            _text(self, location=self.location)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +154,8 @@ class Custom:
     """Slot values: strings, numbers in SI units, booleans or None."""
 
     def __post_init__(self) -> None:
-        _text(self, empty=False, name=self.name)
+        if type(self.name) is not str or not self.name.strip():
+            _text(self, empty=False, name=self.name)
         if not isinstance(self.slots, Mapping):
             raise TypeError(f"Custom.slots are a dictionary, as {{'person': 'Ada'}}, not {self.slots!r:.80}")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,6 +46,10 @@ class Loaded:
             interpreters[grammar.language] = Interpreter(matcher, Nearest(matcher))
         return Loaded(grammars, locations, interpreters)
 
+    @cached_property
+    def _all(self) -> tuple[Interpreter, ...]:
+        return tuple(self.interpreters.values())
+
     def parsers(self, language: str | None) -> tuple[Interpreter, ...]:
         """The interpreter of a language; None: all of them.
 
@@ -53,7 +58,7 @@ class Loaded:
             TypeError: it is no text.
         """
         if language is None:
-            return tuple(self.interpreters.values())
+            return self._all
         if not isinstance(language, str):
             raise TypeError(f"a language is given by its tag, as 'en', not as {language!r:.80}")
         interpreter = self.interpreters.get(language_of(language))

@@ -12,6 +12,10 @@ MOVING = "moving"
 """The robot state in which any utterance that begins with a stop word stops it."""
 
 
+_USUAL = frozenset({tuple, list, set, frozenset})
+"""Types of which a quick look tells that they hold states."""
+
+
 def states_of(given: object) -> Collection[str]:
     """The states that a program says a robot is in. A text is the one state of that name: each of its letters would be
     one, and what "docked" forbids would be done.
@@ -19,6 +23,8 @@ def states_of(given: object) -> Collection[str]:
     Raises:
         TypeError: they are none.
     """
+    if type(given) in _USUAL:
+        return given  # type: ignore[return-value]
     if isinstance(given, str):
         return (given,)
     if isinstance(given, Mapping) or not isinstance(given, Collection):

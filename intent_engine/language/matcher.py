@@ -251,7 +251,7 @@ class Matcher:
                 _cut_off(trace, words)
                 or _leads_to_a_number(trace, words, language)
                 or _names_no_number(trace, words, language)
-                or self._loses_a_number(trace, words)
+                or (loose and self._loses_a_number(trace, words))
             )
         ]
         readings = [self._reading(trace, words) for trace in traces]
