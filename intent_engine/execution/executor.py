@@ -17,13 +17,13 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import given, shutdown
 from intent_engine.execution.admission import Admission, Policy, check_robot, checked, limits_of
+from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor
@@ -66,11 +66,6 @@ class Executor:
         ValueError: a time below zero, a policy that there is not, or a robot that another executor drives.
     """
 
-    STOP_PATIENCE = 0.005
-    """s that ``stop`` waits for the lock, before it stops the robot past it."""
-    BOOKS_PATIENCE = 0.5
-    """s that ``stop`` then waits for the lock, to end the goals before it returns."""
-
     def __init__(
         self,
         robot: Robot,
@@ -100,11 +95,6 @@ class Executor:
         given.check_clock(self.clock)
         if hasattr(robot, "use_clock"):
             robot.use_clock(self.clock)
-        self._lock = threading.RLock()
-        self._wake = threading.Condition(self._lock)
-        """Something is due earlier than was thought."""
-        self._ended = threading.Condition(self._lock)
-        """A goal has ended."""
         self._gate = Gate(robot)
         self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, limits, self.rates)
         self._admission = Admission(robot, limits, handlers or {}, policies or {}, expire_after)
@@ -114,20 +104,21 @@ class Executor:
         self._events = Dispatcher(self.clock.now, threaded=self._stepped is None)
         events, loop = self._events, self.loop
         self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
-        carriers = Carriers(robot, self._admission, loop, events.launch, self._poke, self._failsafe.stop_robot)
+        self._books = Books(self.clock, self._gate, self._failsafe, lambda *stop: self._conductor.stop(*stop))
+        self._ended = threading.Condition(self._books.lock)
+        """A goal has ended."""
+        poke = self._books.poke
+        carriers = Carriers(robot, self._admission, loop, events.launch, poke, self._failsafe.stop_robot)
         ended = self._ended.notify_all
         self._conductor = Conductor(
             self._admission, carriers, loop, self._failsafe, events, ended, hold_limit, queue_limit
         )
-        self._late_stop: tuple[Reason, EventKind] | None = None
-        """A stop that could not take the lock: its bookkeeping is still to do."""
-        self._poked = False
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
                 self._events.subscribe(listener)
         if hasattr(self.loop, "attach"):
-            self.loop.attach(self._poke, self._failsafe.stop_robot)
+            self.loop.attach(poke, self._failsafe.stop_robot)
         self._thread: threading.Thread | None = None
         if self._stepped is not None:
             self._stepped.attach(self)
@@ -185,7 +176,7 @@ class Executor:
         if not listed:
             return []
         try:
-            with self._locked() as now:
+            with self._books.locked() as now:
                 self._utterance += 1
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
@@ -207,7 +198,7 @@ class Executor:
 
     def reset(self) -> None:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
-        with self._locked():
+        with self._books.locked():
             self._conductor.estopped = False
             if self._failsafe.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
@@ -220,33 +211,26 @@ class Executor:
 
         For a stop that is not certain yet. Nobody's release within ``hold_limit`` makes a stop of it.
         """
-        self._gate.shut()
-        if not self._lock.acquire(timeout=self.STOP_PATIENCE):
-            self._failsafe.stop_robot()  # the robot hangs in another thread's call; see _stop
-            self._lock.acquire()
-        try:
-            with self._locked() as now:
-                if not (self._conductor.closed or self._conductor.held):
-                    self._failsafe.stop_robot()
-                    self._conductor.hold(now)
-                    self._events.tell(EventKind.HOLD)
-                    self._wake.notify_all()
-        finally:
-            self._lock.release()
+        with self._books.held() as now:
+            if not (self._conductor.closed or self._conductor.held):
+                self._failsafe.stop_robot()
+                self._conductor.hold(now)
+                self._events.tell(EventKind.HOLD)
+                self._books.wake.notify_all()
         self._events.flush()
 
     def release(self) -> None:
         """End a hold: motions cover what was left of them, navigation is given again."""
-        with self._locked() as now:
+        with self._books.locked() as now:
             if self._conductor.held:
                 self._events.tell(EventKind.RELEASE)
                 self._conductor.release(now)
-                self._wake.notify_all()
+                self._books.wake.notify_all()
         self._events.flush()
 
     def pause(self) -> None:
         """Come to rest with the robot's deceleration, and wait for :meth:`resume`."""
-        with self._locked() as now:
+        with self._books.locked() as now:
             if not (self._conductor.closed or self._conductor.paused):
                 self._events.tell(EventKind.PAUSE)
                 self._conductor.pause(now)
@@ -255,11 +239,11 @@ class Executor:
 
     def resume(self) -> None:
         """Go on after :meth:`pause`."""
-        with self._locked() as now:
+        with self._books.locked() as now:
             if self._conductor.paused:
                 self._events.tell(EventKind.RESUME)
                 self._conductor.resume(now)
-                self._wake.notify_all()
+                self._books.wake.notify_all()
         self._events.flush()
 
     def cancel(self, goal: Goal) -> None:
@@ -270,7 +254,7 @@ class Executor:
             ValueError: it is another executor's.
         """
         goal = given.goal_of("cancel", goal, self)
-        with self._locked() as now:
+        with self._books.locked() as now:
             self._conductor.cancel(goal, now)
             self._advance(now)
         self._events.flush()
@@ -285,7 +269,7 @@ class Executor:
             TypeError: the name is no text, or nothing can be called with an action.
         """
         given.check_handler("register", name, handler)
-        with self._lock:
+        with self._books.lock:
             self._admission.handlers[name] = handler
 
     def subscribe(self, listener: Listener) -> Callable[[], None]:
@@ -320,7 +304,7 @@ class Executor:
                         self._stepped.run_until_idle(deadline)
                     return self._all_ended(listed)
             return True
-        with self._lock:
+        with self._books.lock:
             while not self._all_ended(listed):
                 if self.clock.wait_until(self._ended, deadline) and not self._all_ended(listed):
                     return False
@@ -343,7 +327,7 @@ class Executor:
     @property
     def idle(self) -> bool:
         """Nothing is being carried out and nothing waits."""
-        with self._lock:
+        with self._books.lock:
             return self._conductor.idle
 
     @property
@@ -357,7 +341,7 @@ class Executor:
 
     def snapshot(self) -> Snapshot:
         """How things stand."""
-        with self._lock:
+        with self._books.lock:
             now, pose = self._conductor, self._failsafe.pose()
             return Snapshot(
                 now.running, now.queued, now.held, now.paused, now.estopped, now.closed, self.loop.written, pose
@@ -367,13 +351,13 @@ class Executor:
 
     def close(self) -> None:
         """Stop, end the thread, write the last zeros. What is submitted afterwards is rejected. Idempotent."""
-        with self._lock:
+        with self._books.lock:
             if self._conductor.closed:
                 return
             self._conductor.closed = True
         self._stop(Reason.CLOSED, EventKind.STOP)
-        with self._locked():
-            self._wake.notify_all()
+        with self._books.locked():
+            self._books.wake.notify_all()
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join(1.0)
         if self._stepped is not None:
@@ -407,74 +391,37 @@ class Executor:
 
     def due(self) -> float | None:
         """When :meth:`step` has something to do."""
-        with self._lock:
+        with self._books.lock:
             return self._due(self.clock.now())
 
     def step(self) -> None:
         """Do what is due now."""
-        with self._locked() as now:
+        with self._books.locked() as now:
             self._advance(now)
         self._events.flush()
 
     def _main(self) -> None:
-        with self._lock:
+        with self._books.lock:
             while not self._conductor.closed:
                 try:
-                    with self._locked() as now:
+                    with self._books.locked() as now:
                         self._advance(now)
                 except BaseException as error:  # a robot's sys.exit(), say: without this thread no goal would end
                     self._events.tell(EventKind.ERROR, detail=f"{type(error).__name__}: {error}")
                     self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
-                self.clock.wait_until(self._wake, self._due(self.clock.now()))
+                self.clock.wait_until(self._books.wake, self._due(self.clock.now()))
 
     def _due(self, now: float) -> float | None:
-        return now if self._poked or self._late_stop is not None else self._conductor.due(now)
+        return now if self._books.due else self._conductor.due(now)
 
     def _advance(self, now: float) -> None:
-        self._poked = False
+        self._books.looked()
         self._conductor.advance(now)
-        self._wake.notify_all()
+        self._books.wake.notify_all()
 
     def _stop(self, reason: Reason, kind: EventKind) -> None:
-        self._gate.shut()
-        locked = self._lock.acquire(timeout=self.STOP_PATIENCE)
-        if not locked:
-            # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
-            # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
-            self._failsafe.stop_robot()
-            locked = self._lock.acquire(timeout=self.BOOKS_PATIENCE)
-        if locked:
-            try:
-                self._late_stop = None
-                self._conductor.stop(reason, kind, self.clock.now())
-                self._wake.notify_all()
-            finally:
-                self._lock.release()
-        else:
-            self._late_stop = (reason, kind)
-            self._poke()
+        self._books.stop(reason, kind)
         self._events.flush()
-
-    @contextmanager
-    def _locked(self) -> Iterator[float]:
-        """The lock, and the time; a stop that is still to be entered in the books comes before all else."""
-        with self._lock:
-            now = self.clock.now()
-            if self._late_stop is not None:
-                late, self._late_stop = self._late_stop, None
-                self._conductor.stop(*late, now)
-            yield now
-
-    # -- what the conductor needs --------------------------------------------------------------------------------------
-
-    def _poke(self) -> None:
-        """Look again soon. Takes no lock that a robot's thread could be waiting for."""
-        self._poked = True
-        if self._lock.acquire(blocking=False):
-            try:
-                self._wake.notify_all()
-            finally:
-                self._lock.release()
 
     def _all_ended(self, goals: list[Goal] | None) -> bool:
         return self.idle if goals is None else all(goal.done for goal in goals)

@@ -68,7 +68,7 @@ def test_stop_does_not_wait_for_a_robot_that_hangs(executor, robot):
 
     threading.Thread(target=submit, daemon=True).start()
     assert robot.moved.wait(30.0)
-    executor.BOOKS_PATIENCE = 0.01
+    executor._books.LATER = 0.01
     executor.stop()
     assert robot.written == [0.0]
     robot.hanging.clear()

@@ -192,7 +192,7 @@ def test_the_gate_is_shut_before_anything_is_waited_for(command):
     executor = Executor(Curious(), handle_sigterm=False)
     with executor:
         executor.submit(Move(0.5, 50.0, 100.0))
-        with executor._lock:
+        with executor._books.lock:
             thread = threading.Thread(target=getattr(executor, command), daemon=True)
             thread.start()
             for _ in range(3000):
@@ -205,11 +205,11 @@ def test_the_gate_is_shut_before_anything_is_waited_for(command):
 
 def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(stage):
     s = stage()
-    s.executor.BOOKS_PATIENCE = 0.01
+    s.executor._books.LATER = 0.01
     taken, go = threading.Event(), threading.Event()
 
     def hang() -> None:
-        with s.executor._lock:
+        with s.executor._books.lock:
             taken.set()
             go.wait(30.0)
 
@@ -230,17 +230,17 @@ def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(sta
 
 def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(stage):
     s = stage()
-    s.executor.BOOKS_PATIENCE = 0.01
+    s.executor._books.LATER = 0.01
     (goal,) = s.executor.submit(FORWARD)
     taken, go = threading.Event(), threading.Event()
 
     def hang() -> None:
-        with s.executor._lock:
+        with s.executor._books.lock:
             taken.set()
             go.wait(30.0)
 
     thread = threading.Thread(target=hang)
-    shut, later = s.executor._gate.shut, s.executor._poke
+    shut, later = s.executor._gate.shut, s.executor._books.poke
 
     def shut_and_hang() -> None:
         shut()
@@ -249,7 +249,7 @@ def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(s
         assert taken.wait(30.0)
 
     s.executor._gate.shut = shut_and_hang
-    s.executor._poke = lambda: (go.set(), later())
+    s.executor._books.poke = lambda: (go.set(), later())
     s.executor.close()
     thread.join(30.0)
     assert (goal.state, goal.reason) == (GoalState.CANCELED, Reason.CLOSED)

@@ -1,0 +1,111 @@
+"""The lock under which an executor keeps its books, and the stop that waits for it only so long.
+
+A robot that hangs holds the lock up. A stop then acts past it: velocities are shut off and the robot is stopped at
+once, and what has ended is entered as soon as the lock is free, before anything else is done under it.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from intent_engine.execution.clock import Clock
+from intent_engine.execution.events import EventKind
+from intent_engine.execution.failsafe import Failsafe
+from intent_engine.execution.gate import Gate
+from intent_engine.execution.goal import Reason
+
+__all__ = ["Books"]
+
+
+class Books:
+    """Who may enter something, and when somebody looks at it again. From any thread.
+
+    Args:
+        clock: gives the time.
+        gate: which a stop shuts first.
+        failsafe: stops a robot whose lock cannot be had.
+        enter: ends what a stop ends, under the lock: why, what is told of it, and the time.
+    """
+
+    PATIENCE = 0.005
+    """s that a stop, or a hold, waits for the lock, before it stops the robot past it."""
+    LATER = 0.5
+    """s that a stop then waits for the lock, to end the goals before it returns."""
+
+    def __init__(
+        self, clock: Clock, gate: Gate, failsafe: Failsafe, enter: Callable[[Reason, EventKind, float], None]
+    ) -> None:
+        self._clock = clock
+        self._gate = gate
+        self._failsafe = failsafe
+        self._enter = enter
+        self.lock = threading.RLock()
+        self.wake = threading.Condition(self.lock)
+        """Something is due earlier than was thought."""
+        self._late_stop: tuple[Reason, EventKind] | None = None
+        """A stop that could not take the lock: it is still to be entered."""
+        self._poked = False
+
+    @property
+    def due(self) -> bool:
+        """Whether somebody is to look at once."""
+        return self._poked or self._late_stop is not None
+
+    def looked(self) -> None:
+        """Somebody looks now."""
+        self._poked = False
+
+    def poke(self) -> None:
+        """Look again soon. Takes no lock that a robot's thread could be waiting for."""
+        self._poked = True
+        if self.lock.acquire(blocking=False):
+            try:
+                self.wake.notify_all()
+            finally:
+                self.lock.release()
+
+    @contextmanager
+    def locked(self) -> Iterator[float]:
+        """The lock, and the time; a stop that is still to be entered comes before all else."""
+        with self.lock:
+            now = self._clock.now()
+            if self._late_stop is not None:
+                late, self._late_stop = self._late_stop, None
+                self._enter(*late, now)
+            yield now
+
+    @contextmanager
+    def held(self) -> Iterator[float]:
+        """The same for a hold, with velocities shut off before it; a robot that hangs is stopped before it is had."""
+        self._gate.shut()
+        if not self.lock.acquire(timeout=self.PATIENCE):
+            self._failsafe.stop_robot()  # see stop
+            self.lock.acquire()
+        try:
+            with self.locked() as now:
+                yield now
+        finally:
+            self.lock.release()
+
+    def stop(self, reason: Reason, kind: EventKind) -> None:
+        """Velocities are shut off, the robot is stopped, and what that ends is entered: now, or when the lock is
+        free."""
+        self._gate.shut()
+        locked = self.lock.acquire(timeout=self.PATIENCE)
+        if not locked:
+            # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
+            # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
+            self._failsafe.stop_robot()
+            locked = self.lock.acquire(timeout=self.LATER)
+        if locked:
+            try:
+                self._late_stop = None
+                self._enter(reason, kind, self._clock.now())
+                self.wake.notify_all()
+            finally:
+                self.lock.release()
+        else:
+            self._late_stop = (reason, kind)
+            self.poke()
