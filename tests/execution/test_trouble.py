@@ -203,17 +203,23 @@ def test_the_gate_is_shut_before_anything_is_waited_for(command):
     assert through[0] is False
 
 
-def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(stage):
-    s = stage()
-    s.executor._books.LATER = 0.01
+def hanging(executor: Executor) -> tuple[threading.Thread, threading.Event, threading.Event]:
+    """A thread that holds the lock of an executor up when it is started: it tells when it has it, and is told when to
+    let go."""
     taken, go = threading.Event(), threading.Event()
 
     def hang() -> None:
-        with s.executor._books.lock:
+        with executor._books.lock:
             taken.set()
             go.wait(30.0)
 
-    thread = threading.Thread(target=hang)
+    return threading.Thread(target=hang), taken, go
+
+
+def test_a_hold_outlives_a_stop_that_came_before_it_and_could_not_be_entered(stage):
+    s = stage()
+    s.executor._books.LATER = 0.01
+    thread, taken, go = hanging(s.executor)
     thread.start()
     assert taken.wait(30.0)
     s.executor.stop()
@@ -232,14 +238,7 @@ def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(s
     s = stage()
     s.executor._books.LATER = 0.01
     (goal,) = s.executor.submit(FORWARD)
-    taken, go = threading.Event(), threading.Event()
-
-    def hang() -> None:
-        with s.executor._books.lock:
-            taken.set()
-            go.wait(30.0)
-
-    thread = threading.Thread(target=hang)
+    thread, taken, go = hanging(s.executor)
     shut, later = s.executor._gate.shut, s.executor._books.poke
 
     def shut_and_hang() -> None:
