@@ -20,11 +20,12 @@ from intent_engine.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
+from intent_engine.judgement import HARDLY_A_SENTENCE, Judge
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import SURE_ENOUGH_OF_SEVERAL
 
 if TYPE_CHECKING:
     from intent_engine.speech.audio import Samples

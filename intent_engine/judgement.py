@@ -24,14 +24,16 @@ from intent_engine.prefix import PrefixStatus
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import (
+    SURE_ENOUGH,
+    SURE_ENOUGH_OF_SEVERAL,
+    SURE_ENOUGH_TO_STOP,
+    WORTH_ASKING,
+    enough_to_stop,
+)
 
-__all__ = ["WORTH_ASKING", "Judge", "enough_to_stop"]
+__all__ = ["Judge"]
 
-SURE_ENOUGH = 0.7
-"""Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
-Measured on commands and other speech: docs/speech.md."""
-SURE_ENOUGH_OF_SEVERAL = 0.9
-"""The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
 SURE_BESIDE_A_STOP = 0.9
 """The same for a word or two that may have been a stop: of 42 "go" at 10 dB two were less sure."""
 FAR_BEHIND = 6.5
@@ -41,14 +43,6 @@ short sound: of "louder" or "start recording" a stop is among the next likeliest
 OTHER_WAY = 3.0
 """nats by which the same motion the other way must be less likely than what is done: one in twenty. Of 344 commands,
 clean, and 172 at 10 dB, "going forward" for "going rearward" was ahead by 2.6, and what was right by 3.1 and more."""
-WORTH_ASKING = 0.4
-"""Confidence from which it is told what it may have been."""
-SURE_ENOUGH_TO_STOP = 0.4
-"""The same for a stop: to stop for nothing is the lesser harm,"""
-ANOTHER_WORD = 1.75
-"""unless another word was heard that is likelier by this gap: "wow" is not "whoa". Of 58 "stop" by as many people,
-clean and at 10 dB, none had a gap above 1.5 where tiny.en was sure of it at 0.4 to 0.7; 13 "wow" had 1.8 to 2.7."""
-
 HARDLY_A_WORD = -1.5
 """Mean log probability of the words heard, below which they tell nothing of what was said: "Oh" and "That" were heard
 for "stop" at 10 dB. Most other words that hold the robot are heard better (docs/decisions/speech-held-robot.md)."""
@@ -360,12 +354,6 @@ def _ways(meaning: Interpretation) -> list[int]:
 def _hardly_heard(transcript: Transcript) -> bool:
     """Whether the words of a command were hardly heard."""
     return not transcript.word_by_word and transcript.score < CLEARLY
-
-
-def enough_to_stop(transcript: Transcript) -> float:
-    """Confidence from which a stop is acted on."""
-    another = transcript.gap is not None and transcript.gap > ANOTHER_WORD
-    return SURE_ENOUGH if another else SURE_ENOUGH_TO_STOP
 
 
 def _unheard(transcript: Transcript) -> str:
