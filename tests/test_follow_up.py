@@ -73,6 +73,15 @@ def test_a_stop_may_go_on(follow_up, text, stops):
     assert (whole is not None and whole.stops) is stops
 
 
+def test_what_only_begins_like_a_stop_is_none(engine_of):
+    follow_up = FollowUp(
+        engine_of(
+            "intents: {halt: {action: stop, sentences: [stop]}, mute: {action: custom, sentences: [stop it all]}}"
+        )
+    )
+    assert follow_up.stop_going_on("stop", heard("it all"), ()) is None
+
+
 def test_two_sentences_may_be_one_of_the_grammar(engine_of):
     follow_up = FollowUp(
         engine_of("intents: {quieter: {action: custom, sentences: ['too loud turn it down', turn it down]}}")

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.hypotheses.evidence import View
-from intent_engine.speech.hypotheses.ranking import ranked
+from intent_engine.speech.hypotheses.ranking import UNKNOWN_WORD, ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 
@@ -61,6 +61,13 @@ def test_a_word_that_a_slot_without_a_list_takes_is_no_less_likely(engine_of):
     jessica, flurb = ("call", FreeWord("jessica")), ("take", "the", FreeWord("flurb"))
     found = {one.words: one.evidence.unknown for one in ranked(people, {jessica: (view,), flurb: (view,)})}
     assert found == {jessica: 0, flurb: 1}
+
+
+def test_a_word_that_no_list_has_is_less_likely(engine_of):
+    people, heard = SpokenGrammar(engine_of(PEOPLE)), (View(-3.0, -3.0, 0.0),)
+    cup, flurb = ranked(people, {("take", "the", FreeWord("flurb")): heard, ("take", "the", "cup"): heard})
+    assert cup.words == ("take", "the", "cup")
+    assert (cup.evidence.margin, flurb.behind) == (UNKNOWN_WORD, UNKNOWN_WORD)
 
 
 GATES = """
