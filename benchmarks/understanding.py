@@ -21,7 +21,7 @@ from typing import Any
 from benchmarks import judging
 from benchmarks.peers import Peer, Step, all_peers
 from benchmarks.report import Report, Table
-from intent_engine.language.quantity_finder import find
+from intent_engine.language.quantities import find
 
 COMMAND = "python -m benchmarks --only understanding"
 DATA = Path(__file__).resolve().parents[2] / "shared" / "data"

@@ -13,15 +13,19 @@ from collections.abc import Iterator, Sequence
 from intent_engine.language.numbers import english, english_ordinals, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, SHARE_OF, Relative
-from intent_engine.language.numbers.quantity_parser import parser_of, tidy
+from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
 from intent_engine.language.numbers.templates import templates
 from intent_engine.language.numbers.units import Units, units
+from intent_engine.language.quantity_finder import Found, find
 
 __all__ = [
+    "MAX_WORDS",
     "RELATIVE_SPEEDS",
+    "Found",
     "Relative",
     "counts",
     "evaluate",
+    "find",
     "is_number_word",
     "is_numeral",
     "is_ordinal_word",
@@ -29,9 +33,6 @@ __all__ = [
     "templates",
     "tidy",
 ]
-
-MAX_WORDS = 16
-"""Words of the longest quantity that anybody says."""
 
 
 def is_number_word(word: str, language: str = "en") -> bool:

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.numbers.quantity_parser import parser_of
+from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of
 from intent_engine.language.numbers.units import Units, units
-from intent_engine.language.quantities import MAX_WORDS
 
 __all__ = ["Found", "find"]
 

@@ -15,7 +15,10 @@ from intent_engine.language.numbers.phrases import WHOLE_ANGLES
 from intent_engine.language.numbers.templates import WITHOUT_ONE
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
-__all__ = ["QuantityParser", "parser_of", "tidy"]
+__all__ = ["MAX_WORDS", "QuantityParser", "parser_of", "tidy"]
+
+MAX_WORDS = 16
+"""Words of the longest quantity that anybody says."""
 
 _ANGLES_BEGIN = frozenset(spoken[0] for spoken in WHOLE_ANGLES)
 _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
