@@ -26,7 +26,8 @@ from benchmarks.recordings import (
 from benchmarks.report import Report, Table
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
-from intent_engine.evaluation.labels import Row, read_labels
+from intent_engine.evaluation.label_files import read_labels
+from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Outcome, Verdict, quantile
 from intent_engine.evaluation.sound import load, read_whole
 from intent_engine.evaluation.trial import Trial

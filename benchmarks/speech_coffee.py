@@ -13,7 +13,7 @@ from typing import Any
 from benchmarks.recordings import DATA, PEER, ROOT, Ways, accuracy_rows, hear, kitchen, needs, row, some
 from benchmarks.report import Report, Table
 from intent_engine.engine import IntentEngine
-from intent_engine.evaluation.labels import read_labels
+from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.scoring import score
 from intent_engine.evaluation.trial import Trial
 

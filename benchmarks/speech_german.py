@@ -8,7 +8,7 @@ from typing import Any
 
 from benchmarks.recordings import Ways, accuracy_rows, hear, some, speech_set
 from intent_engine.engine import IntentEngine
-from intent_engine.evaluation.labels import read_labels
+from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.trial import Trial
 from intent_engine.resources import default_grammar, find
 

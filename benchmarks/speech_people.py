@@ -7,7 +7,7 @@ from typing import Any
 
 from benchmarks.recordings import DATA, Ways, accuracy_rows, hear, holds, kitchen, needs, row, some
 from intent_engine.engine import IntentEngine
-from intent_engine.evaluation.labels import read_labels
+from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.scoring import Outcome, Verdict
 from intent_engine.evaluation.sound import end_of_speech, load
 from intent_engine.evaluation.trial import Trial

@@ -19,12 +19,14 @@ from typing import TYPE_CHECKING
 from intent_engine.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
+from intent_engine.follow_up import FollowUp
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL, Judge
+from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL
 
 if TYPE_CHECKING:
     from intent_engine.speech.audio import Samples
@@ -78,6 +80,9 @@ class Continuing:
 
     def __init__(self, judge: Judge, within: float) -> None:
         self._judge = judge
+        self._follow_up = FollowUp(judge.engine)
+        self.on = True
+        """Whether anything goes on from a command. It may be changed at any time."""
         self._within = within
         self._said: _Said | None = None
         self._stopped: tuple[str, float] | None = None
@@ -99,7 +104,7 @@ class Continuing:
         said, heard = self._before(utterance), utterance.result
         self.forget()
         self._stopped = meaning.text, utterance.last_voice
-        if said is not None and heard is not None and self._judge.only_corrects(heard):
+        if said is not None and heard is not None and self._follow_up.only_corrects(heard):
             self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=True)
 
     def forget(self) -> None:
@@ -136,7 +141,7 @@ class Continuing:
         found = self._meant(utterance, state, last)
         soon = self._missed is not None and utterance.began - self._missed <= self._within
         accepted = found.meaning.status is Status.ACCEPTED
-        if soon and accepted and not found.meaning.stops and self._judge.comes_after(found.transcript):
+        if soon and accepted and not found.meaning.stops and self._follow_up.comes_after(found.transcript):
             refused = Interpretation(found.transcript.text, Status.REJECTED, reason=_AFTER_NOTHING)
             found = Understood(found.transcript, refused, Step(()))
         said = accepted or not found.transcript.text.strip()
@@ -157,9 +162,9 @@ class Continuing:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
         too_late = False
         if said is not None:
-            exact = self._judge.together(said.command.meaning.text, alone, state)
+            exact = self._follow_up.together(said.command.meaning.text, alone, state)
             done = said.command.meaning
-            together = begun_alike(lambda text: self._judge.text(text, heard, state), done, meaning)
+            together = begun_alike(lambda text: self._follow_up.text(text, heard, state), done, meaning)
             for transcript, whole in ((heard, together), (alone, exact)):
                 step = said.command.step_to(whole) if whole is not None else None
                 if whole is not None and step is not None and self._belongs(said, step, whole, alone, by_itself):
@@ -168,7 +173,7 @@ class Continuing:
         meaning = by_itself
         withdrawn = False
         if said is not None and meaning.status is not Status.ACCEPTED:
-            withdrawn = self._judge.corrects(alone) or self._judge.ends_in_correction(heard)
+            withdrawn = self._follow_up.corrects(alone) or self._follow_up.ends_in_correction(heard)
             if withdrawn or len(alone.free_text.split()) <= HARDLY_A_SENTENCE:
                 # "No", and a moment later "the dock".
                 taken_back = withdrawn or said.withdrawn
@@ -188,7 +193,7 @@ class Continuing:
         stop, ended = self._stopped
         if utterance.began - ended > ONE_SENTENCE:
             return None
-        return self._judge.stop_going_on(stop, heard, state)
+        return self._follow_up.stop_going_on(stop, heard, state)
 
     def _done_already(
         self, utterance: SpokenUtterance, heard: Transcript, by_itself: Interpretation, state: Collection[str]
@@ -202,7 +207,9 @@ class Continuing:
             return None
         done = said.command.meaning
         ways = (
-            self._judge.one_sentence(begun, heard, state) for begun in dict.fromkeys((done.text, said.heard)) if begun
+            self._follow_up.one_sentence(begun, heard, state)
+            for begun in dict.fromkeys((done.text, said.heard))
+            if begun
         )
         return next((whole for whole in ways if whole is not None and whole.actions == done.actions), None)
 
@@ -213,7 +220,7 @@ class Continuing:
         command by itself, nor if the words began with a "no", or came after one, and take nothing back."""
         if by_itself.status is Status.ACCEPTED and step.amends is None:
             return False
-        return whole.corrected or not (said.withdrawn or self._judge.corrects(alone))
+        return whole.corrected or not (said.withdrawn or self._follow_up.corrects(alone))
 
     def _by_itself(
         self,
@@ -228,16 +235,16 @@ class Continuing:
         however long ago that was said, if it says so: "when you get there, turn left"."""
         if meaning.status is not Status.ACCEPTED or meaning.stops:
             return Step(meaning.actions)
-        in_turn = MOVING in state and self._judge.comes_later(heard)
+        in_turn = MOVING in state and self._follow_up.comes_later(heard)
         if said is not None and not in_turn:
-            both = in_a_row(lambda text: self._judge.text(text, heard, state), said.command.meaning, meaning)
+            both = in_a_row(lambda text: self._follow_up.text(text, heard, state), said.command.meaning, meaning)
             soon = utterance.began - said.ended <= ONE_BREATH
-            in_turn = self._judge.comes_after(heard) or (soon and both is not None)
+            in_turn = self._follow_up.comes_after(heard) or (soon and both is not None)
         return Step(meaning.actions, Policy.FOLLOW if in_turn else None)
 
     def _before(self, utterance: SpokenUtterance) -> _Said | None:
         """The command that an utterance may belong to."""
         said = self._said
-        if said is None or not self._judge.continuing or utterance.began - said.ended > self._within:
+        if said is None or not self.on or utterance.began - said.ended > self._within:
             return None
         return said if said.withdrawn or said.command.under_way else None

@@ -17,6 +17,7 @@ from intent_engine.continuing import Continuing
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
+from intent_engine.expectation import Expectation
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.holding import Holding
 from intent_engine.judgement import Judge
@@ -106,8 +107,9 @@ class Runtime:
         self.engine = engine
         self.executor = executor
         self._endpoint = Endpointer(settings)
-        self._judgement = Judge(engine)
-        self._continuing = Continuing(self._judgement, self._endpoint.settings.wait_continued)
+        judge = Judge(engine)
+        self._expectation = Expectation(judge)
+        self._continuing = Continuing(judge, self._endpoint.settings.wait_continued)
         self.join_sentences()
         if recognizer is None:
             from intent_engine.speech.models import recognizer_for
@@ -117,7 +119,7 @@ class Runtime:
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
         self._holding = Holding(reflex, executor, self._tell)
-        self._acting = Acting(executor, self._judgement, self._continuing, self._holding, self._tell, state or tuple)
+        self._acting = Acting(executor, judge, self._continuing, self._holding, self._tell, state or tuple)
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
@@ -148,7 +150,7 @@ class Runtime:
     def join_sentences(self, on: bool = True) -> None:
         """Whether what is said right after a motion may belong to it, as it may unless ``Settings.wait_continued`` is
         0. For a program that takes the interpretations of this runtime and cannot put right what it has begun."""
-        self._judgement.continuing = on and self._endpoint.settings.wait_continued > 0
+        self._continuing.on = on and self._endpoint.settings.wait_continued > 0
 
     def close(self) -> None:
         """End :meth:`run` and stop the robot, for good: a later ``run`` ends at once. Idempotent, from any thread."""
@@ -259,7 +261,7 @@ class Runtime:
         elif utterance.draft and self._endpoint.silence + FRAME_SECONDS / 2 >= SECOND_LOOK:
             self._decoding.decode(utterance, final=True)
         elif self._speculate and utterance.job is None and (heard := self._decoding.follow(utterance)):
-            if self._judgement.begins_nothing(heard):
+            if self._expectation.begins_nothing(heard):
                 self._decoding.rest()
             self._tell(HeardKind.PARTIAL, frame.time, transcript=heard)
         return utterance
@@ -378,10 +380,12 @@ class Runtime:
         assert utterance.result is not None
         meaning, outlook = None, Outlook.UNKNOWN
         if not (utterance.glance and utterance.result.draft):
-            meaning, outlook = self._judgement.outlook(utterance.result, self._acting.state(), self._acting.last)
+            meaning, outlook = self._expectation.outlook(
+                utterance.result, self._acting.state(), self._acting.last, amendable=self._continuing.on
+            )
         taken = not utterance.glance or outlook is Outlook.COMPLETE
         if taken:
-            self._endpoint.judge(outlook, self._judgement.wait(utterance.result, meaning))
+            self._endpoint.judge(outlook, self._expectation.wait(utterance.result, meaning))
         told: dict[str, Any] = {"transcript": utterance.result, "interpretation": meaning, "outlook": outlook}
         self._tell(HeardKind.PARTIAL, time, speech_ended=utterance.last_voice, **told)
         if not taken:

@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.engine import IntentEngine
-from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
+from intent_engine.evaluation.label_files import find_labels, read_labels
+from intent_engine.evaluation.labels import Row, evenly
 from intent_engine.evaluation.sound import Noise
 
 __all__ = ["Example", "fit", "gather", "options", "report"]

@@ -10,21 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Status
-from intent_engine.judgement import (
+from intent_engine.judgement import CLEARLY, HARDLY_A_WORD, SURE_BESIDE_A_STOP, SURE_THOUGH_HELD, Judge
+from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import (
     ANOTHER_WORD,
-    CLEARLY,
-    HARDLY_A_WORD,
-    OTHER_WAY,
-    SURE_BESIDE_A_STOP,
     SURE_ENOUGH,
     SURE_ENOUGH_OF_SEVERAL,
     SURE_ENOUGH_TO_STOP,
-    SURE_THOUGH_HELD,
-    Judge,
 )
-from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
-from intent_engine.speech.endpoint import Outlook
-from intent_engine.speech.recognizer import Transcript
 
 ROOT = Path(__file__).resolve().parent.parent
 ONE, SEVERAL, STOP = "go forward two meters", "go forward two meters and turn left", "stop"
@@ -96,10 +90,6 @@ def test_only_the_wording_of_a_rejection_hangs_on_the_words_that_were_heard(judg
     assert (told.status, told.actions) == (otherwise.status, otherwise.actions)
 
 
-def test_less_is_asked_of_a_stop_and_more_of_several_commands():
-    assert SURE_ENOUGH_TO_STOP < SURE_ENOUGH < SURE_ENOUGH_OF_SEVERAL
-
-
 @pytest.mark.parametrize(("gap", "status"), [(ANOTHER_WORD, Status.ACCEPTED), (ANOTHER_WORD + 0.01, Status.REJECTED)])
 def test_a_stop_must_be_surer_where_another_word_is_much_likelier(judge, gap, status):
     wow = Transcript("whoa", free_text="Wow", gap=gap, confidence=SURE_ENOUGH_TO_STOP)
@@ -111,83 +101,6 @@ def test_a_stop_must_be_surer_where_another_word_is_much_likelier(judge, gap, st
 @pytest.mark.parametrize("text", [ONE, SEVERAL, STOP])
 def test_a_recogniser_that_is_not_steered_is_believed(judge, text):
     assert judge.meaning(heard(text, None, text), (), ()).status is Status.ACCEPTED
-
-
-def test_an_unsure_sentence_is_waited_for_by_the_words_that_were_heard(judge):
-    meaning, outlook = judge.outlook(heard("go to the dock", 0.2, "go to the"), (), ())
-    assert meaning is not None
-    assert meaning.actions == ()
-    assert outlook is Outlook.INCOMPLETE
-    _, outlook = judge.outlook(heard("go to the dock", 0.2, "goats eat a dog"), (), ())
-    assert outlook is Outlook.OTHER
-
-
-@pytest.mark.parametrize(
-    ("confidence", "score", "outlook"),
-    [
-        (0.9, CLEARLY - 0.01, Outlook.DOUBTFUL),
-        (0.9, CLEARLY, Outlook.EXTENDABLE),
-        (1.0, CLEARLY - 0.01, Outlook.EXTENDABLE),
-        (None, CLEARLY - 0.01, Outlook.EXTENDABLE),
-    ],
-)
-def test_what_was_hardly_heard_and_could_go_on_is_waited_for_longer(judge, confidence, score, outlook):
-    left = Transcript("turn left", score, "turned left", gap=0.1, confidence=confidence)
-    assert judge.outlook(left, (), ())[1] is outlook
-    over = Transcript("go to the dock", score, "goat to the dock", gap=0.1, confidence=confidence)
-    known = Outlook.SETTLED if confidence == 0.9 else Outlook.COMPLETE
-    assert judge.outlook(over, (), ())[1] is known, "nothing can follow what was heard word by word"
-
-
-@pytest.mark.parametrize(
-    ("text", "outlooks"),
-    [
-        ("turn left", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
-        ("go to the dock", (Outlook.COMPLETE, Outlook.COMPLETE)),
-        ("turn left ninety degrees", (Outlook.COMPLETE, Outlook.COMPLETE)),
-        ("turn left then turn right ninety degrees", (Outlook.SETTLED, Outlook.SETTLED)),
-        ("pick up the cup", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
-        ("put down the cup", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
-        ("put the cup on the table", (Outlook.AMENDABLE, Outlook.EXTENDABLE)),
-        ("put the cup on the table then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
-        ("turn left then go forward", (Outlook.EXTENDABLE, Outlook.DOUBTFUL)),
-    ],
-)
-def test_a_motion_that_can_be_put_right_is_waited_for_less(judge, text, outlooks):
-    continuing = Judge(judge.engine, continuing=True)
-    for score, outlook in zip((CLEARLY, CLEARLY - 0.01), outlooks, strict=True):
-        assert continuing.outlook(Transcript(text, score, "-", gap=0.1, confidence=0.95), (), ())[1] is outlook
-
-
-@pytest.mark.parametrize("text", ["Move backward for meters.", "Could you go back to meters?", "go forward to feet"])
-def test_a_number_that_was_written_as_a_word_of_its_sound_is_one(judge, text):
-    """Else the whole sentence would be waited for as one that may go on anyhow."""
-    continuing = Judge(judge.engine, continuing=True)
-    assert continuing.outlook(Transcript(text, 0.0, text, gap=0.0, confidence=1.0), (), ())[1] is Outlook.COMPLETE
-
-
-def test_a_motion_that_cannot_be_put_right_waits_for_its_manner(judge):
-    assert judge.outlook(Transcript("turn left ninety degrees", 0.0, "-", confidence=1.0), (), ())[1] is Outlook.SETTLED
-
-
-@pytest.mark.parametrize(
-    ("text", "outlook"),
-    [("sleep for an hour", Outlook.EXTENDABLE), ("sleep for ten minutes", Outlook.SETTLED)],
-)
-def test_who_says_an_hour_may_go_on_after_a_rest(tmp_path, text, outlook):
-    file = tmp_path / "timer.yaml"
-    file.write_text(
-        "slots: {length: duration}\nintents: {timer: {action: custom, sentences: ['sleep for {length}']}}\n"
-    )
-    judge = Judge(IntentEngine.from_files(file), continuing=True)
-    assert judge.outlook(Transcript(text, 0.0, "-", confidence=1.0), (), ())[1] is outlook
-
-
-def test_a_motion_is_not_waited_for_since_it_can_be_put_right(judge):
-    continuing = Judge(judge.engine, continuing=True)
-    heard = Transcript("go forward one meter", 0.0, "-", confidence=1.0)
-    assert continuing.outlook(heard, (), ())[1] is Outlook.COMPLETE
-    assert judge.outlook(heard, (), ())[1] is Outlook.EXTENDABLE
 
 
 @pytest.mark.parametrize(("text", "done"), [("turn left fifteen degrees", False), ("stop", True)])
@@ -224,34 +137,6 @@ def test_numbers_that_sound_alike_are_each_others(word):
     assert ALIKE[ALIKE[word]] == word
     low, high = sorted((TEENS | TENS)[one] for one in (word, ALIKE[word]))
     assert high == (low - 10) * 10
-
-
-OWN_WAITS = """
-intents:
-  order: {action: {type: custom, name: order}, sentences: ["a latte [with milk]"], wait: 450 ms}
-  wave: {action: {type: custom, name: wave}, sentences: ["wave [at me]"], wait: 0.2}
-  bow: {action: {type: custom, name: bow}, sentences: ["bow [low]"]}
-"""
-
-
-@pytest.mark.parametrize(
-    ("text", "wait"),
-    [
-        ("a latte", 0.45),
-        ("wave", 0.2),
-        ("bow", None),
-        ("wave and a latte", 0.45),
-        ("bow and wave", 0.2),
-        ("fetch a pony", None),
-        ("don't wave", None),
-    ],
-)
-def test_an_intent_says_how_long_it_waits_for_more(tmp_path, text, wait):
-    (tmp_path / "own.yaml").write_text(OWN_WAITS, encoding="utf-8")
-    judge = Judge(IntentEngine.from_files(tmp_path / "own.yaml"))
-    transcript = heard(text, 1.0)
-    meaning, _ = judge.outlook(transcript, (), ())
-    assert judge.wait(transcript, meaning) == wait
 
 
 OWN_RISK = """
@@ -326,88 +211,3 @@ def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternative
     """Of 464 "stop" in noise four were heard "go", and the robot drove off. But any word is compared with a "stop"."""
     transcript = Transcript(text, -2.0, text, alternatives=alternatives, behind=behind, confidence=confidence)
     assert bool(judge.meaning(transcript, (), ()).actions) is done
-
-
-@pytest.mark.parametrize(
-    ("text", "other", "nats", "done"),
-    [
-        ("going forward slowly", "going rearward slowly", OTHER_WAY - 0.1, False),
-        ("going forward slowly", "going rearward slowly", OTHER_WAY, True),
-        ("going forward slowly", "going onward slowly", 0.1, True),
-        ("turn left", "turn right", 0.5, False),
-        ("turn left and go back", "turn left and go forward", 0.5, False),
-        ("go to the kitchen", "go back", 0.5, True),
-        ("stop", "go back", 0.5, True),
-    ],
-)
-def test_what_may_as_well_have_been_the_other_way_is_asked_back(judge, text, other, nats, done):
-    transcript = Transcript(text, -0.9, "go wound", gap=0.4, confidence=0.95, alternatives=(other,), behind=(nats,))
-    found = judge.meaning(transcript, (), ())
-    assert bool(found.actions) is done
-    if not done:
-        assert found.alternatives == (text, other)
-        assert found.reason == f"{text!r} or {other!r}, the other way? say it again"
-    exactly = replace(transcript, text=text, free_text=text, gap=0.0, confidence=1.0)
-    assert judge.meaning(exactly, (), ()).actions, "word by word there is nothing to ask"
-
-
-def test_the_other_way_is_asked_back_in_a_state_that_both_need(engine_of):
-    judge = Judge(
-        engine_of(
-            "intents:\n  crawl:\n    action: {type: move, direction: '{way}'}\n    requires: [docked]\n"
-            "    sentences: ['crawl {way}']\nslots:\n  way: {type: choice, values: [forward, backward]}\n"
-        )
-    )
-    words, other = "crawl forward", "crawl backward"
-    transcript = Transcript(words, -0.9, "all forward", gap=0.4, confidence=0.95, alternatives=(other,), behind=(0.5,))
-    assert judge.meaning(transcript, ("docked",), ()).reason.endswith("the other way? say it again")
-    assert "docked" in judge.meaning(transcript, (), ()).reason
-
-
-BOX = """
-language: en
-intents:
-  fold: {action: custom, sentences: ["fold it [now]"]}
-  unfold: {action: custom, sentences: ["unfold it [now]"]}
-  wrap: {action: custom, sentences: ["wrap it"]}
-  undo: {action: {type: custom, name: fold}, sentences: ["unlace it"]}
-  lace: {action: {type: custom, name: fold}, sentences: ["lace it"]}
-"""
-
-
-@pytest.mark.parametrize(
-    ("text", "other"),
-    [
-        ("and fold it", "unfold it"),
-        ("And fold it now.", "unfold it now"),
-        ("then fold it", None),
-        ("fold it", None),
-        ("unfold it", None),
-        ("and wrap it", None),
-        ("wrap it and fold it", None),
-        ("and lace it", None),  # both do the same
-    ],
-)
-@pytest.mark.parametrize("state", [(), ("docked",)])
-def test_an_and_that_may_be_the_beginning_of_another_verb_is_asked_back(engine_of, text, other, state):
-    grammar = BOX.replace("action: custom,", "action: custom, requires: [docked],") if state else BOX
-    found = Judge(engine_of(grammar)).meaning(Transcript(text, free_text=text, confidence=1.0), state, ())
-    assert bool(found.actions) is (other is None)
-    if other is not None:
-        assert found.reason == f"{text!r} or {other!r}? say it again"
-        assert found.alternatives == (text, other)
-
-
-@pytest.mark.parametrize(
-    ("text", "other"),
-    [
-        ("do a full circle turn and clockwise", "do a full circle turn anticlockwise"),
-        ("turn left and clockwise", None),  # one command with "anticlockwise" does not exist
-        ("do a full circle turn then clockwise", None),
-        ("go forward and turn left", None),
-    ],
-)
-def test_so_is_one_between_two_commands_if_the_same_sound_is_one(judge, text, other):
-    found = judge.meaning(Transcript(text, free_text=text, confidence=1.0), (), ())
-    assert found.alternatives == ((text, other) if other else ())
-    assert len(found.actions) == (0 if other else 2)

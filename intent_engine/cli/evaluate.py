@@ -142,7 +142,8 @@ def evaluate(
     Slots that a label does not list are not held against it, as they are by test; list those that must be right.
     """
     _needs_jiwer()
-    from intent_engine.evaluation.labels import evenly, find_labels, read_labels
+    from intent_engine.evaluation.label_files import find_labels, read_labels
+    from intent_engine.evaluation.labels import evenly
     from intent_engine.evaluation.sound import Noise, check
     from intent_engine.evaluation.trial import Trial, scores
     from intent_engine.speech.models import usual_model

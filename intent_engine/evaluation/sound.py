@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from intent_engine.errors import AudioError
-from intent_engine.evaluation.labels import MOST_PROBLEMS, Row
+from intent_engine.evaluation.label_files import MOST_PROBLEMS
+from intent_engine.evaluation.labels import Row
 from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler, Samples
 from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
 

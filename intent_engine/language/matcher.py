@@ -10,42 +10,26 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart
 from intent_engine.language.alternative_slots import alternatives
-from intent_engine.language.automaton import SOUND, Automaton
+from intent_engine.language.automaton import Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
-from intent_engine.language.network import NAMED, Call, Edge, Networks, State
+from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.slot_values import SlotValues
 from intent_engine.language.spacing import Spacing
+from intent_engine.language.trace_checks import NUMBERS_BY_SOUND, loses_a_number, means_nothing
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.utterance_network import UtteranceNetwork
 from intent_engine.language.word_state import Trace, WordState
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["NEGATED", "Matcher"]
-
-NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
-"""How a negated command begins in speech, besides the negation itself."""
-FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
-"""The usual ones of these, for finding what was probably said."""
-SOUND_LETTERS = 4
-"""Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
-
-NUMBERS_BY_SOUND = frozenset(
-    (("to", "two"), ("too", "two"), ("for", "four"), ("fore", "four"), ("won", "one"), ("ate", "eight"))
-)
-"""Words that are numbers where a unit follows, as sure as these themselves: of 30 times that "to meters", "to feet" or
-"for meters" was heard in quiet and in noise, and the sentence was one but for that, each was that number."""
-LEADING = frozenset(("to", "too", "for", "fore"))
-GOES_ON = frozenset(("hundred", "thousand", "million", "point"))
-"""Words of a number before which these may be one too; "to twenty degrees" is no 220."""
-CUT_OFF = (["to"], ["for"])
-"""Words with which a sentence goes on. At its end neither is "two" or "four"."""
+__all__ = ["Matcher"]
 
 
 class Matcher:
@@ -123,14 +107,21 @@ class Matcher:
     @cached_property
     def spoken(self) -> Automaton:
         """The automaton of whole utterances: fillers, sentences joined by "and then", fillers. For looking ahead."""
-        return self._utterances(stop_anywhere=True)
+        return self._automaton(self._utterances.root(stop_anywhere=True), loose=False)
 
     @cached_property
     def likely(self) -> Automaton:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
         the middle of a misheard sentence is noise, and one that was said there is heard as it is. Nor does a free slot
         take words of its ``without``. It is only walked."""
-        return self._utterances(stop_anywhere=False)
+        root = self._utterances.root(stop_anywhere=False)
+        return self._automaton(root, loose=False, traced=False, refusing=True)
+
+    @cached_property
+    def _utterances(self) -> UtteranceNetwork:
+        whole = {index: self.sentences[index][0].name for index in self._whole}
+        later = {intent.name: self._later_of(intent) for intent in self.grammar.intents.values() if intent.then}
+        return UtteranceNetwork(self.grammar, self.networks, self._parts, self.patterns, whole, later)
 
     @cached_property
     def _continuations(self) -> Continuations:
@@ -185,53 +176,6 @@ class Matcher:
                 slot = None
         return False
 
-    def _utterances(self, *, stop_anywhere: bool) -> Automaton:
-        begin, middle, end = State(), State(), State()
-        ends = {intent.name: State() for intent in self.grammar.intents.values() if intent.then}
-        for place in (end, *ends.values()):
-            place.final = True
-        fillers = [words for words in (*self.grammar.fillers, *self.grammar.wake) if words]
-        sounds = [words for words in fillers if len("".join(words)) <= SOUND_LETTERS]
-        sounds += [words for words in fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
-        self.networks.add_names("sounds", [(words, "") for words in sounds])
-        self.networks.add_names("fillers", [(words, "") for words in fillers if words not in sounds])
-        self.networks.add_names("sequence", [(words, "") for words in self.grammar.operators.sequence])
-        self.networks.add_names("stop", [(words, "") for words in self.grammar.operators.stop])
-        # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
-        negation = [
-            (words, "") for words in (*self.grammar.operators.negation, *NEGATED.get(self.grammar.language, ()))
-        ]
-        self.networks.add_names("negation", negation)
-        self.networks.add_names("forbidding", [(words, "") for words in FORBIDDING.get(self.grammar.language, ())])
-        begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
-        begin.edges.append(Edge(middle))
-        if fillers:
-            for place in (begin, end, *ends.values()):
-                place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
-                place.edges.append(Edge(place, call=Call("fillers", apart=True)))
-        polite = not stop_anywhere and self._parts.add_polite(fillers, sounds)
-        kind = "polite" if polite else "sentence"
-        for index in self._whole:
-            after = ends.get(self.sentences[index][0].name, end)
-            middle.edges.append(Edge(after, call=Call(f"{kind}:{index}")))
-        for key in self.patterns.networks:
-            middle.edges.append(Edge(end, call=Call(key)))
-        if stop_anywhere:
-            middle.edges.append(Edge(end, call=Call("stop")))
-        else:
-            alone = State()
-            alone.final = True
-            begin.edges.append(Edge(alone, call=Call("stop")))
-        end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
-        for intent in self.grammar.intents.values():
-            if intent.then:
-                between = State()
-                ends[intent.name].edges.append(Edge(between, call=Call("sequence", apart=True)))
-                between.edges.append(Edge(middle))
-                for index in self._later_of(intent):
-                    between.edges.append(Edge(ends[intent.name], call=Call(f"{kind}:{index}")))
-        return self._automaton(begin, loose=False, traced=stop_anywhere, refusing=not stop_anywhere)
-
     # -- reading ----------------------------------------------------------------------------------------------
 
     def read(self, words: list[str], *, loose: bool = False, after: str = "") -> list[Reading]:
@@ -248,10 +192,8 @@ class Matcher:
             trace
             for trace in automaton.read(words)
             if not (
-                _cut_off(trace, words)
-                or _leads_to_a_number(trace, words, language)
-                or _names_no_number(trace, words, language)
-                or (loose and self._loses_a_number(trace, words))
+                means_nothing(trace, words, language)
+                or (loose and loses_a_number(trace, words, self.grammar, self.strict))
             )
         ]
         readings = [self._reading(trace, words) for trace in traces]
@@ -338,71 +280,9 @@ class Matcher:
             self._alternatives_of[id(sentence)] = found
         return found
 
-    def _loses_a_number(self, trace: Trace, words: Sequence[str]) -> bool:
-        """Whether a number is taken for another word and what belongs to it for free text: "wave two times once" is no
-        "wave to *times once*", for "wave two times" was said."""
-        return any(
-            mark[0] == "alike"
-            and mark[1] not in NUMBER_WORDS
-            and self.is_number(words[position - 1])
-            and self._opens_free_text(trace, position)
-            and self.strict.walk(list(words))[0] > position
-            for position, mark in trace
-        )
-
-    def _opens_free_text(self, trace: Trace, place: int) -> bool:
-        """Whether what stands behind a word is free text."""
-        return any(
-            position == place and mark[0] == "open" and mark[1][0] == "slot" and self._is_free(mark[1][2])
-            for position, mark in trace
-        )
-
-    def _is_free(self, slot: str) -> bool:
-        return self.grammar.slots[slot].type in FREE_KINDS
-
     def is_number(self, word: str) -> bool:
         """Whether a word is a numeral or a word of a number."""
         return is_number(word, self.grammar.language)
-
-
-def _cut_off(trace: Trace, words: Sequence[str]) -> bool:
-    """Whether the last word is taken for a number, but may be where a sentence broke off: "turn left to"."""
-    return words[-1:] in CUT_OFF and any(mark[0] == "alike" and position == len(words) for position, mark in trace)
-
-
-def _leads_to_a_number(trace: Trace, words: Sequence[str], language: str) -> bool:
-    """Whether a word is taken for a number that only leads to one: "turn right to twenty degrees"."""
-    return not LEADING.isdisjoint(words) and any(
-        mark[0] == "alike"
-        and words[position - 1] in LEADING
-        and (words[position - 1], mark[1]) in NUMBERS_BY_SOUND
-        and position < len(words)
-        and words[position] not in GOES_ON
-        and is_number(words[position], language)
-        for position, mark in trace
-    )
-
-
-def _names_no_number(trace: Trace, words: Sequence[str], language: str) -> bool:
-    """Whether what stands for the number of a name is not one whole number that is said as it is: "drawer 7 and 8",
-    "drawer 7.5", "drawer minus seven". No drawer is called so, and the first of two is not the one that is meant."""
-    for _, mark in trace:
-        if mark[1] is NAMED:
-            break
-    else:
-        return False  # as most are: few sentences have such numbers
-    begin = 0
-    heard: list[str] = []
-    for position, mark in trace:
-        if mark[:2] == ("open", NAMED):
-            begin, heard = position, [*words]
-        elif mark[0] == "alike" and heard:
-            heard[position - 1] = mark[1]
-        elif mark == ("close", NAMED):
-            number = quantities.evaluate(heard[begin:position], "number", language)
-            if not (isinstance(number, float) and number >= 0 and number.is_integer()):
-                return True
-    return False
 
 
 def _preference(reading: Reading) -> tuple[bool, int, int, int]:

@@ -11,7 +11,7 @@ to go on, number 0 is always the shortest.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -20,18 +20,13 @@ from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds, names_taken
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
-from intent_engine.language.free_text import FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
-from intent_engine.language.own_units import units_called
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
-from intent_engine.language.spellings import own_words
-from intent_engine.language.spoken_quantities import Spoken, spoken_forms
+from intent_engine.language.spoken_slots import SpokenSlots, size
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
 from intent_engine.language.template_tree import Sequence as Parts
-from intent_engine.language.thing_words import thing_words
-from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
@@ -45,8 +40,6 @@ ONCE_IN = 4
 """Of so many sentences from which something may go on, one does."""
 USUAL_JOINTS = 3
 """Joints that are sampled, the first of the list: "and", "then", "and then"."""
-STAND_INS = ("blick", "dax", "wug", "zorp")
-"""For a grammar that uses all of these words itself."""
 _DETERMINERS = frozenset(("the", "that", "this", "my", "your", "a", "an"))
 
 
@@ -114,11 +107,10 @@ class Sampler:
         self.grammar = grammar
         self.locations = locations
         self._state = frozenset(state)
-        self._texts = dict(texts or {})
         self._without = frozenset(without)
         self._lengths: dict[int, float] = {}
         self._ordered: dict[int, Sequence[Any]] = {}
-        self._said: dict[str, Sequence[Sequence[Spoken]]] = {}
+        self._spoken_slots = SpokenSlots(grammar, locations, texts)
         self._patterns = PatternSampler(grammar, locations, self.spoken)
 
     @cached_property
@@ -239,7 +231,7 @@ class Sampler:
     def _length(self, node: Node) -> float:
         match node:
             case Word(text):
-                return _size(text)
+                return size(text)
             case WordClass(name):
                 return 1.0 if name == "#" else math.inf
             case Choice(items):
@@ -254,7 +246,7 @@ class Sampler:
                 slot = self.grammar.slots[name]
                 if slot.values:
                     return min(self.length(item) for _, item in slot.values)
-                return min((_size(form[0].text) for form in self._ways(slot)), default=math.inf)
+                return min((size(form[0].text) for form in self._spoken_slots.ways(slot)), default=math.inf)
         raise AssertionError(node)
 
     def _drawn(self, node: Node, choices: Choices) -> list[Piece]:
@@ -297,87 +289,8 @@ class Sampler:
             node = pick(choices, self._shortest_first(slot, [item for _, item in slot.values]))
             value = next(value for value, item in slot.values if item is node)
             return Piece(_joined(self._drawn(node, choices)), label, slot, value)
-        said = pick(choices, pick(choices, self._ways(slot)))
+        said = pick(choices, pick(choices, self._spoken_slots.ways(slot)))
         return Piece(said.text, label, slot, said.value)
-
-    def _ways(self, slot: Slot) -> Sequence[Sequence[Spoken]]:
-        """The ways to say values of a slot that is no choice, in forms; the shortest first. Empty if there is none."""
-        ways = self._said.get(slot.name)
-        if ways is None:
-            if slot.type in QUANTITY_KINDS:
-                smallest = [limit for limit in (slot.smallest, slot.least) if limit is not None]
-                limits = max(smallest, default=None), slot.maximum
-                phrases, language = self.grammar.phrases, self.grammar.language
-                own = tuple((size, tuple(map(" ".join, names))) for size, names in units_called(slot, phrases))
-                ways = spoken_forms(
-                    slot.type,
-                    language,
-                    slot.unit,
-                    *limits,
-                    whole=slot.whole,
-                    own=own,
-                    bare=slot.bare,
-                    digits=slot.digits,
-                )
-            else:
-                said = sorted(
-                    self._places(slot) if slot.type == "location" else self._things(slot),
-                    key=lambda spoken: (_size(spoken.text), spoken.text),
-                )
-                ways = (said,) if said else ()
-            self._said[slot.name] = ways
-        return ways
-
-    def _places(self, slot: Slot) -> Iterator[Spoken]:
-        for words, name in self.locations.names() if self.locations is not None else ():
-            assert self.locations is not None
-            if not slot.tags or slot.tags & set(self.locations[name].tags):
-                yield Spoken(" ".join(words), name)
-
-    def _things(self, slot: Slot) -> Iterator[Spoken]:
-        given = self._texts.get(slot.name)
-        if given is not None:
-            yield from (
-                Spoken(text, text if slot.dictation else self._free.thing(slot, self._heard(text))) for text in given
-            )
-            return
-        taken = self._words | slot.without
-        known = [text for text in thing_words(self.grammar.language).examples if taken.isdisjoint(text.split())]
-        for text in known or STAND_INS:
-            if _words(text) <= slot.max_words:
-                yield Spoken(text, text)
-            room = slot.max_words - slot.dictation  # what is dictated is taken with its article
-            if self.grammar.language == "en" and _words(text) <= room:
-                yield Spoken(f"the {text}", f"the {text}" if slot.dictation else text)
-
-    def _heard(self, text: str) -> list[str]:
-        return Utterance.of(text, self.grammar.language).words
-
-    @cached_property
-    def _free(self) -> FreeText:
-        return FreeText(self.grammar)
-
-    @cached_property
-    def _words(self) -> frozenset[str]:
-        """Every word that the grammar itself has a use for."""
-        grammar, operators = self.grammar, self.grammar.operators
-        found = {*operators.closed, *grammar.sound_alikes, *grammar.homophones}
-        for phrases in (
-            grammar.fillers, grammar.wake, operators.negation, operators.correction, operators.cancel,
-            operators.sequence, operators.contrast, operators.stop,
-        ):  # fmt: skip
-            found.update(word for phrase in phrases for word in phrase)
-        found.update(own_words(grammar))
-        return frozenset(found)
-
-
-def _words(text: str) -> int:
-    return len(text.split())
-
-
-def _size(text: str) -> float:
-    """Words, and of as many words the fewest letters."""
-    return _words(text) + len(text) / 10_000
 
 
 def _joined(pieces: Sequence[Piece]) -> str:

@@ -23,7 +23,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.judgement import SURE_ENOUGH, enough_to_stop
 from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.acoustic.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.again import heard_again
@@ -37,6 +36,7 @@ from intent_engine.speech.hypotheses.dictating import (
     hardly_begun,
 )
 from intent_engine.speech.hypotheses.evidence import letters_apart
+from intent_engine.speech.hypotheses.forbidding import said_otherwise
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, Steered, as_read
 from intent_engine.speech.hypotheses.pace import too_few
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
@@ -45,6 +45,7 @@ from intent_engine.speech.hypotheses.weighing import begun_otherwise, crossed, d
 from intent_engine.speech.leaving import LeftError
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.steering import CLEAR_TALK
+from intent_engine.speech.thresholds import SURE_ENOUGH, enough_to_stop
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -297,7 +298,7 @@ class SecondOpinion:
         unclear: tuple[str, ...] = ()
         left_out: tuple[str, ...] = ()
         if self._grammar.acted_on(best.evidence.confidence, heard.language):
-            otherwise = self._grammar.said_otherwise([one.words for one in readings], heard.language)
+            otherwise = said_otherwise(self._grammar, [one.words for one in readings], heard.language)
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))

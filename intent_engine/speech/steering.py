@@ -24,11 +24,13 @@ from intent_engine.speech.acoustic.writing import written
 from intent_engine.speech.audio import SAMPLE_RATE, Samples, in_silence
 from intent_engine.speech.hypotheses.clearness import CLEAR
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, begin_of, hardly_begun
+from intent_engine.speech.hypotheses.forbidding import said_otherwise
 from intent_engine.speech.hypotheses.guided import DEEP, USUAL, Effort
 from intent_engine.speech.hypotheses.narration import NARRATING
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, read_alone
 from intent_engine.speech.hypotheses.other_commands import OtherCommands
 from intent_engine.speech.hypotheses.pace import too_few, too_many
+from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.weighing import doubted
 from intent_engine.speech.recognizer import Encoded, Transcript
@@ -230,7 +232,7 @@ class Steering(OtherCommands):
         if known or not heard.sentences or not self.grammar.acted_on(transcript.sureness, transcript.language):
             return transcript
         best = heard.sentences[0]
-        otherwise = self.grammar.said_otherwise(heard.sentences, transcript.language)
+        otherwise = said_otherwise(self.grammar, heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
         unclear += SaidAndHeard(self.grammar, best, [heard.heard], transcript.language).begins_unheard()
@@ -265,9 +267,9 @@ class Steering(OtherCommands):
         dictated = [one for one in self.grammar.openings(words, language) if possible(as_heard(one, words))]
         texts = {sentence: (view,) for sentence, view in zip(dictated, heard.views(dictated), strict=True)}
 
-        def ranked() -> list[Reading]:
+        def compared() -> list[Reading]:
             views = {sentence: (view,) for sentence, view in heard.viewed(found).items()}
-            return self.grammar.ranked({**texts, **views}, language)
+            return ranked(self.grammar, {**texts, **views}, language)
 
         like = [*self.grammar.near(words, language), *self._short(encoded, words, language)]
         if self.grammar.fits_pattern(words, language):
@@ -277,7 +279,7 @@ class Steering(OtherCommands):
             like = [sentence for sentence in like if not self.grammar.dictated(" ".join(sentence), language)]
         like = [sentence for sentence in dict.fromkeys(like) if possible(sentence)]
         found = dict(zip(like, self.score_words(encoded, like, language), strict=True))
-        readings = ranked()
+        readings = compared()
         if effort is None:
             return readings
         drafts = [written(reading.words, language) for reading in readings[:DRAFTS]]
@@ -292,7 +294,7 @@ class Steering(OtherCommands):
         for sentence, score in guided:
             if sentence in found or possible(sentence):
                 found[sentence] = max(score, found.get(sentence, score))
-        return ranked()
+        return compared()
 
     def _beginning(self, encoded: Encoded, language: str | None) -> npt.NDArray[np.float32]:
         """How likely every piece is to be the first: as it was heard freely, or asked anew."""

@@ -9,7 +9,8 @@ from continuing_stage import Script, Voiced
 
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
-from intent_engine.evaluation.labels import Row, read_labels
+from intent_engine.evaluation.label_files import read_labels
+from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Condition, Verdict
 from intent_engine.evaluation.sound import Noise, SamplesSource, load
 from intent_engine.evaluation.trial import Trial, scores

@@ -1,203 +1,11 @@
-"""Labels files: what rows mean, and every way to write them wrong."""
+"""What recordings mean."""
 
 from __future__ import annotations
 
-import json
-
 import pytest
 
-from intent_engine.actions import Move, Stop
 from intent_engine.engine import IntentEngine
-from intent_engine.errors import ConfigError
-from intent_engine.evaluation.hearing import Act, Hearing
-from intent_engine.evaluation.labels import Row, evenly, find_labels, read_labels
-from intent_engine.evaluation.scoring import Condition, Verdict, judge
-
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
-
-
-@pytest.fixture
-def write(tmp_path):
-    """Writes a labels file beside a sound file named a.wav."""
-    (tmp_path / "a.wav").write_bytes(b"RIFF")
-
-    def labels(*lines):
-        texts = [line if isinstance(line, str) else json.dumps(line) for line in lines]
-        path = tmp_path / "labels.jsonl"
-        path.write_text("\n".join(texts), "utf-8")
-        return path
-
-    return labels
-
-
-def test_a_text_means_what_the_grammar_makes_of_it(engine, write):
-    path = write({"audio": "a.wav", "text": "go forward two meters"}, "", {"audio": "a.wav", "text": "what a day"})
-    command, talk = read_labels(path, engine)
-    assert command.expected.command
-    assert command.expected.actions == (Move(0.5, 2.0, 4.0),)
-    assert command.expected.steps[0].intent == "move"
-    assert not talk.expected.command
-    assert (command.line, talk.line) == (1, 3)
-
-
-def test_who_does_what_a_text_says_is_right_in_other_words(engine, write):
-    said, labelled = read_labels(
-        write(
-            {"audio": "a.wav", "text": "go forward two meters"},
-            {"audio": "a.wav", "text": "go forward two meters", "intent": "move", "slots": {"direction": "forward"}},
-        ),
-        engine,
-    )
-    assert said.expected.by_text
-    assert not labelled.expected.by_text
-    meaning = engine.parse("go two meters")
-    assert meaning.slots != engine.parse("go forward two meters").slots
-    hearing = Hearing(meanings=[meaning], acts=[Act(meaning, 1.0, 0.5)])
-    assert judge(said, Condition("tiny.en"), hearing).verdict is Verdict.RIGHT
-    assert judge(labelled, Condition("tiny.en"), hearing).verdict is Verdict.WRONG
-
-
-def test_a_label_is_believed_before_the_grammar(engine, write):
-    path = write(
-        {"audio": "a.wav", "text": "go forward two meters", "intent": None},
-        {"audio": "a.wav", "text": "go forward two meters", "intent": "stop"},
-        {"audio": "a.wav", "text": "go forward two meters", "actions": []},
-        {"audio": "a.wav", "actions": [{"type": "stop"}]},
-        {"audio": "a.wav", "actions": ["move", "turn"]},
-    )
-    none, stop, nothing, action, types = (row.expected for row in read_labels(path, engine))
-    assert not none.command
-    assert [step.intent for step in stop.steps] == ["stop"]
-    assert not nothing.command
-    assert action.actions == (Stop(),)
-    assert types.types == ("move", "turn")
-
-
-def test_compound_commands_have_steps(engine, write):
-    steps = [{"intent": "move", "slots": {"distance": 2}}, {"intent": "turn", "slots": {"side": "left"}}]
-    path = write({"audio": "a.wav", "intent": "compound", "slots": {"steps": steps}})
-    (row,) = read_labels(path, engine)
-    assert [(step.intent, dict(step.slots)) for step in row.expected.steps] == [
-        ("move", {"distance": 2}),
-        ("turn", {"side": "left"}),
-    ]
-
-
-@pytest.mark.parametrize(
-    ("line", "said"),
-    [
-        ('{"audio": "a.wav" "text": "stop"}', "labels.jsonl:1:19: is no JSON: Expecting ',' delimiter"),
-        ("[1, 2]", "labels.jsonl:1: is no JSON object"),
-        ("[" * 100_000, "labels.jsonl:1: is "),
-        ({"text": "stop"}, "labels.jsonl:1: 'audio' is missing"),
-        ({"audio": 5, "text": "stop"}, "labels.jsonl:1:2: 'audio' must be the path of a sound file, not 5"),
-        ({"audio": "b.wav", "text": "stop"}, "labels.jsonl:1:2: there is no sound file"),
-        ({"audio": "a.wav"}, "labels.jsonl:1: says nothing of what is said"),
-        ({"audio": "a.wav", "text": ["stop"]}, "labels.jsonl:1:20: 'text' must be a text, not ['stop']"),
-        ({"audio": "a.wav", "intent": "fly"}, "labels.jsonl:1:20: intent 'fly' is not in the grammar"),
-        ({"audio": "a.wav", "intent": "trun"}, "is not in the grammar\n    did you mean 'turn'? it has again, "),
-        ({"audio": "a.wav", "intent": "none"}, "is not in the grammar\n    no command is null, without quotes"),
-        ({"audio": "a.wav", "intent": "move", "slots": {"hight": 1}}, "intent 'move' has no slot 'hight'"),
-        ({"audio": "a.wav", "text": "stop", "slots": {"distance": 1}}, "has 'slots' but no 'intent'"),
-        ({"audio": "a.wav", "intent": None, "slots": {"distance": 1}}, "has 'slots' but no intent"),
-        ({"audio": "a.wav", "intent": "compound", "slots": {}}, "'compound' needs its steps"),
-        ({"audio": "a.wav", "actions": ["fly"]}, "there is no action 'fly'"),
-        (
-            {"audio": "a.wav", "actions": [{"type": "turn"}]},
-            "'actions': turn needs angle, angular_velocity and",
-        ),
-        (
-            {"audio": "a.wav", "actions": [{"type": "move"}]},
-            "labels.jsonl:1:20: 'actions': move needs linear_velocity, distance and duration",
-        ),
-        (
-            {"audio": "a.wav", "text": "go", "intnet": "move"},
-            "labels.jsonl:1:34: unknown key 'intnet'\n    did you mean 'intent'?",
-        ),
-        (
-            {"audio": "a.wav", "intent": "move", "slot": {"distance": 2}},
-            "unknown key 'slot'\n    did you mean 'slots'?",
-        ),
-        ({"audo": "a.wav", "text": "stop"}, "labels.jsonl:1:2: unknown key 'audo'\n    did you mean 'audio'?"),
-        ({"audio": "a.wav", "Text": "stop"}, "unknown key 'Text'\n    did you mean 'text'?"),
-        ({"audio": "a.wav", "text": "stop", "speech-end": 1}, "did you mean 'speech_end'?"),
-        ({"audio": "a.wav", "text": "stop", "action": ["stop"]}, "did you mean 'actions'?"),
-        ({"audio": "a.wav", "actions": [3]}, "'actions': an action is a JSON object, not int"),
-        ({"audio": "a.wav", "text": "stop", "start": -1}, "'start' must be a number of seconds, not -1"),
-        ({"audio": "a.wav", "text": "stop", "end": "now"}, "'end' must be a number of seconds, not 'now'"),
-        ({"audio": "a.wav", "text": "stop", "start": 2, "end": 1}, "'end' is 1 s, not after 'start', 2 s"),
-        ('{"audio": "a.wav", "text": "stop", "start": NaN}', "'start' must be a number of seconds"),
-    ],
-)
-def test_what_is_wrong_is_told_with_its_line(engine, write, line, said):
-    with pytest.raises(ConfigError) as caught:
-        read_labels(write(line), engine)
-    assert said in str(caught.value)
-
-
-def test_a_slip_is_told_once_and_not_what_comes_of_it(engine, write):
-    with pytest.raises(ConfigError) as caught:
-        read_labels(write({"audo": "a.wav", "intnet": "stop"}), engine)
-    assert [problem.message for problem in caught.value.problems] == ["unknown key 'audo'", "unknown key 'intnet'"]
-
-
-def test_keys_of_ones_own_are_left_alone(engine, write):
-    own = ("speaker", "room", "side", "idx", "name", "note", "test", "duration", "language", "section", "audio_file")
-    path = write({"audio": "a.wav", "text": "stop", **dict.fromkeys(own, 1)})
-    assert len(read_labels(path, engine)) == 1
-
-
-def test_all_mistakes_are_told_at_once_and_a_wrong_grammar_once(engine, write):
-    orders = [{"audio": "a.wav", "intent": "orderDrink"}] * 50
-    path = write({"text": "stop"}, *orders, *([{"audio": "a.wav"}] * 50))
-    with pytest.raises(ConfigError) as caught:
-        read_labels(path, engine)
-    text = str(caught.value)
-    assert text.count("orderDrink") == 1
-    assert "labels.jsonl:1:" in text
-    assert "more like these" in text
-    assert len(caught.value.problems) <= 11
-
-
-@pytest.mark.parametrize("content", [b"", b"\n\n", b"RIFF\xff\x00\x00\x00"])
-def test_files_without_labels(engine, tmp_path, content):
-    path = tmp_path / "labels.jsonl"
-    path.write_bytes(content)
-    with pytest.raises(
-        ConfigError, match=r"holds no labels|no text at all\n    give the folder with it and labels.jsonl"
-    ):
-        read_labels(path, engine)
-
-
-def test_labels_in_another_encoding_are_told_with_their_line(engine, tmp_path):
-    path = tmp_path / "labels.jsonl"
-    path.write_bytes('{"audio": "a.wav"}\n{"audio": "é.wav"}\n'.encode("latin-1"))
-    with pytest.raises(
-        ConfigError, match=r"labels\.jsonl:2:12: is not UTF-8 text: byte 0xe9\n(.*\n)+    save it as UTF-8"
-    ):
-        read_labels(path, engine)
-
-
-def test_labels_in_another_form_are_told(tmp_path):
-    (tmp_path / "labels.csv").write_text("audio,text\na.wav,stop\n")
-    with pytest.raises(ConfigError, match=r"has no labels.jsonl\n    labels.csv is not read; write one JSON object"):
-        find_labels(tmp_path)
-
-
-def test_which_file_holds_the_labels(tmp_path):
-    with pytest.raises(ConfigError, match="no such folder"):
-        find_labels(tmp_path / "nowhere")
-    with pytest.raises(ConfigError, match=r"has no labels.jsonl\n    write one"):
-        find_labels(tmp_path)
-    (tmp_path / "mine.jsonl").touch()
-    with pytest.raises(ConfigError, match=r"give the file itself: .*mine\.jsonl"):
-        find_labels(tmp_path)
-    assert find_labels(tmp_path / "mine.jsonl") == tmp_path / "mine.jsonl"
-    (tmp_path / "labels.jsonl").touch()
-    assert find_labels(tmp_path) == tmp_path / "labels.jsonl"
+from intent_engine.evaluation.labels import Expected, Row, Step, evenly, steps_in, steps_of
 
 
 @pytest.mark.parametrize("limit", [1, 2, 7, 10, 11, None])
@@ -208,3 +16,36 @@ def test_a_limit_takes_rows_from_all_over_the_file(limit):
     assert taken == sorted(set(taken))
     assert taken[0] == 0
     assert limit != 2 or taken == [0, 5]
+
+
+@pytest.mark.parametrize(
+    ("text", "intents"),
+    [
+        ("go forward two meters", ["move"]),
+        ("go forward two meters and turn left", ["move", "turn"]),
+        ("what a day", []),
+        ("don't turn left", []),
+    ],
+)
+def test_the_commands_of_a_text(root, text, intents):
+    engine = IntentEngine.from_files(root / "grammars" / "en.yaml")
+    assert [step.intent for step in steps_of(engine.parse(text))] == intents
+
+
+@pytest.mark.parametrize("slots", [{}, {"steps": 1}, {"steps": [1]}, {"steps": [{"slots": {}}]}])
+def test_steps_in_another_form_are_an_error(slots):
+    with pytest.raises((KeyError, TypeError, AttributeError)):
+        steps_in(slots)
+
+
+@pytest.mark.parametrize(
+    ("expected", "command"),
+    [
+        (Expected(), False),
+        (Expected(actions=()), False),
+        (Expected((Step("stop"),)), True),
+        (Expected(types=("move",)), True),
+    ],
+)
+def test_whether_anything_is_to_be_done(expected, command):
+    assert expected.command is command

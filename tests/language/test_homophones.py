@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from meanings import shipped
 
-from intent_engine.actions import Move, Stop
+from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.homophones import homophones
@@ -123,29 +123,6 @@ def test_a_word_that_the_grammar_has_itself_is_no_stop(engine_of) -> None:
     assert engine.parse("brake").actions == (Stop(),)
 
 
-@pytest.mark.parametrize(
-    ("heard", "metres"),
-    [("go forward to meters", 2), ("go back for meters", -4), ("move ate meters", 8), ("go forward too feet", 0.6096)],
-)
-def test_a_number_by_its_sound_is_as_sure_where_its_unit_follows(heard: str, metres: float) -> None:
-    found = shipped().parse(heard)
-    (action,) = found.actions
-    assert isinstance(action, Move)
-    assert math.copysign(action.distance or 0.0, action.linear_velocity) == pytest.approx(metres)
-    assert found.confidence == 1.0
-
-
-@pytest.mark.parametrize(
-    "heard", ["turn right to twenty degrees", "go forward for to", "turn left to", "back to forty meters"]
-)
-def test_what_only_leads_to_a_number_is_none(heard: str) -> None:
-    assert shipped().parse(heard).actions == ()
-
-
-def test_where_more_of_a_number_follows_it_is_less_sure() -> None:
-    assert shipped().parse("go forward to hundred meters").confidence < 1.0
-
-
 OVEN = """
 language: de
 slots: {heat: number, tilt: angle}
@@ -211,22 +188,3 @@ def test_a_letter_is_what_is_written_for_it(engine_of, said: str, slots: dict[st
 @pytest.mark.parametrize("said", ["show row you", "show row are", "show row why", "fill well dee one"])
 def test_letters_that_a_grammar_does_not_have_are_none(engine_of, said: str) -> None:
     assert not engine_of(WELLS).parse(said).actions
-
-
-WAVE = """
-slots:
-  person: {type: text, max_words: 2}
-  times: {type: number, min: 1, max: 10}
-intents:
-  wave: {action: custom, sentences: ["wave [(at|to) [my] {person}] [{times} times]"]}
-"""
-
-
-@pytest.mark.parametrize("heard", ["wave two times once", "wave two point five", "wave two seven times"])
-def test_no_number_is_taken_for_a_word_before_free_text_that_what_belongs_to_it_would_be(engine_of, heard) -> None:
-    assert not engine_of(WAVE).parse(heard).actions
-
-
-@pytest.mark.parametrize("heard", ["wave two my friend", "wave two anna three times"])
-def test_but_it_is_where_as_a_number_it_leads_nowhere(engine_of, heard) -> None:
-    assert engine_of(WAVE).parse(heard).reason == f"read as '{heard.replace('two', 'to')}'"

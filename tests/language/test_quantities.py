@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from decimal import Decimal
 from pathlib import Path
@@ -16,10 +15,9 @@ from intent_engine.interpretation import Status
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, units
-from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, evaluate, find, templates
+from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, evaluate, templates
 from intent_engine.language.template import parse_template
 
-DATA = Path(__file__).resolve().parents[2] / ".." / "shared" / "data" / "numbers_units" / "en_values.jsonl"
 DEGREE = math.pi / 180
 FOOT, INCH, MILE, MPH = 0.3048, 0.0254, 1609.344, 0.44704
 KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
@@ -327,27 +325,6 @@ def test_no_words_raise_and_every_value_is_finite(said: list[str]) -> None:
         assert value is None or isinstance(value, Relative) or math.isfinite(value)
 
 
-@settings(max_examples=200, deadline=None)
-@given(st.text(max_size=80))
-def test_quantities_in_running_text_stand_one_after_the_other(text: str) -> None:
-    last = 0
-    for found in find(text):
-        assert last <= found.start < found.end <= len(text)
-        assert math.isfinite(found.value)
-        last = found.end
-
-
-def test_quantities_in_running_text() -> None:
-    found = find("go 2 m, then turn ninety degrees for three seconds at 0.3 m/s past bay 12")
-    assert [(one.kind, round(one.value, 3)) for one in found] == [
-        ("distance", 2),
-        ("angle", 1.571),
-        ("duration", 3),
-        ("speed", 0.3),
-        ("number", 12),
-    ]
-
-
 def test_every_unit_of_every_language_has_a_size() -> None:
     for language in ("de", "en", "es", "fr", "it"):
         table = units(language)
@@ -356,25 +333,6 @@ def test_every_unit_of_every_language_has_a_size() -> None:
             assert set(spellings.values()) <= {*FACTORS.get(kind, {}).values(), *RATES.get(kind, {}).values()}
         for template in templates(language).values():
             parse_template(template)
-
-
-@pytest.mark.data
-@pytest.mark.skipif(not DATA.exists(), reason="../shared/data/numbers_units is not here")
-def test_quantities_of_others_test_suites() -> None:
-    """At least 97 % of those that mean one thing; an angle is labelled in degrees there."""
-    rows = [json.loads(line) for line in DATA.read_text("utf-8").splitlines()]
-    rows = [row for row in rows if row["robot_scope"]]
-
-    def right(row: dict[str, float | str]) -> bool:
-        meant = float(row["value_norm"])
-        return any(
-            found.kind == row["kind"] or row["kind"] == "number"
-            for found in find(str(row["text"]))
-            if math.isclose(found.value / (DEGREE if found.kind == "angle" else 1), meant, rel_tol=1e-6, abs_tol=1e-6)
-        )
-
-    share = sum(map(right, rows)) / len(rows)
-    assert share >= 0.97, share
 
 
 @given(st.integers(1, 9), st.integers(10, 99), st.sampled_from(["", "minus "]), st.booleans())

@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import pytest
 
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
-from intent_engine.language import quantities
-from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.locations import LocationMap
-from intent_engine.language.normalize import tokenize
-from intent_engine.language.quantities import Relative
 from intent_engine.language.sampler import RandomChoices, Sampler, sample
-from intent_engine.language.spoken_quantities import spoken_forms
-from intent_engine.language.thing_words import thing_words
 
 GRAMMAR = """
 language: en
@@ -122,41 +114,3 @@ def test_the_first_choice_is_the_shortest(root):
     shortest = sampler.draw(First())
     drawn = [sampler.draw(RandomChoices(seed)) for seed in range(300)]
     assert all(len(shortest.text.split()) <= len(each.text.split()) for each in drawn)
-
-
-@pytest.mark.parametrize("language", ["en", "de", "es", "fr", "it"])
-@pytest.mark.parametrize("kind", QUANTITY_KINDS)
-def test_every_spelling_of_a_quantity_has_its_value(kind, language):
-    unit = {"distance": "m", "angle": "deg"}.get(kind)
-    forms = spoken_forms(kind, language, unit, None, None)
-    assert forms
-    wrong = []
-    for form in forms:
-        for text, value in form[:: 1 if len(form) < 300 else 7]:
-            found = quantities.evaluate([token.word for token in tokenize(text)], kind, language, unit)
-            if isinstance(value, Relative) or isinstance(found, Relative) or found is None:
-                same = found == value
-            else:
-                same = math.isclose(found, value, rel_tol=1e-9)
-            if not same:
-                wrong.append((text, value, found))
-    assert not wrong
-
-
-def test_limits_hold_for_spellings():
-    for form in spoken_forms("distance", "en", None, 0.5, 3.0):
-        assert all(0.5 <= value <= 3.0 for _, value in form)
-    assert spoken_forms("distance", "tlh", None, None, None) == ()
-
-
-@pytest.mark.parametrize("language", ["en", "de", "fr", "es", "it"])
-def test_things_are_called_in_the_language_of_the_grammar(tmp_path, language):
-    path = tmp_path / "things.yaml"
-    path.write_text(
-        f"language: {language}\nslots: {{thing: object}}\n"
-        "intents: {a: {action: custom, sentences: ['xyz {thing}']}}\n"
-    )
-    engine = IntentEngine.from_files(path)
-    drawn = sample(engine.grammar, None, 400)
-    assert {one.slots["thing"] for one in drawn} == set(thing_words(language).examples)
-    assert all(engine.parse(one.text).slots == one.slots for one in drawn)

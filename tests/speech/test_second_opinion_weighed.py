@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from two_models import FORWARD, LEFT, LIKELY, SOUND, Knows, Thinks, heard, two
 
 from intent_engine.engine import IntentEngine
-from intent_engine.judgement import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.second_opinion import AGREED, SURE_TOGETHER
+from intent_engine.speech.thresholds import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
 
 SENTENCES = [FORWARD, LEFT, "go back", "stop", "turn left fifteen degrees"]
 TEXTS = st.sampled_from([*SENTENCES, "the weather is nice", "don't turn left"])

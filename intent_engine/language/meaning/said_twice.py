@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from intent_engine.language.matcher import LEADING
 from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.name_words import is_identifier
 from intent_engine.language.thing_words import thing_words
+from intent_engine.language.trace_checks import LEADING
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["SaidTwice", "said_once"]

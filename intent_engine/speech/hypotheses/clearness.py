@@ -18,6 +18,7 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.scoring import Scoring
 from intent_engine.speech.acoustic.writing import spellings, written
+from intent_engine.speech.hypotheses.forbidding import forbidden
 from intent_engine.speech.hypotheses.left_out import end_left_out
 from intent_engine.speech.hypotheses.narration import NARRATING, SUBJECTS_IN
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
@@ -207,19 +208,19 @@ class Clearness(Scoring):
             others: of the same meaning.
         """
         ways = (words, *others)
-        forbidden = list(dict.fromkeys(one for way in ways for one in self.grammar.forbidden(way, language)))
-        if not forbidden:
+        negated = list(dict.fromkeys(one for way in ways for one in forbidden(self.grammar, way, language)))
+        if not negated:
             return math.inf
         # What follows is hardly likelier after a "don't".
-        if heard and (ahead := min(self._heard_apart(encoded, one, language) for one in forbidden)) >= SURELY_SAID:
+        if heard and (ahead := min(self._heard_apart(encoded, one, language) for one in negated)) >= SURELY_SAID:
             return ahead
         spelled = {True: in_digits(words, language), False: list(words)}
         scores = self.score(encoded, [written(one, language) for one in spelled.values()], language)
         said, digits = max(zip(scores, spelled, strict=True))
-        forbidden = [in_digits(one, language) if digits else one for one in forbidden]
-        if not heard and (ahead := self._begins_apart(encoded, spelled[digits], forbidden, language)) >= SURELY_SAID:
+        negated = [in_digits(one, language) if digits else one for one in negated]
+        if not heard and (ahead := self._begins_apart(encoded, spelled[digits], negated, language)) >= SURELY_SAID:
             return ahead
-        return said - max(self.score(encoded, [written(one, language) for one in forbidden], language))
+        return said - max(self.score(encoded, [written(one, language) for one in negated], language))
 
     def _begins_apart(
         self, encoded: Encoded, words: Sequence[str], others: Sequence[Sequence[str]], language: str | None

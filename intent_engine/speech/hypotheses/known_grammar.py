@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.reading import SlotReading
@@ -15,6 +14,7 @@ from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written
 from intent_engine.speech.hypotheses.wake_words import WakeWords
+from intent_engine.speech.thresholds import SURE_ENOUGH
 
 if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher

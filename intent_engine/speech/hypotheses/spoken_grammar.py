@@ -1,38 +1,32 @@
-"""What a grammar says of words that may have been spoken, before any sound is asked: which sentences are like them,
-which may be meant at all, and which of several is the likeliest, by what models think of each.
+"""What a grammar says of words that may have been spoken, before any sound is asked: which sentences are like them, and
+which may be meant at all.
 """
 
 from __future__ import annotations
 
-import itertools
-import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from statistics import fmean
 from typing import TYPE_CHECKING
 
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import SURE_ENOUGH
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.sentence_networks import NOT_AFTER_THE_VERB
 from intent_engine.language.utterance import PhraseSet, without_enumeration
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
-from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
-from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
-from intent_engine.speech.hypotheses.wake_words import UNADDRESSED, WakeWords
-from intent_engine.speech.hypotheses.word_count import WORD, word_count
+from intent_engine.speech.hypotheses.wake_words import WakeWords
+from intent_engine.speech.thresholds import SURE_ENOUGH
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
-__all__ = ["FORBIDDING", "SpokenGrammar"]
+__all__ = ["SpokenGrammar"]
 
 CANDIDATES = 8
 """Utterances of the grammar, like the words heard, that are looked up."""
@@ -46,8 +40,6 @@ FAR = 0.5
 """Share of the letters heard that may differ in an utterance that is looked up."""
 FAR_LETTERS = 1.7
 """Letters that may differ in any case: a short word is soon all wrong."""
-UNKNOWN_WORD = 8.0
-"""nats by which a word that no list has is less likely than those that are."""
 UNUSUAL = 2.0
 """nats by which a number that is no multiple of its slot's ``usual_step`` is less likely for each model, one beyond its
 ``usual_max``, and a turn of more than a circle. Of 447 angles that people told a robot one was no multiple
@@ -55,13 +47,6 @@ UNUSUAL = 2.0
 BEYOND_LIMITS = 5.0
 """The same of a number that its slot does not take, where no model heard it word by word. Where one did, it is only
 unusual."""
-FORBIDDING = ("don't",), ("do", "not"), ("never",)
-"""How a command begins that shall not be done, as it is written. "Then we'll go" is heard of "never go", too."""
-
-NOT_WITHIN = 3
-"""First words of a command, behind any of which a "nicht" may stand: "fahr nicht ...", "dreh dich nicht ..."."""
-OTHERWISE = 2
-"""Other ways to say a command, of which a "don't" is looked for too."""
 
 
 class SpokenGrammar:
@@ -227,39 +212,6 @@ class SpokenGrammar:
         """Whether something of it is acted on from less than is usual: to be wrong costs less than to be asked."""
         return self._known(language).least < SURE_ENOUGH
 
-    def forbidden(self, words: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
-        """A command as it would be said if it should not be done: after what says nothing at its beginning ("please
-        don't"), and in place of that, but never of a wake word: what is not for the robot is not done anyhow; or, in
-        German, with a "nicht" behind its first words. None of what is no command, of a stop, and of languages of which
-        that is not known."""
-        meaning = self.parse(" ".join(words), language)
-        if not meaning.actions or meaning.stops:
-            return []
-        called = self.wake(language).after(words)
-        lead = called + self.lead(words[called:], language)
-        if language not in (None, "en"):
-            behind = NOT_AFTER_THE_VERB.get(language, ())
-            places = range(lead + 1, min(lead + 1 + NOT_WITHIN, len(words)))
-            return [(*words[:at], *no, *words[at:]) for no in behind for at in places]
-        begin, rest = tuple(words[:lead]), tuple(words[lead:])
-        begins = {begin} if called else {(): None, begin: None}
-        return [(*kept, *no, *rest) for kept in begins for no in FORBIDDING]
-
-    def said_otherwise(
-        self, sentences: Sequence[tuple[str, ...]], language: str | None = None
-    ) -> list[tuple[str, ...]]:
-        """The next sentences that mean what the first means, of which a "don't" may have been said as well: those that
-        begin with a verb, since nobody says "don't a mocha"."""
-        best, *others = sentences
-        meaning, addressed = self.parse(" ".join(best), language), self.wake(language).addressed
-        same = (
-            one
-            for one in others
-            if not (begin_of(one) or self.means_else(one, meaning, language)) and addressed(one) == addressed(best)
-        )
-        in_slots = self._known(language).in_slots
-        return [one for one in itertools.islice(same, OTHERWISE) if one[self.lead(one, language)] not in in_slots]
-
     def lead(self, words: Sequence[str], language: str | None = None) -> int:
         """How many words at the beginning of a sentence say nothing: "and then please"."""
         leading = self._known(language).leading
@@ -343,9 +295,18 @@ class SpokenGrammar:
         """The words in the slots of a sentence that no list has there: "yellow to the box" is no list's thing."""
         if self.dictated(meaning.text, language):
             return []
-        known = self._known(language).in_slots
+        known = self.in_slots(language)
         unlisted = (word for word in said_in_slots(meaning.slots) if word not in known)
         return [word for one in unlisted for word in self.words(one, language) if word not in known]
+
+    def telling(self, words: Sequence[str], language: str | None = None) -> int:
+        """How many of some words show that the grammar was spoken: neither a free slot's, nor such as people put
+        anywhere."""
+        return self._known(language).telling(words)
+
+    def in_slots(self, language: str | None = None) -> frozenset[str]:
+        """The words of the lists of its slots."""
+        return self._known(language).in_slots
 
     def unusual(self, meaning: Interpretation, language: str | None = None, *, heard: bool = True) -> float:
         """nats by which a sentence is less likely for its numbers, before it was heard.
@@ -357,42 +318,6 @@ class SpokenGrammar:
         """
         unusual = self._known(language).usual.unusual(meaning) + circles(meaning)
         return UNUSUAL * unusual + (UNUSUAL if heard else BEYOND_LIMITS) * meaning.beyond_limits
-
-    def ranked(self, views: Mapping[tuple[str, ...], Sequence[View]], language: str | None = None) -> list[Reading]:
-        """Sentences, with what one or several models think of each, likeliest first, and what speaks for them.
-
-        Several models are taken together as one that thinks what they do in the mean.
-        """
-        rows = []
-        for words, seen in views.items():
-            unknown = sum(isinstance(word, FreeWord) for word in words)
-            if unknown and self.takes_as_heard(words, language):
-                unknown = 0
-            meaning = self.parse(" ".join(words), language)
-            count = max(view.words for view in seen) or word_count(words)
-            rank = fmean([view.value for view in seen]) - UNKNOWN_WORD * unknown + WORD * count
-            addressed = meaning.stops or self.wake(language).addressed(words)  # a stop needs no wake word
-            heard = any(view.apart == 0 for view in seen)
-            rank -= self.unusual(meaning, language, heard=heard) + UNADDRESSED * (not addressed)
-            rows.append((rank, words, seen, unknown, meaning.actions if addressed else ()))
-        rows.sort(key=lambda row: (-row[0], row[1]))
-        readings = []
-        for place, (rank, words, seen, unknown, actions) in enumerate(rows):
-            other = next((row[0] for row in rows[place + 1 :] if row[-1] != actions), -math.inf)
-            telling = 1 + self._known(language).telling(words)
-            gaps = [max(0.0, view.free_score - view.score) / telling for view in seen]
-            evidence = Evidence(
-                # As the gap is weighed.
-                gap=math.expm1(fmean([math.log1p(gap) for gap in gaps])),
-                margin=min(FAR_AHEAD, rank - other),
-                cost=-fmean([view.score / (1 + (view.words or len(words))) for view in seen]),
-                apart=fmean([view.apart for view in seen]) / telling,
-                unknown=unknown,
-                models=len(seen),
-                alone=len(words) == 1,
-            )
-            readings.append(Reading(words, evidence, actions, rows[0][0] - rank))
-        return readings
 
     def _own(self, language: str | None) -> str | None:
         return language if language in self._engine.languages else None
@@ -421,4 +346,4 @@ class SpokenGrammar:
     def _mostly_noise(self, words: Sequence[str], language: str | None) -> bool:
         """Whether most of an utterance is "oh", "now" and "so": made up of sounds, around a word that fits anywhere."""
         heard_anywhere = sum(not isinstance(word, FreeWord) for word in words)
-        return 2 * self._known(language).telling(words) < heard_anywhere
+        return 2 * self.telling(words, language) < heard_anywhere

@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_out import begins_like, ends_unheard, goes_on
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading
+from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
@@ -130,7 +131,7 @@ def _compared(
     if not said:
         return []
     views = zip(*each(lambda one: one.views(said), opinions), strict=True)
-    return grammar.ranked(dict(zip(said, views, strict=True)), opinions[0].transcript.language)
+    return ranked(grammar, dict(zip(said, views, strict=True)), opinions[0].transcript.language)
 
 
 def _beside(best: tuple[str, ...], opinions: Sequence[Opinion], each: Each, far: bool) -> Iterable[tuple[str, ...]]:

@@ -8,6 +8,7 @@ import pytest
 from two_models import LIKELY, SOUND, Thinks, heard, two
 
 from intent_engine.engine import IntentEngine
+from intent_engine.expectation import Expectation
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.speech.endpoint import Outlook
@@ -80,7 +81,7 @@ def test_the_text_is_the_one_that_both_together_find_likelier(notes, milk, silk)
 
 def test_a_text_may_go_on(notes):
     found = both_heard(notes, wrote(MILK, {}), wrote(MILK, {}))
-    assert Judge(notes).outlook(found, (), ())[1] is Outlook.EXTENDABLE
+    assert Expectation(Judge(notes)).outlook(found, (), (), amendable=False)[1] is Outlook.EXTENDABLE
 
 
 def test_what_may_have_been_a_dont_is_not_written(notes):

@@ -3,47 +3,16 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.approximate import FreeWord
-from intent_engine.speech.hypotheses.evidence import View
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 
 @pytest.fixture(scope="module")
 def grammar(engine) -> SpokenGrammar:
     return SpokenGrammar(engine)
-
-
-SENTENCES = st.sampled_from(
-    [("go", "forward", "two", "meters"), ("turn", "left"), ("stop",), ("go", "to", "the", "kitchen")]
-)
-VIEWS = st.builds(View, st.floats(-40, 0), st.floats(-40, 0), st.floats(0, 20))
-
-
-@given(st.dictionaries(SENTENCES, VIEWS, min_size=1))
-def test_two_models_that_think_the_same_rank_as_one_does(grammar, views):
-    alone = grammar.ranked({words: (view,) for words, view in views.items()})
-    both = grammar.ranked({words: (view, view) for words, view in views.items()})
-    assert [one.words for one in alone] == [one.words for one in both]
-    for one, two in zip(alone, both, strict=True):
-        assert two.evidence.models == 2
-        assert two.evidence.weighed == pytest.approx(one.evidence.weighed)
-
-
-@given(VIEWS, VIEWS)
-def test_of_two_models_neither_counts_more(grammar, one, other):
-    words = ("turn", "left")
-    (forth,), (back,) = grammar.ranked({words: (one, other)}), grammar.ranked({words: (other, one)})
-    assert forth.evidence.confidence == pytest.approx(back.evidence.confidence)
-
-
-def test_a_sentence_carries_what_it_would_do(engine, grammar):
-    (reading,) = grammar.ranked({("turn", "left"): (View(-1.0, -1.0, 0.0),)})
-    assert reading.actions == engine.parse("turn left").actions
 
 
 @pytest.mark.parametrize(
@@ -120,13 +89,6 @@ def test_a_short_word_that_may_stand_anywhere_is_not_made_up(german):
         assert sentence[-1] != "noch" or not german.possible(sentence, (), "de")
 
 
-def test_how_a_german_command_would_be_forbidden(german):
-    forbidden = german.forbidden(("bitte", "dreh", "dich", "um"), "de")
-    assert ("bitte", "dreh", "dich", "nicht", "um") in forbidden
-    assert all("nicht" in words and not german.parse(" ".join(words), "de").actions for words in forbidden)
-    assert german.forbidden(("stopp",), "de") == german.forbidden(("hallo",), "de") == []
-
-
 def test_a_number_is_plain_in_every_language(root):
     german = IntentEngine.from_files(root / "grammars" / "de.yaml")
     for text in ("fahr einen halben meter vor", "geh zweieinhalb meter nach hinten", "fahr 2 meter vor"):
@@ -170,36 +132,10 @@ def test_what_may_be_meant(grammar, text, story, possible):
 
 
 @pytest.mark.parametrize(
-    ("text", "forbidden"),
-    [
-        ("turn left", ["don't turn left", "do not turn left", "never turn left"]),
-        ("please turn left", ["don't turn left", "please don't turn left"]),
-        ("then well turn left", ["don't turn left", "then well don't turn left"]),
-        ("stop", []),
-        ("do not turn left", []),
-        ("the orchestra played", []),
-    ],
-)
-def test_a_command_as_it_would_be_forbidden(engine, grammar, text, forbidden):
-    found = [" ".join(words) for words in grammar.forbidden(text.split())]
-    assert [one for one in found if "don't" in one.split() or len(forbidden) == len(found)] == forbidden
-    assert len(found) == 3 * len([one for one in found if "don't" in one.split()])
-    assert not [one for one in found if engine.parse(one).actions]
-
-
-@pytest.mark.parametrize(
     ("text", "lead"), [("turn left", 0), ("and then please turn left", 3), ("please", 0), ("all right turn left", 2)]
 )
 def test_what_says_nothing_at_the_beginning(grammar, text, lead):
     assert grammar.lead(text.split()) == lead
-
-
-def test_a_command_in_other_words_that_may_be_forbidden(grammar):
-    """ "Don't forward two meters" is what nobody says, and "go back" is another command."""
-    ways = ["move forward two meters", "go back", "forward two meters", "please go forward two meters", "drive ahead"]
-    found = grammar.said_otherwise([tuple(way.split()) for way in ways])
-    assert [" ".join(one) for one in found] == ["please go forward two meters"]
-    assert grammar.said_otherwise([("go", "back")]) == []
 
 
 @pytest.mark.parametrize(
@@ -380,13 +316,6 @@ def test_a_slot_without_a_list_takes_words_as_they_are_heard(people, text, taken
     assert people.takes_as_heard(text.split()) is taken
 
 
-def test_a_word_that_a_slot_without_a_list_takes_is_no_less_likely(people):
-    view = View(-3.0, -3.0, 0.0)
-    jessica, flurb = ("call", FreeWord("jessica")), ("take", "the", FreeWord("flurb"))
-    found = {one.words: one.evidence.unknown for one in people.ranked({jessica: (view,), flurb: (view,)})}
-    assert found == {jessica: 0, flurb: 1}
-
-
 @pytest.mark.parametrize(
     ("words", "fits"),
     [("code a x", True), ("code a x today", False), ("ring", False), ("stop", False), ("and the clockwise", False)],
@@ -404,38 +333,15 @@ def test_words_as_they_are_fit_a_pattern_of_which_nobody_knows_what_else_it_has(
     assert SpokenGrammar(engine).fits_pattern(words.split()) is fits
 
 
-GATES = """
-language: en
+@pytest.mark.parametrize("number", ["seventy", "twenty", "two and a half", "minus three"])
+def test_a_number_beyond_its_limits_may_have_been_said(engine_of, number):
+    gates = SpokenGrammar(
+        engine_of("""
 slots: {gate: {type: number, min: 1, max: 16, whole: true}}
 intents: {bring: {action: custom, sentences: ["bring it to gate {gate}"]}}
-"""
-
-
-@pytest.fixture(scope="module")
-def gates(engine_of) -> SpokenGrammar:
-    return SpokenGrammar(engine_of(GATES))
-
-
-@pytest.mark.parametrize("number", ["seventy", "twenty", "two and a half", "minus three"])
-def test_a_number_beyond_its_limits_may_have_been_said_and_does_nothing(gates, number):
-    words = ("bring", "it", "to", "gate", *number.split())
-    assert gates.possible(words)
-    alone = (View(-1.0, -1.0, 0.0),)
-    best, *_ = readings = gates.ranked({words: alone, ("bring", "it", "to", "gate", "seven"): (View(-9.0, -1.0, 2.0),)})
-    assert (best.words, best.actions, len(readings)) == (words, (), 2)
-
-
-def test_a_number_within_its_limits_is_likelier(gates):
-    heard = (View(-1.0, -1.0, 0.0),)
-    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
-    assert [one.words for one in gates.ranked({beyond: heard, within: heard})] == [within, beyond]
-
-
-@pytest.mark.parametrize(("apart", "first"), [(0.0, "seventy"), (1.0, "seven")])
-def test_a_number_beyond_its_limits_must_be_far_likelier_unless_it_was_heard_so(gates, apart, first):
-    within, beyond = ("bring", "it", "to", "gate", "seven"), ("bring", "it", "to", "gate", "seventy")
-    views = {within: (View(-5.0, -1.0, 1.0),), beyond: (View(-1.5, -1.0, apart),)}
-    assert gates.ranked(views)[0].words[-1] == first
+""")
+    )
+    assert gates.possible(("bring", "it", "to", "gate", *number.split()))
 
 
 def test_the_other_names_of_places_are_known_words(engine):

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
 from intent_engine.speech.hypotheses.evidence import View
+from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.spoken_grammar import UNUSUAL, SpokenGrammar
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 
@@ -92,14 +93,14 @@ def test_of_two_numbers_the_usual_one_is_likelier_until_the_other_was_heard_far_
     def views(behind: float) -> tuple[View, View]:
         return (View(score + behind, score, 0.0),) * 2
 
-    best, _ = SpokenGrammar(engine).ranked({SIXTY: views(0.0), SIXTEEN: views(ahead)})
+    best, _ = ranked(SpokenGrammar(engine), {SIXTY: views(0.0), SIXTEEN: views(ahead)})
     assert best.words == (SIXTEEN if ahead > UNUSUAL else SIXTY) or ahead == pytest.approx(UNUSUAL)
     assert best.evidence.margin == pytest.approx(min(8.0, abs(ahead - UNUSUAL)))
 
 
 def test_a_number_that_is_alone_costs_nothing(engine):
     """Whoever wants sixteen degrees gets them as surely as sixty."""
-    found = [SpokenGrammar(engine).ranked({words: (View(-2.0, -2.0, 0.0),)}) for words in (SIXTY, SIXTEEN)]
+    found = [ranked(SpokenGrammar(engine), {words: (View(-2.0, -2.0, 0.0),)}) for words in (SIXTY, SIXTEEN)]
     assert found[0][0].evidence == found[1][0].evidence
 
 

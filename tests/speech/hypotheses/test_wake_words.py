@@ -10,6 +10,8 @@ from speech_stage import ROOT
 from intent_engine.engine import IntentEngine
 from intent_engine.speech.acoustic.writing import Names, spellings
 from intent_engine.speech.hypotheses.evidence import View
+from intent_engine.speech.hypotheses.forbidding import forbidden
+from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.wake_words import WakeWords
 
@@ -95,14 +97,14 @@ def test_first_words_that_are_unlike_a_wake_word_may_have_been_one(called, plain
 
 
 def test_a_command_for_the_robot_is_only_forbidden_to_the_robot(called):
-    found = {" ".join(words) for words in called.forbidden(["nurse", "bot", "please", "turn", "left"])}
+    found = {" ".join(words) for words in forbidden(called, ["nurse", "bot", "please", "turn", "left"])}
     assert found == {f"nurse bot please {no} turn left" for no in ("don't", "do not", "never")}
 
 
 def test_what_is_not_for_the_robot_is_another_meaning_and_less_likely(called):
     woken, alone = ("nurse", "bot", "turn", "left"), ("turn", "left")
     views = {one: [View(-2.0, -1.0, 0.0, words=3)] for one in (alone, woken)}
-    first, second = called.ranked(views)
+    first, second = ranked(called, views)
     assert first.words == woken
     assert 0 < second.behind == first.evidence.margin
 
@@ -111,7 +113,7 @@ def test_a_stop_is_as_likely_without_a_wake_word(called, plain):
     views = {one: [View(-2.0, -1.0, 0.0, words=3)] for one in (("stop",), ("nurse", "bot", "turn", "left"))}
     views[("stop",)] = [View(-1.9, -1.0, 0.0, words=3)]
     for grammar in (called, plain):
-        first, second = grammar.ranked(views)
+        first, second = ranked(grammar, views)
         assert first.words == ("stop",)
         assert second.behind == pytest.approx(0.1)
 

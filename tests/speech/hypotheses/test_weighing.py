@@ -12,6 +12,7 @@ from speech_stage import ROOT
 
 from intent_engine.engine import IntentEngine
 from intent_engine.speech.hypotheses.evidence import View, letters_apart
+from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.weighing import ROUNDS, begun_otherwise, crossed, doubted
 from intent_engine.speech.recognizer import Transcript
@@ -114,7 +115,7 @@ def test_a_beginning_that_one_thought_of_is_asked_of_both(orders):
     scores = {"a mocha": -3.0, "make me a mocha": -2.5}
     heard = ("making", "a", "mocha")
     first, second = Begins((), scores, {}, heard, begins=[long]), Begins((), scores, {}, heard)
-    known = orders.ranked({short: first.views([short])})
+    known = ranked(orders, {short: first.views([short])})
     for opinions in ([first, second], [second, first]):
         assert begun_otherwise(orders, known, opinions)[0].words == long  # type: ignore[arg-type]
     first.begins = [short]
@@ -147,7 +148,7 @@ def test_where_the_likeliest_leaves_something_out_it_is_crossed_with_others(orde
     opinions = [Finds((), {}, {}, heard), Finds((), {}, {}, heard)]
     known = [tuple(likeliest.split()), tuple(other.split())]
     views = {words: View(-20.0 * place, 0.0, 0.0) for place, words in enumerate(known)}
-    readings = orders.ranked({words: (view, view) for words, view in views.items()})
+    readings = ranked(orders, {words: (view, view) for words, view in views.items()})
     assert " ".join(readings[0].words) == likeliest
     best, *_ = crossed(orders, readings, opinions)  # type: ignore[arg-type]
     assert " ".join(best.words) == found

@@ -1,0 +1,232 @@
+"""One line of a labels file, checked: a row, or what is wrong with it and where."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from intent_engine.actions import Action, from_json
+from intent_engine.engine import IntentEngine
+from intent_engine.errors import Problem
+from intent_engine.evaluation.labels import COMPOUND, Expected, Row, Step, steps_in, steps_of
+from intent_engine.hints import did_you_mean
+from intent_engine.interpretation import Status
+from intent_engine.language.grammar import ACTION_PARAMETERS
+from intent_engine.language.utterance import PhraseSet, Utterance
+
+__all__ = ["LabelLine"]
+
+KEYS = ("audio", "text", "intent", "slots", "actions", "start", "end", "speech_end", "id")
+
+
+@dataclass(frozen=True)
+class LabelLine:
+    """One line of a labels file."""
+
+    path: Path
+    """Of the file; audio files are named relative to its folder."""
+    number: int
+    """Of the line, from 1."""
+    line: str
+    intents: set[str]
+    """Names that the grammars know."""
+    slots: Mapping[str, set[str]]
+    """By intent, the names of its slots; none: any may be there."""
+    problems: list[Problem]
+    """What is wrong with the file; more is added to them."""
+
+    def wrong(self, message: str, key: str | None = None, hint: str | None = None) -> None:
+        """Note a problem, at a key if that can be found in the line."""
+        at = self.line.find(f'"{key}"') if key else -1
+        column = at + 1 if at >= 0 else None
+        # A line of labels is long; the place in it is told by its key.
+        self.problems.append(Problem(message, str(self.path), self.number, column, hint=hint))
+
+    def row(self, engine: IntentEngine) -> Row | None:
+        """The row of the line; None: something is wrong with it, and noted.
+
+        Args:
+            engine: what a text means.
+        """
+        try:
+            data = json.loads(self.line)
+        except json.JSONDecodeError as error:
+            self.problems.append(
+                Problem(
+                    f"is no JSON: {error.msg}",
+                    str(self.path),
+                    self.number,
+                    error.colno,
+                    hint="each line is one object in braces, with names and texts in double quotes",
+                )
+            )
+            return None
+        except RecursionError:
+            self.wrong("is nested too deep")
+            return None
+        if not isinstance(data, dict):
+            self.wrong("is no JSON object", hint='{"audio": "one.wav", "text": "go forward two meters"}')
+            return None
+        before = len(self.problems)
+        data = self._without_slips(data)
+        audio = self._audio(data)
+        text = self._typed(data, "text", str, "a text")
+        start = self._seconds(data, "start") or 0.0
+        end = self._seconds(data, "end")
+        if end is not None and end <= start:
+            self.wrong(f"'end' is {end:g} s, not after 'start', {start:g} s", "end")
+        expected = self._expected(data, text, engine)
+        speech_end = self._seconds(data, "speech_end")
+        if len(self.problems) > before or audio is None or expected is None:
+            return None
+        name = str(data.get("id", f"{data['audio']}" + (f"@{start:g}" if start else "")))
+        return Row(name, self.number, audio, expected, text, start, end, speech_end)
+
+    def _without_slips(self, data: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Note keys that are probably one of ours, and read on as if they were. A key that has nothing to do with them
+        is somebody's own."""
+        meant = dict(data)
+        for key in data:
+            free = [known for known in KEYS if known not in meant and _nearly(key, known)]
+            if key not in KEYS and free:
+                self.wrong(f"unknown key {key!r}", key, hint=f"did you mean {free[0]!r}?")
+                meant[free[0]] = meant.pop(key)
+        return meant
+
+    def _audio(self, data: Mapping[str, Any]) -> Path | None:
+        name = data.get("audio")
+        if not isinstance(name, str) or not name:
+            given = "is missing" if "audio" not in data else f"must be the path of a sound file, not {name!r}"
+            self.wrong(f"'audio' {given}", "audio", hint='"audio": "one.wav"')
+            return None
+        audio = self.path.parent / name
+        if not audio.is_file():
+            self.wrong(
+                f"there is no sound file {audio}", "audio", hint="its path is taken from the folder of the labels"
+            )
+            return None
+        return audio
+
+    def _typed(self, data: Mapping[str, Any], key: str, kind: type, name: str) -> Any:
+        value = data.get(key)
+        if value is None or isinstance(value, kind):
+            return value
+        self.wrong(f"'{key}' must be {name}, not {value!r}", key)
+        return None
+
+    def _seconds(self, data: Mapping[str, Any], key: str) -> float | None:
+        value = data.get(key)
+        if value is None:
+            return None
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value) or value < 0:
+            self.wrong(f"'{key}' must be a number of seconds, not {value!r}", key)
+            return None
+        return float(value)
+
+    def _expected(self, data: Mapping[str, Any], text: str | None, engine: IntentEngine) -> Expected | None:
+        if not {"text", "intent", "actions"} & data.keys():
+            self.wrong("says nothing of what is said", hint="add 'text', or 'intent' and 'slots', or 'actions'")
+            return None
+        steps: tuple[Step, ...] = ()
+        if "intent" in data:
+            steps = self._steps(data)
+        elif "slots" in data:
+            self.wrong("has 'slots' but no 'intent'", "slots", hint="say whose slots they are")
+        actions, types = self._actions(data) if "actions" in data else (None, None)
+        if "intent" not in data and "actions" not in data:
+            meaning = engine.parse(text or "", spoken=True)
+            steps = steps_of(meaning)
+            actions = meaning.actions if meaning.status is Status.ACCEPTED else None
+        kinds = types or tuple(action.type for action in actions or ()) or tuple(map(self._kind(engine), steps))
+        stops = bool(kinds) and set(kinds) == {"stop"} and (text is None or _says_stop(engine, text))
+        return Expected(steps, actions, types, by_text=actions is not None and "actions" not in data, stops=stops)
+
+    def _kind(self, engine: IntentEngine) -> Callable[[Step], str]:
+        kinds = {name: intent.action.type for grammar in engine.grammars for name, intent in grammar.intents.items()}
+        return lambda step: kinds.get(step.intent, "")
+
+    def _steps(self, data: Mapping[str, Any]) -> tuple[Step, ...]:
+        intent = self._typed(data, "intent", str, "the name of an intent, or null for no command")
+        slots = self._typed(data, "slots", dict, "an object") or {}
+        if intent is None:
+            if slots:
+                self.wrong("has 'slots' but no intent", "slots", hint="no command has no slots")
+            return ()
+        if intent == COMPOUND:
+            try:
+                steps = steps_in(slots)
+            except (KeyError, TypeError, AttributeError):
+                self.wrong(
+                    "'compound' needs its steps",
+                    "slots",
+                    hint='"slots": {"steps": [{"intent": "move", "slots": {}}, {"intent": "turn", "slots": {}}]}',
+                )
+                return ()
+        else:
+            steps = (Step(intent, slots),)
+        for step in steps:
+            self._known(step)
+        return steps
+
+    def _known(self, step: Step) -> None:
+        if step.intent not in self.intents:
+            message = f"intent {step.intent!r} is not in the grammar"
+            if any(problem.message == message for problem in self.problems):
+                return  # a wrong grammar is one mistake, not one of every row
+            self.wrong(
+                message,
+                "intent",
+                hint=_other_intent(step.intent, self.intents),
+            )
+            return
+        known = self.slots[step.intent]
+        for name in step.slots:
+            if known and name not in known:
+                self.wrong(
+                    f"intent {step.intent!r} has no slot {name!r}", name, hint=f"it has {', '.join(sorted(known))}"
+                )
+
+    def _actions(self, data: Mapping[str, Any]) -> tuple[tuple[Action, ...] | None, tuple[str, ...] | None]:
+        listed = self._typed(data, "actions", list, "a list of actions")
+        if listed is None:
+            return None, None
+        if listed and all(isinstance(item, str) for item in listed):
+            for item in listed:
+                if item not in ACTION_PARAMETERS:
+                    known = ", ".join(ACTION_PARAMETERS)
+                    self.wrong(f"there is no action {item!r}", "actions", hint=f"there is {known}")
+            return None, tuple(listed)
+        return tuple(found for item in listed if (found := self._action(item)) is not None), None
+
+    def _action(self, item: Any) -> Action | None:
+        try:
+            return from_json(item)
+        except ValueError as error:
+            self.wrong(f"'actions': {error}", "actions")
+            return None
+
+
+def _other_intent(name: str, known: Collection[str]) -> str:
+    """What to write for an intent that the grammar has not."""
+    if name in ("none", "null", "None", ""):
+        return "no command is null, without quotes"
+    listed = f"it has {', '.join(sorted(known))}; another grammar: --grammar FILE"
+    near = did_you_mean(name, known)
+    return f"{near} {listed}" if near else listed
+
+
+def _says_stop(engine: IntentEngine, text: str) -> bool:
+    words = Utterance.of(text).words
+    return any(PhraseSet(grammar.operators.stop).find(words) is not None for grammar in engine.grammars)
+
+
+def _nearly(key: str, known: str) -> bool:
+    """Whether one key is the other with a slip; one of few letters is, with another letter, any word."""
+    from rapidfuzz.distance import OSA
+
+    plain = key.lower().replace("-", "_")
+    return plain == known or (len(known) > 3 and OSA.distance(plain, known) <= 1 + (len(known) > 5))

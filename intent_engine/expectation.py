@@ -1,0 +1,80 @@
+"""Whether more can be expected after what was heard so far, and how long to wait for it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.amending import can_be_amended
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.judgement import Judge
+from intent_engine.language.references import Before
+from intent_engine.prefix import PrefixStatus
+from intent_engine.speech.endpoint import Outlook
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import CLEARLY
+from intent_engine.transcript_grammar import intents_of, language_of
+
+__all__ = ["Expectation"]
+
+
+class Expectation:
+    """What may follow the words heard, by the grammar of an engine.
+
+    Args:
+        judge: what they mean.
+    """
+
+    def __init__(self, judge: Judge) -> None:
+        self._judge = judge
+        self._engine = judge.engine
+
+    def outlook(
+        self, transcript: Transcript, state: Collection[str], last: Before, *, amendable: bool
+    ) -> tuple[Interpretation | None, Outlook]:
+        """What the words so far mean, and whether more can be expected.
+
+        Args:
+            transcript: what was heard so far.
+            state: of the robot.
+            last: what was last understood.
+            amendable: whether a motion can be put right while it is done: then there is less to wait for.
+        """
+        if not transcript.text:
+            return None, Outlook.OTHER
+        meaning, language = self._judge.meaning(transcript, state, last), language_of(self._engine, transcript)
+        if meaning.status is Status.REJECTED and self._judge.unsure(transcript):
+            begun = self._engine.prefix(transcript.free_text, language=language)
+            return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+        prefix = self._engine.prefix(transcript.text, language=language, spoken=True)
+        if meaning.status is Status.ACCEPTED:
+            if meaning.stops:
+                return meaning, Outlook.COMPLETE
+            amended = amendable and can_be_amended(meaning)
+            if not prefix.settled or (prefix.resting and not amended):
+                waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
+                return meaning, waits[1 - amended + _hardly_heard(transcript)]
+            # "Take up", before a "picture", is like "take off", which nothing can follow.
+            over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
+            return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
+        return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+
+    def begins_nothing(self, transcript: Transcript) -> bool:
+        """Whether no command begins with what was heard so far of words under way, of which the last may be half a
+        word."""
+        *words, _ = transcript.free_text.split() or [""]
+        if not words:
+            return False
+        begun = self._engine.prefix(" ".join(words), language=language_of(self._engine, transcript))
+        return begun.status is PrefixStatus.IMPOSSIBLE
+
+    def wait(self, transcript: Transcript, meaning: Interpretation | None) -> float | None:
+        """s of silence that end it where it could go on: the longest that its intents ask for; None: they do not."""
+        if meaning is None or meaning.status is not Status.ACCEPTED:
+            return None
+        intents = intents_of(self._engine, transcript, meaning)
+        return max((one.wait for one in intents if one.wait is not None), default=None)
+
+
+def _hardly_heard(transcript: Transcript) -> bool:
+    """Whether the words of a command were hardly heard."""
+    return not transcript.word_by_word and transcript.score < CLEARLY

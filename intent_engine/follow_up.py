@@ -1,0 +1,99 @@
+"""What words right after a command have to do with it: they go on from it, take it back, or end its sentence.
+
+It is asked of the words alone. Which command was before, and how long ago, :mod:`~intent_engine.continuing` knows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.speech.hypotheses.corrections import as_meant
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import CLEARLY, HARDLY_A_WORD
+from intent_engine.transcript_grammar import grammar_of, language_of
+
+__all__ = ["FollowUp"]
+
+CORRECTED_CLEARLY = -0.9
+"""The same of a correction, which at least stops what is being done: a "no, right" of two words is seldom heard as
+clearly as a sentence."""
+
+
+class FollowUp:
+    """Reads what follows a command by the grammar of an engine, which may be reloaded at any time.
+
+    Args:
+        engine: understands.
+    """
+
+    def __init__(self, engine: IntentEngine) -> None:
+        self._engine = engine
+
+    def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """What words that were heard clearly mean after those before, if both are a command word by word. Numbers that
+        sound like another are left to the models."""
+        clearly = CORRECTED_CLEARLY if self.corrects(transcript) else CLEARLY
+        if transcript.score < clearly or ALIKE.keys() & set(plain(transcript.free_text)):
+            return None
+        meaning = self.text(f"{before}, {transcript.free_text}", transcript, state)
+        return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
+
+    def text(self, text: str, transcript: Transcript, state: Collection[str]) -> Interpretation:
+        """What a text means in the language of a transcript."""
+        return self._engine.parse(text, state=state, language=language_of(self._engine, transcript), spoken=True)
+
+    def stop_going_on(self, stop: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """A stop with the words after it, if both are one sentence that stops: "stop" and "going forward", but not
+        "stop" and "go back"; None: they are not."""
+        matcher = self._engine.matcher(language_of(self._engine, transcript))
+        words = [*plain(stop), *plain(transcript.text)]
+        for begin in range(len(plain(stop))):
+            readings = matcher.read(words[begin:])
+            if any(one.intent.action.type == "stop" and not one.problem for one in readings):
+                return self.text(f"{stop}, {transcript.text}", transcript, state)
+        return None
+
+    def one_sentence(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+        """What the words of a command and those after it mean, if the grammar has both as one sentence: "too loud" and
+        "turn it down"; None: it has not."""
+        matcher = self._engine.matcher(language_of(self._engine, transcript))
+        readings = matcher.read([*plain(before), *plain(transcript.text)])
+        if all(one.problem for one in readings):
+            return None
+        meaning = self.text(f"{before} {transcript.text}", transcript, state)
+        return meaning if meaning.status is Status.ACCEPTED else None
+
+    def comes_after(self, transcript: Transcript) -> bool:
+        """Whether it begins with "and then", or the like."""
+        sequence = PhraseSet(grammar_of(self._engine, transcript).operators.sequence)
+        return sequence.at(plain(transcript.free_text), 0) > 0
+
+    def comes_later(self, transcript: Transcript) -> bool:
+        """Whether it says by itself that something else is done first: "then", "when you get there", not "and"."""
+        return self._engine.comes_later(transcript.free_text, language=language_of(self._engine, transcript))
+
+    def corrects(self, transcript: Transcript) -> bool:
+        """Whether it begins with "no", "I mean", or the like, and was heard well enough to be a word."""
+        corrections, words = self._corrections(transcript)
+        return corrections.at(words, 0) > 0
+
+    def only_corrects(self, transcript: Transcript) -> bool:
+        """Whether it is nothing but "no, wait", or the like, and was heard well enough."""
+        corrections, words = self._corrections(transcript)
+        return bool(words) and corrections.cover(words)
+
+    def ends_in_correction(self, transcript: Transcript) -> bool:
+        """Whether it ends with "no", or the like, and was heard well enough."""
+        corrections, words = self._corrections(transcript)
+        return corrections.ends(words) > 0
+
+    def _corrections(self, transcript: Transcript) -> tuple[PhraseSet, list[str]]:
+        """What takes back what was said, and the words that were heard; none, if they were hardly words."""
+        grammar = grammar_of(self._engine, transcript)
+        corrections = PhraseSet(grammar.operators.correction)
+        heard = plain(transcript.free_text) if transcript.score > HARDLY_A_WORD else []
+        return corrections, as_meant(heard, corrections, grammar.sound_alikes)

@@ -1,0 +1,108 @@
+"""The network of whole utterances: fillers, sentences that are joined by "and then", and fillers again."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from intent_engine.language.automaton import SOUND
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
+from intent_engine.language.sentence_networks import SentenceNetworks
+
+__all__ = ["NEGATED", "UtteranceNetwork"]
+
+NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
+"""How a negated command begins in speech, besides the negation itself."""
+FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
+"""The usual ones of these, for finding what was probably said."""
+SOUND_LETTERS = 4
+"""Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
+
+
+class UtteranceNetwork:
+    """Joins the sentences of one grammar to utterances.
+
+    Args:
+        grammar: whose.
+        networks: in which its sentences are, and to which words between them are added.
+        sentences: made them.
+        patterns: what is said for its patterns.
+        whole: sentences that are an utterance by themselves: number of the network to name of the intent.
+        later: by name of the intent, numbers of the sentences that may follow a command of it and a joint.
+    """
+
+    def __init__(
+        self,
+        grammar: Grammar,
+        networks: Networks,
+        sentences: SentenceNetworks,
+        patterns: SpokenPatterns,
+        whole: Mapping[int, str],
+        later: Mapping[str, Sequence[int]],
+    ) -> None:
+        self._grammar = grammar
+        self._networks = networks
+        self._sentences = sentences
+        self._patterns = patterns
+        self._whole = whole
+        self._later = later
+        self._fillers = [words for words in (*grammar.fillers, *grammar.wake) if words]
+        sounds = [words for words in self._fillers if len("".join(words)) <= SOUND_LETTERS]
+        sounds += [words for words in self._fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
+        self._sounds = sounds
+
+    def root(self, *, stop_anywhere: bool) -> State:
+        """Where an utterance begins.
+
+        Args:
+            stop_anywhere: whether a stop may stand among other sentences, and a negated one begin in any way; else a
+                stop stands alone, only the usual negations begin a sentence, and what other languages than English put
+                behind a verb is a part of it.
+        """
+        self._add_words()
+        begin, middle, end = State(), State(), State()
+        ends = {name: State() for name in self._later}
+        for place in (end, *ends.values()):
+            place.final = True
+        begin.edges.append(Edge(middle, call=Call("negation" if stop_anywhere else "forbidding")))
+        begin.edges.append(Edge(middle))
+        if self._fillers:
+            for place in (begin, end, *ends.values()):
+                place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
+                place.edges.append(Edge(place, call=Call("fillers", apart=True)))
+        polite = not stop_anywhere and self._sentences.add_polite(self._fillers, self._sounds)
+        kind = "polite" if polite else "sentence"
+        for index, intent in self._whole.items():
+            middle.edges.append(Edge(ends.get(intent, end), call=Call(f"{kind}:{index}")))
+        for key in self._patterns.networks:
+            middle.edges.append(Edge(end, call=Call(key)))
+        if stop_anywhere:
+            middle.edges.append(Edge(end, call=Call("stop")))
+        else:
+            alone = State()
+            alone.final = True
+            begin.edges.append(Edge(alone, call=Call("stop")))
+        end.edges.append(Edge(middle, call=Call("sequence", apart=True)))
+        for name, later in self._later.items():
+            between = State()
+            ends[name].edges.append(Edge(between, call=Call("sequence", apart=True)))
+            between.edges.append(Edge(middle))
+            for index in later:
+                between.edges.append(Edge(ends[name], call=Call(f"{kind}:{index}")))
+        return begin
+
+    def _add_words(self) -> None:
+        """Add what stands before, between and after sentences."""
+        operators, language = self._grammar.operators, self._grammar.language
+        phrases = {
+            "sounds": self._sounds,
+            "fillers": [words for words in self._fillers if words not in self._sounds],
+            "sequence": operators.sequence,
+            "stop": operators.stop,
+            # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
+            "negation": (*operators.negation, *NEGATED.get(language, ())),
+            "forbidding": FORBIDDING.get(language, ()),
+        }
+        for key, found in phrases.items():
+            self._networks.add_names(key, [(words, "") for words in found])
