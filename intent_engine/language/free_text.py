@@ -88,14 +88,19 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if not slot.dictation and self._parts_a_number(words, start, end):
             return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
+        if not self._words.either.isdisjoint(said) and (word := self._leaves_open(slot, said)):
+            return f"{word!r} leaves open which is meant in {' '.join(said)!r}; say one of them"
         if said and not slot.dictation:  # a title may begin with "and", no thing does
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
         if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
-        if said and slot.known and not wrong:
-            wrong = self._no_name(slot, said)
+        if said and not wrong:
+            if slot.known:
+                wrong = self._no_name(slot, said)
+            elif not slot.dictation and self.is_thing(slot):
+                wrong = self._words.never.intersection(said) - self._words.either - slot.allow
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
@@ -103,6 +108,22 @@ class FreeText:
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _leaves_open(self, slot: Slot, said: Sequence[str]) -> str:
+        """The word that shows that one of two is meant, and not which: "the cup *or* the glass". Empty: none does.
+
+        Things are never called so. What else is free may be, without an article ("play jazz or rock"). A letter at the
+        end is a name ("caja o").
+        """
+        if slot.dictation:
+            return ""
+        thing = self.is_thing(slot)
+        for word, after in zip(said, (*said[1:], ""), strict=True):
+            if word not in self._words.either or _meant(slot, word):
+                continue
+            if after in self.articles or (thing and (after or len(word) > 1)):
+                return word
+        return ""
 
     def _parts_a_number(self, words: Sequence[str], start: int, end: int) -> bool:
         """Whether a number that is said with another one stands half outside: "two [or three eggs]", "two
@@ -205,6 +226,16 @@ class FreeText:
     def _of_nothing(self, word: str, after: str) -> bool:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
         return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
+
+    def tells_when(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether the name of a thing ends with when it is wanted, or for how long: "the cup in five minutes"."""
+        delaying = self._words.delaying
+        if delaying.isdisjoint(said[1:-1]) or not self.is_thing(slot):
+            return False
+        return any(
+            said[place] in delaying and quantities.evaluate(said[place + 1 :], "duration", self._language) is not None
+            for place in range(1, len(said) - 1)
+        )
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
