@@ -80,6 +80,8 @@ def test_a_request_is_none_and_a_thing_is_no_person(engine):
         "Nehmen Sie mich",
         "Nehmen Sie",
         "Setzen Sie sich",
+        "Finden Sie das gut",
+        "Finden Sie die Küche schön",
         "wenn Sie fahren, gehen Sie nach links",
         "Fahren Sie nach links oder nach rechts",
     ],
