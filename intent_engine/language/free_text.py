@@ -228,10 +228,16 @@ class FreeText:
         return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
 
     def tells_when(self, slot: Slot, said: Sequence[str]) -> bool:
-        """Whether the name of a thing ends with when it is wanted, or for how long: "the cup in five minutes"."""
-        delaying = self._words.delaying
-        if delaying.isdisjoint(said[1:-1]) or not self.is_thing(slot):
+        """Whether the name of a thing ends with when it is wanted, or for how long: "the cup in five minutes", "the cup
+        at three"."""
+        delaying, timed = self._words.delaying, self._words.timed
+        if (delaying.isdisjoint(said[1:-1]) and timed.isdisjoint(said[1:-1])) or not self.is_thing(slot):
             return False
+        before = len(said) - 2
+        while said[before] in self.articles and before > 1:
+            before -= 1
+        if before > 0 and said[before] in timed and self._counts(said[-1]):
+            return True
         return any(
             said[place] in delaying and quantities.evaluate(said[place + 1 :], "duration", self._language) is not None
             for place in range(1, len(said) - 1)
@@ -241,12 +247,9 @@ class FreeText:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
         So does a number with a measure of things, "half a kilo", where no thing follows. A coin may be called a
-        quarter, so a fraction is none; "that one" is a thing that was named before. A name that
-        ends with a time is an amount as well, "the cup at three"; so is a count before "to" or the like: "five to the
-        library".
+        quarter, so a fraction is none; "that one" is a thing that was named before. A count before "to" or the like is
+        an amount as well: "five to the library".
         """
-        if slot.known and len(said) > 2 and said[-2] in self._words.timed and self._counts(said[-1]):
-            return True
         if not slot.known or not any(map(self._counts, said)):
             return False
         end = next((place for place, word in enumerate(said) if place and word in self._words.joining), len(said))
