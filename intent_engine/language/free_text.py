@@ -96,11 +96,8 @@ class FreeText:
             wrong = frozenset((said[0],))
         if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
-        if said and not wrong:
-            if slot.known:
-                wrong = self._no_name(slot, said)
-            elif not slot.dictation and self.is_thing(slot):
-                wrong = self._words.never.intersection(said) - self._words.either - slot.allow
+        if said and not wrong and self.is_thing(slot) and (slot.known or not slot.dictation):
+            wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
@@ -164,11 +161,12 @@ class FreeText:
         return len(said) == 1 or said[1] in self.articles or said[1] in self._words.joining
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
-        """The word that shows that words are not the name of one thing, in a slot that lists things."""
+        """The word that shows that words are not the name of one thing."""
         allowed = slot.allow
-        if never := self._words.never.intersection(said) - allowed - slot.known:
+        if never := self._words.never.intersection(said) - allowed - slot.known - self._words.either:
             return never
-        if said[0] in self._words.not_bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
+        bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some
+        if bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]

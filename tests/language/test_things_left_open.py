@@ -84,6 +84,8 @@ def test_a_thing_at_another_time_is_not_taken_now(engine_of, language, said, ver
         ("en", "take the box for cables", "box for cables"),
         ("en", "take the cup in the kitchen", "cup in the kitchen"),
         ("en", "take the five minute timer", "five minute timer"),
+        ("en", "take the book about him", "book about him"),
+        ("en", "take used cups", "used cups"),
         ("en", "paint red or blue", "red or blue"),
         ("en", "paint twice", "twice"),
         ("en", "play jazz or rock", "jazz or rock"),
@@ -97,6 +99,15 @@ def test_a_thing_at_another_time_is_not_taken_now(engine_of, language, said, ver
 def test_names_and_titles_and_dictation_are_as_they_were(engine_of, language, said, value):
     found = engine_of(GRAMMAR.format(language=language)).parse(said)
     assert (found.status, list(found.slots.values())) == (Status.ACCEPTED, [value]), found.reason
+
+
+@pytest.mark.parametrize("verb", ["take", "bring"])
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "the cup, wash it"), ("en", "the cup is red"), ("en", "the cup the plate"), ("de", "den Becher und ihn")],
+)
+def test_what_is_said_besides_is_no_part_of_its_name(engine_of, verb, language, said):
+    assert engine_of(GRAMMAR.format(language=language)).parse(f"{verb} {said}").status is Status.REJECTED
 
 
 def test_with_an_article_it_is_asked_about_in_any_slot(engine_of):
