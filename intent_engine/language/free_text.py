@@ -171,7 +171,8 @@ class FreeText:
         for place in range(1, len(said)):
             word = said[place]
             where = word in self._going_on and word not in self._words.whither
-            if said[place - 1] in self._words.pronouns and not where and word not in allowed:
+            led = bool(slot.known) and said[place - 1] in self._words.pronouns  # else there may be an "us flag"
+            if led and not where and word not in allowed:
                 return frozenset((word,))
             if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
