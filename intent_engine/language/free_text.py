@@ -88,13 +88,15 @@ class FreeText:
         wrong = slot.without.intersection(said)
         if not slot.dictation and self._parts_a_number(words, start, end):
             return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
+        if not self._words.either.isdisjoint(said) and (word := self._leaves_open(slot, said)):
+            return f"{word!r} leaves open which is meant in {' '.join(said)!r}; say one of them"
         if said and not slot.dictation:  # a title may begin with "and", no thing does
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
         if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
-        if said and slot.known and not wrong:
+        if said and not wrong and self.is_thing(slot) and (slot.known or not slot.dictation):
             wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):
@@ -103,6 +105,22 @@ class FreeText:
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _leaves_open(self, slot: Slot, said: Sequence[str]) -> str:
+        """The word that shows that one of two is meant, and not which: "the cup *or* the glass". Empty: none does.
+
+        Things are never called so. What else is free may be, without an article ("play jazz or rock"). A letter at the
+        end is a name ("caja o").
+        """
+        if slot.dictation:
+            return ""
+        thing = self.is_thing(slot)
+        for word, after in zip(said, (*said[1:], ""), strict=True):
+            if word not in self._words.either or _meant(slot, word):
+                continue
+            if after in self.articles or (thing and (after or len(word) > 1)):
+                return word
+        return ""
 
     def _parts_a_number(self, words: Sequence[str], start: int, end: int) -> bool:
         """Whether a number that is said with another one stands half outside: "two [or three eggs]", "two
@@ -143,16 +161,18 @@ class FreeText:
         return len(said) == 1 or said[1] in self.articles or said[1] in self._words.joining
 
     def _no_name(self, slot: Slot, said: Sequence[str]) -> frozenset[str]:
-        """The word that shows that words are not the name of one thing, in a slot that lists things."""
+        """The word that shows that words are not the name of one thing."""
         allowed = slot.allow
-        if never := self._words.never.intersection(said) - allowed - slot.known:
+        if never := self._words.never.intersection(said) - allowed - slot.known - self._words.either:
             return never
-        if said[0] in self._words.not_bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
+        bare = bool(slot.known) and said[0] in self._words.not_bare  # where none is listed, "used cups" may be some
+        if bare and said[0] not in allowed and (len(said) > 1 or said[0] not in slot.known):
             return frozenset((said[0],))
         for place in range(1, len(said)):
             word = said[place]
             where = word in self._going_on and word not in self._words.whither
-            if said[place - 1] in self._words.pronouns and not where and word not in allowed:
+            led = bool(slot.known) and said[place - 1] in self._words.pronouns  # else there may be an "us flag"
+            if led and not where and word not in allowed:
                 return frozenset((word,))
             if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
@@ -206,16 +226,29 @@ class FreeText:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""
         return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
 
+    def tells_when(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether the name of a thing ends with when it is wanted, or for how long: "the cup in five minutes", "the cup
+        at three"."""
+        delaying, timed = self._words.delaying, self._words.timed
+        if (delaying.isdisjoint(said[1:-1]) and timed.isdisjoint(said[1:-1])) or not self.is_thing(slot):
+            return False
+        before = len(said) - 2
+        while said[before] in self.articles and before > 1:
+            before -= 1
+        if before > 0 and said[before] in timed and self._counts(said[-1]):
+            return True
+        return any(
+            said[place] in delaying and quantities.evaluate(said[place + 1 :], "duration", self._language) is not None
+            for place in range(1, len(said) - 1)
+        )
+
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".
 
         So does a number with a measure of things, "half a kilo", where no thing follows. A coin may be called a
-        quarter, so a fraction is none; "that one" is a thing that was named before. A name that
-        ends with a time is an amount as well, "the cup at three"; so is a count before "to" or the like: "five to the
-        library".
+        quarter, so a fraction is none; "that one" is a thing that was named before. A count before "to" or the like is
+        an amount as well: "five to the library".
         """
-        if slot.known and len(said) > 2 and said[-2] in self._words.timed and self._counts(said[-1]):
-            return True
         if not slot.known or not any(map(self._counts, said)):
             return False
         end = next((place for place, word in enumerate(said) if place and word in self._words.joining), len(said))

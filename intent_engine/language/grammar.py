@@ -298,6 +298,8 @@ class Grammar:
     """Fillers behind which something may be said anew: "left, uh, right"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
+    asked: frozenset[str] = frozenset()
+    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -67,6 +67,8 @@ class SlotValues:
             problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
         if not problem and (word := self._free.no_handful(slot, said)):
             problem = f"{word!r} is nothing for slot {slot.name!r}"
+        if not problem and self._free.tells_when(slot, said):
+            problem = f"{' '.join(said)!r} says when or for how long, and is nothing for slot {slot.name!r}"
         if not problem and self._free.is_amount(slot, said):
             problem = f"{' '.join(said)!r} is an amount, and nothing for slot {slot.name!r}"
         if problem:

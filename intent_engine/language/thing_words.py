@@ -57,8 +57,12 @@ class ThingWords:
     """They say something of a thing."""
     timed: frozenset[str] = frozenset()
     """Between a thing and the time when it is wanted."""
+    delaying: frozenset[str] = frozenset()
+    """Between a thing and how long it is to take, or to wait."""
     ranging: frozenset[str] = frozenset()
     """Between two numbers of which one is meant."""
+    either: frozenset[str] = frozenset()
+    """Between two things of which one is meant, or before them."""
     measures: frozenset[str] = frozenset()
     """Units in which things are weighed and poured."""
     having: frozenset[str] = frozenset()

@@ -50,6 +50,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 
 
 FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
+ASKED = "asked"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -63,7 +64,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK)
+    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -100,6 +101,11 @@ def default_hesitations(language: str) -> tuple[str, ...]:
 def default_ways_back(language: str) -> tuple[str, ...]:
     """Words that are backward, or the way back to where one came from: "back"."""
     return _language_words(language).get(WAY_BACK, ())
+
+
+def default_asked(language: str) -> tuple[str, ...]:
+    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
+    return _language_words(language).get(ASKED, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -310,6 +316,7 @@ class _Builder:
             greetings=self._said(default_greetings(self.language)),
             hesitations=self._said(default_hesitations(self.language)),
             ways_back=self._said(default_ways_back(self.language)),
+            asked=frozenset(default_asked(self.language)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
 from intent_engine.language.meaning.command import Clause, Commands, described
 from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 
 __all__ = ["MAX_PARTS", "Compounds"]
@@ -31,6 +33,8 @@ class Compounds:
         self._commands = commands
         self._corrections = corrections
         self._ways_back = PhraseSet(commands.matcher.grammar.ways_back)
+        known = thing_words(commands.matcher.grammar.language)
+        self._definite, self._persons = known.definite, known.persons
 
     @step(Kind.COMMAND)
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
@@ -88,8 +92,8 @@ class Compounds:
                 listed = not joined and _goes_on(clause)
                 if end == len(words):
                     found = [clause] if not listed else None
-                elif self._phrases.only_stops(words, after) and not listed:
-                    found = [clause]  # "... and stop": every command ends with the robot at rest
+                elif self._phrases.only_stops(words, after) and not listed and not self._names_what(words[after:]):
+                    found = [_at_rest(clause, words[after:])]  # "... and stop"
                 elif depth < MAX_PARTS:
                     name = self._goes_on_from(clause)
                     onward = None
@@ -106,8 +110,9 @@ class Compounds:
                         found = onward
                     elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
                         found = [clause, *onward]
-                        if after > end and len(onward) == 1 and isinstance(onward[0].action, Stop):
-                            found = [clause]  # "... and wait there"
+                        stops = after > end and len(onward) == 1 and isinstance(onward[0].action, Stop)
+                        if stops and not self._ends_another(words[after:]):
+                            found = [_at_rest(clause, words[after:])]  # "... and wait there"
                 if found is not None:
                     break
             tried[start, before, joined] = found
@@ -168,6 +173,20 @@ class Compounds:
         reason = f"{' '.join(other.words)!r} may be backward, or the way back; say how far, or where to"
         return [Clause(one, reason=reason, alternatives=either, ambiguous=True)]
 
+    def _ends_another(self, stop: list[str]) -> bool:
+        """Whether a stop is no mere end of the command before it, but of something else: "turn left and *cancel the
+        mission*", "... and *stop following me*"."""
+        if self._phrases.cancel.at(stop, 0) or not self._persons.isdisjoint(stop) or self._names_what(stop):
+            return True
+        length = self._phrases.stop.at(stop, 0)
+        doing = stop[length : length + 1] if length else []
+        first, language = self._commands.first_words, self._commands.matcher.grammar.language
+        return any(verb in first for word in doing for verb in verbs(word, language))
+
+    def _names_what(self, stop: list[str]) -> bool:
+        """Whether a stop names what is to stop: "kill *the motors*"."""
+        return not self._definite.isdisjoint(stop)
+
     def _goes_on_from(self, clause: Clause) -> str:
         """The intent of a command, if there are parts that go on from it; else nothing."""
         name = clause.reading.intent.name if clause.reading is not None else ""
@@ -217,6 +236,13 @@ def _goes_on(clause: Clause) -> bool:
     """Whether a command is one only behind another."""
     reading = clause.reading
     return reading is not None and any(reading.sentence is one for one in reading.intent.then)
+
+
+def _at_rest(clause: Clause, stop: Sequence[str]) -> Clause:
+    """A command that is joined with a stop at last, which is told to be part of it: every command ends with the robot
+    at rest."""
+    told = f"every command ends at rest, also without {' '.join(stop)!r}"
+    return replace(clause, reason="; ".join(filter(None, (clause.reason, told))))
 
 
 def _goes_somewhere(clause: Clause) -> bool:

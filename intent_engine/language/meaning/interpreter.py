@@ -128,7 +128,11 @@ class Interpreter:
         if lettered is not None and not meant[0].stops:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         # How a recogniser sets its question marks tells little.
-        if _ASKED.search(text) and ((not spoken and self._lists_only(meant[1])) or self._asks_at_last(said, meant[1])):
+        if _ASKED.search(text) and (
+            (not spoken and self._lists_only(meant[1]))
+            or self._asks_at_last(said, meant[1])
+            or any(map(self._asks_whether, meant[1]))
+        ):
             return self._rejected(text, "a question, and not one to do something")
         if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
             return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
@@ -156,6 +160,14 @@ class Interpreter:
         """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
         readings = [part.reading for part in parts if part.accepted and part.reading is not None]
         return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
+
+    def _asks_whether(self, part: Clause) -> bool:
+        """Whether a command is a question in the same words, which nothing but its mark tells: "gehen Sie zur Tür?". A
+        stop is heard all the same."""
+        if part.reading is None or isinstance(part.action, Stop):
+            return False
+        asked = not self.matcher.grammar.asked.isdisjoint(part.reading.words[1:2])
+        return asked and all(slot.start > 1 for slot in part.reading.slots)  # "nimm sie?" is none
 
     def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:
         """Whether what ends a question asks whether it is so: "pick up the cup, right?" is no turn to the right. It is

@@ -59,6 +59,8 @@ class Replacements:
         first = self._commands.likeliest(said, before)
         if first is not None and before and self._says_all_again(first, meant, before):
             return all_of_it
+        if first is not None and whole and self._begins_with_its_verb(first, meant):
+            return all_of_it
         last = _last_quantity(first)
         for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
             assert first is not None
@@ -105,6 +107,13 @@ class Replacements:
         if several is not None or before:
             return several
         return self._before_end(said, meant) or (self._begin_again(said, meant, first) if first else None)
+
+    def _begins_with_its_verb(self, first: Reading, meant: list[str]) -> bool:
+        """Whether ``meant``, which is a command itself, has a verb, and what was said none: "americano with milk, no,
+        can I get an espresso" is a whole new order, as it is where both have one."""
+        opens_with_a_verb = self._commands.opens_with_a_verb
+        anew = None if opens_with_a_verb(first) else self._commands.likeliest(meant)
+        return anew is not None and opens_with_a_verb(anew)
 
     def _begin_again(self, said: list[str], meant: list[str], first: Reading) -> _Stretch | None:
         """The stretch of ``said`` that begins with the word with which ``meant`` begins: "take it to the kitchen, no,
