@@ -32,7 +32,7 @@ def read_object(line: str) -> dict[str, Any]:
     """The object of a line.
 
     Raises:
-        LabelLineError: it is none, or holds what nobody means: a key twice, a number beyond all bounds, half a character.
+        LabelLineError: it is none, or holds a key twice, a number beyond all bounds or half a character.
     """
     try:
         data = json.loads(line, object_pairs_hook=_each_once, parse_int=_bounded)
