@@ -70,6 +70,27 @@ def test_but_a_stop_is_a_stop_and_what_is_said_later_is_done(listen):
     assert found.robot.pose().x == pytest.approx(2.0)
 
 
+@pytest.mark.parametrize(("end", "moved"), [(1.5, 0.0), (2.2, 2.0)])
+def test_nor_with_the_half_of_a_sentence_in_which_the_sound_ended(listen, end, moved):
+    """The voice detector hears a voice up to 2 s. What had ended before the sound was cut is done."""
+    frames = framed(np.zeros(5 * SAMPLE_RATE, np.float32))
+    place = next(at for at, frame in enumerate(frames) if frame.time > end)
+    frames[place] = replace(frames[place], cut=True)
+
+    class Detector(Voiced):
+        def reset(self) -> None: ...
+
+    voice = Detector((0.5, min(end, 2.0)))
+    found = listen(frames, Says("go forward two meters"), voice=voice, noise_filter=None)
+    assert found.moved == pytest.approx(moved)
+    told = [event.detail for event in found.of(HeardKind.LOST)]
+    assert (
+        told == []
+        if moved
+        else told == ["the sound ended in the midst of a word, so what was being said is not acted on"]
+    )
+
+
 def test_sound_lost_while_nobody_speaks_is_no_matter(listen, go_forward):
     frames = framed(go_forward)
     frames[5] = replace(frames[5], lost=1.0)
