@@ -291,10 +291,8 @@ def _tell(outcomes: list[Outcome]) -> None:
 
 def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -> None:
     from intent_engine.evaluation.report import (
-        MISS_COLUMNS,
-        MISS_KEYS,
         SCORE_KEYS,
-        miss_cells,
+        miss_table,
         misses,
         reflex_text,
         score_table,
@@ -314,7 +312,8 @@ def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -
     failed = misses(run.outcomes)
     if failed:
         say()
-        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]), keys=MISS_KEYS, listed=True)
+        heads, rows, keys = miss_table(failed[:SHOWN], run.outcomes)
+        table("what did not go right", heads, rows, keys=keys, listed=True)
         if len(failed) > SHOWN:
             note(f"and {len(failed) - SHOWN} more" + ("" if all_in else "; --csv FILE writes them all"))
     errors = {error for outcome in run.outcomes for error in outcome.errors}
