@@ -91,6 +91,32 @@ def test_nor_with_the_half_of_a_sentence_in_which_the_sound_ended(listen, end, m
     )
 
 
+@pytest.mark.parametrize("confidence", [float("nan"), float("inf"), -1.0, 2.0])
+def test_a_confidence_that_is_none_moves_nothing(listen, go_forward, confidence):
+    class Unsure:
+        def transcribe(self, samples, *, final=True):
+            return Transcript("go forward two meters", confidence=confidence)
+
+        def close(self): ...
+
+    found = listen(framed(go_forward), Unsure())
+    assert found.moved == 0.0
+    assert "confidence is from 0 to 1 or None" in found.of(HeardKind.ERROR)[0].detail
+
+
+@pytest.mark.parametrize(("given", "named"), [("go forward", "str"), (None, "NoneType"), (b"go", "bytes")])
+def test_what_is_no_transcript_is_a_failure_of_the_recogniser(listen, go_forward, given, named):
+    class Strange:
+        def transcribe(self, samples, *, final=True):
+            return given
+
+        def close(self): ...
+
+    found = listen(framed(go_forward), Strange())
+    assert found.moved == 0.0
+    assert f"it gave {named}, and no Transcript" in found.of(HeardKind.ERROR)[0].detail
+
+
 def test_sound_lost_while_nobody_speaks_is_no_matter(listen, go_forward):
     frames = framed(go_forward)
     frames[5] = replace(frames[5], lost=1.0)
