@@ -75,3 +75,5 @@ class Summary:
     utterances: int = 0
     accepted: int = 0
     errors: int = 0
+    lost: int = 0
+    """Utterances that were not acted on, since some of their sound was missing."""

@@ -192,7 +192,7 @@ class Runtime:
                     break
                 self._move_clock(frame.time)
                 if frame.samples.size:  # else it was woken by a decode that has ended
-                    if frame.lost or frame.deaf:
+                    if frame.lost or frame.deaf or (frame.cut and utterance and not self._endpoint.silence):
                         self._gap(frame, utterance)
                         utterance = None
                     self._collect(frame.time, utterance)  # the endpoint decides by what is known now
@@ -290,15 +290,17 @@ class Runtime:
         self._torn = frame.time + TORN
         if utterance is not None:
             self._decoding.forget(utterance)
+        missing = f"{frame.lost:.2f} s of sound were lost" if frame.lost else "the sound ended in the midst of a word"
         if frame.deaf:
             if not self._deaf:
                 self._deaf = True
                 self._waiting.clear()
                 self._acting.failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
         elif utterance is not None and self._holding.on:
-            self._acting.failed(frame.time, f"{frame.lost:.2f} s of sound were lost while a stop word was being said")
+            self._acting.failed(frame.time, f"{missing} while a stop word was being said")
         elif utterance is not None:
-            why = f"{frame.lost:.2f} s of sound were lost, so what was being said is not acted on"
+            why = f"{missing}, so what was being said is not acted on"
+            self._acting.summary.lost += 1
             self._tell(HeardKind.LOST, frame.time, detail=why)
 
     # -- decoding ----------------------------------------------------------------------------------

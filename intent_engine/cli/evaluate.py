@@ -33,6 +33,7 @@ from intent_engine.resources import find
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
     from intent_engine.evaluation.hearing import Listener
+    from intent_engine.evaluation.labels import Row
     from intent_engine.evaluation.scoring import Outcome, Score
     from intent_engine.speech.endpoint import Settings
     from intent_engine.speech.recognizer import Recognizer
@@ -173,6 +174,7 @@ def evaluate(
     files = [robot_file, labels, *engine.files, *(row.audio for row in rows), *(noise or ())]
     check_apart({"--csv": csv, "--plot": plot}, files)
     check(rows, labels)
+    _doubt(rows)
     trial = Trial(Noise.read(noise) if noise else None, snrs, clean=not no_clean)
     models = model or [usual_model(engine.languages, language)]
     run = _Run(len(rows), len(set(models)) * (1 + free))
@@ -270,6 +272,7 @@ def _listener(
     states: tuple[str, ...],
 ) -> Listener:
     from intent_engine.evaluation.hearing import Listener
+    from intent_engine.evaluation.labels import Row
     from intent_engine.execution.robots.robot_file import load_robot
 
     return Listener(
@@ -283,6 +286,15 @@ def _listener(
     )
 
 
+def _doubt(rows: list[Row]) -> None:
+    """Say which labels can hardly be meant as they are: they count, and nothing that is heard can be right."""
+    doubts = [doubt for row in rows for doubt in row.doubts]
+    for doubt in doubts[:SHOWN]:
+        note(f"warning: {doubt}")
+    if len(doubts) > SHOWN:
+        note(f"warning: and {len(doubts) - SHOWN} labels more like these")
+
+
 def _tell(outcomes: list[Outcome]) -> None:
     from intent_engine.evaluation.report import outcome_json
 
@@ -292,10 +304,8 @@ def _tell(outcomes: list[Outcome]) -> None:
 
 def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -> None:
     from intent_engine.evaluation.report import (
-        MISS_COLUMNS,
-        MISS_KEYS,
         SCORE_KEYS,
-        miss_cells,
+        miss_table,
         misses,
         reflex_text,
         score_table,
@@ -315,7 +325,8 @@ def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -
     failed = misses(run.outcomes)
     if failed:
         say()
-        table("what did not go right", MISS_COLUMNS, map(miss_cells, failed[:SHOWN]), keys=MISS_KEYS, listed=True)
+        heads, rows, keys = miss_table(failed[:SHOWN], run.outcomes)
+        table("what did not go right", heads, rows, keys=keys, listed=True)
         if len(failed) > SHOWN:
             note(f"and {len(failed) - SHOWN} more" + ("" if all_in else "; --csv FILE writes them all"))
     errors = {error for outcome in run.outcomes for error in outcome.errors}

@@ -21,7 +21,9 @@ from typing import Any
 
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.evaluation.label_json import file_in_other_form
 from intent_engine.evaluation.label_line import LabelLine
+from intent_engine.evaluation.label_values import SlotValues
 from intent_engine.evaluation.labels import Row
 from intent_engine.language.loading.yaml_source import not_utf8
 from intent_engine.language.template_tree import references
@@ -75,10 +77,15 @@ def read_labels(path: Path, engine: IntentEngine) -> list[Row]:
         raise ConfigError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
     intents = {name for grammar in engine.grammars for name in grammar.intents}
     slots = {name: _slot_names(engine, name) for name in intents}
+    values = SlotValues(engine)
+    other_form = file_in_other_form(text)
+    if other_form is not None:
+        at, form = other_form
+        raise ConfigError(Problem(str(form), str(path), at, hint=form.hint))
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
             continue
-        reader = LabelLine(path, number, line, intents, slots, problems)
+        reader = LabelLine(path, number, line, intents, slots, values, problems)
         row = reader.row(engine)
         if row is not None:
             rows.append(row)

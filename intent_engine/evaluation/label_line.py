@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from intent_engine.actions import Action, from_json
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import Problem
+from intent_engine.evaluation.label_json import LabelLineError, read_object
+from intent_engine.evaluation.label_values import SlotValueError, SlotValues
 from intent_engine.evaluation.labels import COMPOUND, Expected, Row, Step, steps_in, steps_of
 from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Status
@@ -36,15 +37,25 @@ class LabelLine:
     """Names that the grammars know."""
     slots: Mapping[str, set[str]]
     """By intent, the names of its slots; none: any may be there."""
+    values: SlotValues
     problems: list[Problem]
     """What is wrong with the file; more is added to them."""
+    doubts: list[Problem] = field(default_factory=list)
+    """What can hardly be meant in the line, though it can be read."""
 
     def wrong(self, message: str, key: str | None = None, hint: str | None = None) -> None:
         """Note a problem, at a key if that can be found in the line."""
+        self.problems.append(self._problem(message, key, hint))
+
+    def odd(self, message: str, key: str, hint: str | None) -> None:
+        """Note a doubt: a label may be of a robot that can do more, and counts as any other."""
+        self.doubts.append(self._problem(message, key, hint))
+
+    def _problem(self, message: str, key: str | None, hint: str | None) -> Problem:
         at = self.line.find(f'"{key}"') if key else -1
         column = at + 1 if at >= 0 else None
         # A line of labels is long; the place in it is told by its key.
-        self.problems.append(Problem(message, str(self.path), self.number, column, hint=hint))
+        return Problem(message, str(self.path), self.number, column, hint=hint)
 
     def row(self, engine: IntentEngine) -> Row | None:
         """The row of the line; None: something is wrong with it, and noted.
@@ -53,23 +64,9 @@ class LabelLine:
             engine: what a text means.
         """
         try:
-            data = json.loads(self.line)
-        except json.JSONDecodeError as error:
-            self.problems.append(
-                Problem(
-                    f"is no JSON: {error.msg}",
-                    str(self.path),
-                    self.number,
-                    error.colno,
-                    hint="each line is one object in braces, with names and texts in double quotes",
-                )
-            )
-            return None
-        except RecursionError:
-            self.wrong("is nested too deep")
-            return None
-        if not isinstance(data, dict):
-            self.wrong("is no JSON object", hint='{"audio": "one.wav", "text": "go forward two meters"}')
+            data: Mapping[str, Any] = read_object(self.line)
+        except LabelLineError as error:
+            self.problems.append(Problem(str(error), str(self.path), self.number, error.column, hint=error.hint))
             return None
         before = len(self.problems)
         data = self._without_slips(data)
@@ -84,7 +81,7 @@ class LabelLine:
         if len(self.problems) > before or audio is None or expected is None:
             return None
         name = str(data.get("id", f"{data['audio']}" + (f"@{start:g}" if start else "")))
-        return Row(name, self.number, audio, expected, text, start, end, speech_end)
+        return Row(name, self.number, audio, expected, text, start, end, speech_end, tuple(self.doubts))
 
     def _without_slips(self, data: Mapping[str, Any]) -> Mapping[str, Any]:
         """Note keys that are probably one of ours, and read on as if they were. A key that has nothing to do with them
@@ -104,10 +101,8 @@ class LabelLine:
             self.wrong(f"'audio' {given}", "audio", hint='"audio": "one.wav"')
             return None
         audio = self.path.parent / name
-        if not audio.is_file():
-            self.wrong(
-                f"there is no sound file {audio}", "audio", hint="its path is taken from the folder of the labels"
-            )
+        if not _is_file(audio):
+            self.wrong(f"there is no sound file {audio}", "audio", hint=_other_file(name, audio))
             return None
         return audio
 
@@ -128,7 +123,7 @@ class LabelLine:
         return float(value)
 
     def _expected(self, data: Mapping[str, Any], text: str | None, engine: IntentEngine) -> Expected | None:
-        if not {"text", "intent", "actions"} & data.keys():
+        if "intent" not in data and data.get("text") is None and data.get("actions") is None:
             self.wrong("says nothing of what is said", hint="add 'text', or 'intent' and 'slots', or 'actions'")
             return None
         steps: tuple[Step, ...] = ()
@@ -136,14 +131,18 @@ class LabelLine:
             steps = self._steps(data)
         elif "slots" in data:
             self.wrong("has 'slots' but no 'intent'", "slots", hint="say whose slots they are")
-        actions, types = self._actions(data) if "actions" in data else (None, None)
-        if "intent" not in data and "actions" not in data:
+        actions, types = self._actions(data)
+        labelled = "actions" in data and data["actions"] is not None
+        if "intent" in data and labelled and bool(data["intent"]) is not bool(data["actions"]):
+            what = "an 'intent' and yet no 'actions'" if data["intent"] else "'actions' and yet no 'intent' (null)"
+            self.odd(f"has {what}", "actions", hint="leave out what is not meant")
+        if "intent" not in data and not labelled:
             meaning = engine.parse(text or "", spoken=True)
             steps = steps_of(meaning)
             actions = meaning.actions if meaning.status is Status.ACCEPTED else None
         kinds = types or tuple(action.type for action in actions or ()) or tuple(map(self._kind(engine), steps))
         stops = bool(kinds) and set(kinds) == {"stop"} and (text is None or _says_stop(engine, text))
-        return Expected(steps, actions, types, by_text=actions is not None and "actions" not in data, stops=stops)
+        return Expected(steps, actions, types, by_text=actions is not None and not labelled, stops=stops)
 
     def _kind(self, engine: IntentEngine) -> Callable[[Step], str]:
         kinds = {name: intent.action.type for grammar in engine.grammars for name, intent in grammar.intents.items()}
@@ -168,27 +167,33 @@ class LabelLine:
                 return ()
         else:
             steps = (Step(intent, slots),)
-        for step in steps:
-            self._known(step)
-        return steps
+        return tuple(self._known(step) for step in steps)
 
-    def _known(self, step: Step) -> None:
+    def _known(self, step: Step) -> Step:
+        """A step with its values as the engine gives them; what it cannot give is noted."""
         if step.intent not in self.intents:
             message = f"intent {step.intent!r} is not in the grammar"
             if any(problem.message == message for problem in self.problems):
-                return  # a wrong grammar is one mistake, not one of every row
+                return step  # a wrong grammar is one mistake, not one of every row
             self.wrong(
                 message,
                 "intent",
                 hint=_other_intent(step.intent, self.intents),
             )
-            return
+            return step
         known = self.slots[step.intent]
-        for name in step.slots:
+        read = dict(step.slots)
+        for name, value in step.slots.items():
             if known and name not in known:
                 self.wrong(
                     f"intent {step.intent!r} has no slot {name!r}", name, hint=f"it has {', '.join(sorted(known))}"
                 )
+                continue
+            try:
+                read[name] = self.values.read(step.intent, name, value)
+            except SlotValueError as error:
+                self.odd(str(error), name, hint=error.hint)
+        return Step(step.intent, read)
 
     def _actions(self, data: Mapping[str, Any]) -> tuple[tuple[Action, ...] | None, tuple[str, ...] | None]:
         listed = self._typed(data, "actions", list, "a list of actions")
@@ -208,6 +213,25 @@ class LabelLine:
         except ValueError as error:
             self.wrong(f"'actions': {error}", "actions")
             return None
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name too long for any file, or a folder that may not be looked into
+        return False
+
+
+def _other_file(name: str, path: Path) -> str:
+    """What to write for a sound file that is not there."""
+    if "\\" in name:
+        return "write paths with /"
+    beside = sorted(other.name for other in path.parent.iterdir()) if path.parent.is_dir() else []
+    for alike in (lambda one: one.lower(), lambda one: Path(one).stem.lower()):
+        found = [one for one in beside if alike(one) == alike(path.name)]
+        if found:
+            return f"did you mean {found[0]!r}?"
+    return "its path is taken from the folder of the labels"
 
 
 def _other_intent(name: str, known: Collection[str]) -> str:

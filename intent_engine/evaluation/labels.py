@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.actions import Action
+from intent_engine.errors import Problem
 from intent_engine.interpretation import Interpretation, Status
 
 __all__ = ["COMPOUND", "Expected", "Row", "Step", "evenly", "steps_in", "steps_of"]
@@ -61,6 +62,8 @@ class Row:
     """s; None: the end of the file."""
     speech_end: float | None = None
     """s after ``start``; None: not labelled."""
+    doubts: tuple[Problem, ...] = ()
+    """What can hardly be meant in it: a value that no sentence of the grammar gives."""
 
 
 def evenly(rows: list[Row], limit: int | None) -> list[Row]:

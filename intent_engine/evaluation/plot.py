@@ -60,7 +60,7 @@ def plot_scores(
     right.set(
         ylim=(0, 104),
         xlabel="end of speech to action in ms",
-        ylabel="commands acted on in %",
+        ylabel="of the commands that were right, in %",
         title="Time to the action",
     )
     right.set_xlim(left=min(0.0, right.get_xlim()[0]))

@@ -19,6 +19,7 @@ __all__ = [
     "SCORE_KEYS",
     "expected_text",
     "miss_cells",
+    "miss_table",
     "misses",
     "outcome_json",
     "reflex_text",
@@ -90,6 +91,23 @@ def misses(outcomes: Sequence[Outcome]) -> list[Outcome]:
     """What did not go right, the worst kinds first."""
     order = {Verdict.WRONG: 0, Verdict.FALSE_ACCEPT: 1, Verdict.MISSED: 2}
     return sorted((one for one in outcomes if one.verdict in order), key=lambda one: order[one.verdict])
+
+
+def miss_table(shown: Sequence[Outcome], every: Sequence[Outcome]) -> tuple[list[str], list[list[str]], int]:
+    """Heads and rows of what went wrong, and how many columns at the left say which recording it is: by which model it
+    was heard, where every outcome is not of the same.
+
+    Args:
+        shown: the rows.
+        every: outcome of the run.
+    """
+    heads, rows = list(MISS_COLUMNS), [miss_cells(outcome) for outcome in shown]
+    if len({outcome.condition.model for outcome in every}) < 2:
+        return heads, rows, MISS_KEYS
+    heads.insert(1, "model")
+    for row, outcome in zip(rows, shown, strict=True):
+        row.insert(1, outcome.condition.model)
+    return heads, rows, MISS_KEYS + 1
 
 
 def miss_cells(outcome: Outcome) -> list[str]:

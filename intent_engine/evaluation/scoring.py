@@ -12,13 +12,11 @@ from intent_engine.actions import Action, Custom, Stop
 from intent_engine.actions import to_json as action_to_json
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.evaluation.labels import Row, Step, steps_of
+from intent_engine.evaluation.sameness import same
 from intent_engine.language.utterance import plain
 from intent_engine.speech.recognizer import Transcript
 
 __all__ = ["Condition", "Outcome", "Score", "Verdict", "judge", "plain", "quantile", "score", "wilson"]
-
-TOLERANCE = 1e-3
-"""Relative difference of numbers that are the same: "two feet" is 0.61 m in one label and 0.6096 m in another."""
 
 
 class Verdict(StrEnum):
@@ -182,20 +180,6 @@ def _slots_right(expected: Sequence[Step], found: Sequence[Step], actions: Seque
         if one.intent == other.intent
         for name in one.slots
     )
-
-
-def same(one: Any, other: Any) -> bool:
-    """Whether two values say the same: numbers nearly, texts in their plain words, together or apart ("tool box"), the
-    rest exactly."""
-    if isinstance(one, bool) or isinstance(other, bool):
-        return one is other
-    if isinstance(one, (int, float)) and isinstance(other, (int, float)):
-        return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-6)
-    if isinstance(one, str) and isinstance(other, str):
-        return one == other or "".join(plain(one)) == "".join(plain(other)) != ""
-    if isinstance(one, Mapping) and isinstance(other, Mapping):
-        return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
-    return bool(one == other)
 
 
 # -- all together ------------------------------------------------------------------------------------------------------

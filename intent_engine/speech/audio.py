@@ -50,6 +50,8 @@ class Frame:
     """s of sound that are missing just before it, at least; 0: none. Words may be among them."""
     deaf: bool = False
     """No sound comes, as from a microphone that was unplugged: this is silence in its place."""
+    cut: bool = False
+    """The sound ended in it, in the midst of a sound: the rest of a word may be missing."""
 
 
 class ReportKind(StrEnum):

@@ -10,10 +10,18 @@ from intent_engine.speech.audio import Samples
 
 __all__ = ["Encoded", "Following", "Glancing", "Recognizer", "Transcript"]
 
+SLACK = 1e-6
+"""By which rounding may carry a probability beyond 0 and 1."""
+
 
 @dataclass(frozen=True, slots=True)
 class Transcript:
-    """What was heard in one stretch of speech."""
+    """What was heard in one stretch of speech.
+
+    Raises:
+        TypeError: the text is none.
+        ValueError: the confidence is no probability. NaN would be less than no threshold, and all would be acted on.
+    """
 
     text: str
     """The words, as the recogniser writes them; in the words of the grammar if it was steered. Empty: nothing."""
@@ -44,6 +52,12 @@ class Transcript:
     draft: bool = False
     """Whether the recogniser would hear it better with more care: it is not acted on, and an utterance that seems to be
     over is recognised again, as final."""
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.text, str):
+            raise TypeError(f"a transcript's text is a str, not {type(self.text).__name__}")
+        if self.confidence is not None and not -SLACK <= self.confidence <= 1.0 + SLACK:  # NaN is in no range
+            raise ValueError(f"a transcript's confidence is from 0 to 1 or None, not {self.confidence!r}")
 
     @property
     def word_by_word(self) -> bool:

@@ -142,7 +142,10 @@ class UtteranceDecoder(DecodeThread):
         error = job.exception()
         if error is not None:
             return True, f"the recogniser failed: {type(error).__name__}: {error}"
-        utterance.result = job.result()
+        heard = job.result()
+        if not isinstance(heard, Transcript):
+            return True, f"the recogniser failed: it gave {type(heard).__name__}, and no Transcript"
+        utterance.result = heard
         return True, ""
 
     def _decoded(

@@ -12,6 +12,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.label_files import find_labels, read_labels
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
+from intent_engine.language.sampler import sample
 
 
 @pytest.fixture(scope="module")
@@ -130,12 +131,112 @@ def test_compound_commands_have_steps(engine, write):
         ({"audio": "a.wav", "text": "stop", "end": "now"}, "'end' must be a number of seconds, not 'now'"),
         ({"audio": "a.wav", "text": "stop", "start": 2, "end": 1}, "'end' is 1 s, not after 'start', 2 s"),
         ('{"audio": "a.wav", "text": "stop", "start": NaN}', "'start' must be a number of seconds"),
+        ('{"audio": "a.wav", "text": "stop", "start": 1' + "0" * 400 + "}", "holds a number of 401 digits"),
+        ('{"audio": "a.wav", "text": "stop", "n": 1' + "0" * 5000 + "}", "holds a number of 5001 digits"),
+        (r'{"audio": "a.wav", "text": "st\ud800op"}', r"holds half a character, '\ud800'"),
+        ({"audio": "a" * 5000, "text": "stop"}, "labels.jsonl:1:2: there is no sound file"),
+        ({"audio": "A.WAV", "text": "stop"}, "A.WAV\n    did you mean 'a.wav'?"),
+        ({"audio": "a.flac", "text": "stop"}, "a.flac\n    did you mean 'a.wav'?"),
+        ({"audio": "b\\a.wav", "text": "stop"}, "a.wav\n    write paths with /"),
+        (r'{"audio": "C:\Users\a.wav", "text": "stop"}', "write paths with /, or each \\ twice"),
+        ('{"audio": "a.wav", "text": "stop"},', "each line is an object of its own, with no comma behind it"),
+        ('{"audio": "a.wav", "text": "stop",}', "no comma before the closing bracket"),
+        ("{“audio”: “a.wav”, “text”: “stop”}", "write straight double quotes"),
+        ("# mine", "JSON has no comments"),
+        ('{"audio": "a.wav", "audio": "a.wav", "text": "stop"}', "has 'audio' twice"),
+        ({"audio": "a.wav", "text": None}, "says nothing of what is said"),
+        ({"audio": "a.wav", "actions": None}, "says nothing of what is said"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_line(engine, write, line, said):
     with pytest.raises(ConfigError) as caught:
         read_labels(write(line), engine)
     assert said in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ({"audio": "a.wav", "intent": None, "actions": ["move"]}, "has 'actions' and yet no 'intent' (null)"),
+        ({"audio": "a.wav", "intent": "move", "actions": []}, "has an 'intent' and yet no 'actions'"),
+        (
+            {"audio": "a.wav", "intent": "turn", "slots": {"side": "lefft"}},
+            "'lefft' is no value of slot 'side'\n    did you mean 'left'?",
+        ),
+        (
+            {"audio": "a.wav", "intent": "navigate", "slots": {"place": "kitchn"}},
+            "'kitchn' is no value of slot 'place'\n    did you mean 'kitchen'?",
+        ),
+        (
+            {"audio": "a.wav", "intent": "move", "slots": {"distance": "two bananas"}},
+            "'two bananas' is no distance (slot 'distance')\n    give a number (m), or a text with its unit:",
+        ),
+        (
+            {"audio": "a.wav", "intent": "turn", "slots": {"angle": 90}},
+            "90, which is 5156.62°, is more than the largest, 720°",
+        ),
+        (
+            {"audio": "a.wav", "intent": "move", "slots": {"distance": True}},
+            "True is no distance",
+        ),
+    ],
+)
+def test_what_can_hardly_be_meant_is_doubted_and_counts(engine, write, line, said):
+    (row,) = read_labels(write(line), engine)
+    (doubt,) = row.doubts
+    assert said in str(doubt)
+    assert row.expected.command
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            '[\n  {"audio": "a.wav", "text": "stop"},\n  {"audio": "a.wav", "text": "stop"}\n]\n',
+            "labels.jsonl:1: is no JSON object, but begins an array\n    take out the brackets around all",
+        ),
+        ("audio,text\na.wav,stop\na.wav,stop\n", "labels.jsonl:1: is the head of a table, not JSON"),
+        ("\n\tText;Audio\nstop;a.wav\n", "labels.jsonl:2: is the head of a table, not JSON"),
+        ('{\n  "audio": "a.wav",\n  "text": "stop"\n}\n', "labels.jsonl:1: is an object over several lines"),
+    ],
+)
+def test_a_file_in_another_form_is_one_mistake_and_not_one_of_every_line(engine, write, text, said):
+    with pytest.raises(ConfigError) as caught:
+        read_labels(write(text), engine)
+    assert len(caught.value.problems) == 1
+    assert said in str(caught.value)
+
+
+def test_what_is_null_is_not_labelled(engine, write):
+    (row,) = read_labels(write({"audio": "a.wav", "text": "go forward two meters", "actions": None}), engine)
+    assert row.expected.actions == (Move(0.5, 2.0, 4.0),)
+
+
+@pytest.mark.parametrize(
+    ("intent", "slot", "written", "value"),
+    [
+        ("move", "distance", "2 m", 2.0),
+        ("move", "distance", "two feet", 0.6096),
+        ("turn", "angle", "90 deg", 1.5708),
+        ("turn", "angle", 1.5708, 1.5708),
+        ("turn", "side", "Left", "Left"),
+        ("move", "direction", "backward", "backward"),
+        ("bring", "thing", "anything at all", "anything at all"),
+    ],
+)
+def test_values_are_written_as_the_engine_gives_them_or_with_their_unit(engine, write, intent, slot, written, value):
+    (row,) = read_labels(write({"audio": "a.wav", "intent": intent, "slots": {slot: written}}), engine)
+    read = row.expected.steps[0].slots[slot]
+    assert read == (value if isinstance(value, str) else pytest.approx(value, rel=1e-4))
+
+
+def test_every_meaning_of_the_shipped_grammar_is_a_label(engine, write):
+    lines = []
+    for found in sample(engine.grammars[0], engine.locations, 300):
+        meaning = engine.parse(found.text)
+        if meaning.actions and meaning.intent != "compound":
+            lines.append({"audio": "a.wav", "intent": meaning.intent, "slots": dict(meaning.slots)})
+    assert len(read_labels(write(*lines), engine)) == len(lines) > 100
 
 
 def test_a_slip_is_told_once_and_not_what_comes_of_it(engine, write):

@@ -11,7 +11,14 @@ import pytest
 from intent_engine.actions import Move, Turn
 from intent_engine.errors import ConfigError
 from intent_engine.evaluation.labels import Expected, Row, Step
-from intent_engine.evaluation.report import MISS_COLUMNS, expected_text, miss_cells, outcome_json, write_csv
+from intent_engine.evaluation.report import (
+    MISS_COLUMNS,
+    expected_text,
+    miss_cells,
+    miss_table,
+    outcome_json,
+    write_csv,
+)
 from intent_engine.evaluation.scoring import Condition, Outcome, Verdict
 from intent_engine.speech.recognizer import Transcript
 
@@ -66,6 +73,16 @@ def test_what_was_expected_stands_beside_what_was_done(tmp_path, expected, said,
     with (tmp_path / "all.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
     assert (row["expected"], row["actions"]) == (said, MOVE_TEXT)
+
+
+def test_what_went_wrong_names_the_model_where_there_are_several():
+    one = outcome(Expected((STEP,)))
+    other = replace(one, condition=Condition("n", 6.0))
+    heads, rows, keys = miss_table([one], [one, one])
+    assert (heads, [row[:keys] for row in rows]) == (list(MISS_COLUMNS), [["one", "none", "wrong"]])
+    heads, rows, keys = miss_table([other], [one, other])
+    assert heads[:keys] == ["recording", "model", "noise", "what came of it"]
+    assert [row[:keys] for row in rows] == [["one", "n", "6 dB", "wrong"]]
 
 
 def test_other_readings_stand_beside_what_was_heard(tmp_path):

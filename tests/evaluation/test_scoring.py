@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from intent_engine.actions import Custom, Move, Stop, Turn
 from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.labels import Expected, Row, Step
-from intent_engine.evaluation.scoring import Condition, Verdict, judge, quantile, same, score, wilson
+from intent_engine.evaluation.sameness import same
+from intent_engine.evaluation.scoring import Condition, Verdict, judge, quantile, score, wilson
 from intent_engine.interpretation import Interpretation, Status
 
 CONDITION = Condition("tiny.en")

@@ -15,7 +15,7 @@ import soundfile
 from intent_engine.actions import to_json
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.label_files import read_labels
-from intent_engine.evaluation.scoring import same
+from intent_engine.evaluation.sameness import same
 from intent_engine.evaluation.sound import end_of_speech
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))

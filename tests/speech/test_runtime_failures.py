@@ -70,6 +70,53 @@ def test_but_a_stop_is_a_stop_and_what_is_said_later_is_done(listen):
     assert found.robot.pose().x == pytest.approx(2.0)
 
 
+@pytest.mark.parametrize(("end", "moved"), [(1.5, 0.0), (2.2, 2.0)])
+def test_nor_with_the_half_of_a_sentence_in_which_the_sound_ended(listen, end, moved):
+    """The voice detector hears a voice up to 2 s. What had ended before the sound was cut is done."""
+    frames = framed(np.zeros(5 * SAMPLE_RATE, np.float32))
+    place = next(at for at, frame in enumerate(frames) if frame.time > end)
+    frames[place] = replace(frames[place], cut=True)
+
+    class Detector(Voiced):
+        def reset(self) -> None: ...
+
+    voice = Detector((0.5, min(end, 2.0)))
+    found = listen(frames, Says("go forward two meters"), voice=voice, noise_filter=None)
+    assert found.moved == pytest.approx(moved)
+    told = [event.detail for event in found.of(HeardKind.LOST)]
+    assert (
+        told == []
+        if moved
+        else told == ["the sound ended in the midst of a word, so what was being said is not acted on"]
+    )
+
+
+@pytest.mark.parametrize("confidence", [float("nan"), float("inf"), -1.0, 2.0])
+def test_a_confidence_that_is_none_moves_nothing(listen, go_forward, confidence):
+    class Unsure:
+        def transcribe(self, samples, *, final=True):
+            return Transcript("go forward two meters", confidence=confidence)
+
+        def close(self): ...
+
+    found = listen(framed(go_forward), Unsure())
+    assert found.moved == 0.0
+    assert "confidence is from 0 to 1 or None" in found.of(HeardKind.ERROR)[0].detail
+
+
+@pytest.mark.parametrize(("given", "named"), [("go forward", "str"), (None, "NoneType"), (b"go", "bytes")])
+def test_what_is_no_transcript_is_a_failure_of_the_recogniser(listen, go_forward, given, named):
+    class Strange:
+        def transcribe(self, samples, *, final=True):
+            return given
+
+        def close(self): ...
+
+    found = listen(framed(go_forward), Strange())
+    assert found.moved == 0.0
+    assert f"it gave {named}, and no Transcript" in found.of(HeardKind.ERROR)[0].detail
+
+
 def test_sound_lost_while_nobody_speaks_is_no_matter(listen, go_forward):
     frames = framed(go_forward)
     frames[5] = replace(frames[5], lost=1.0)

@@ -38,6 +38,37 @@ def heard(data: bytes, form: PcmFormat | None = None) -> np.ndarray:
     return np.concatenate([frame.samples for frame in frames]) if frames else np.zeros(0)
 
 
+def cuts(data: bytes, form: PcmFormat | None = None) -> tuple[list[float], list[float]]:
+    """When the sound was cut, and how much of it was missing."""
+    frames = list(PcmSource(io.BytesIO(data), form).frames())
+    return [frame.time for frame in frames if frame.cut], [frame.lost for frame in frames if frame.lost]
+
+
+@pytest.mark.parametrize("encoding", FORMATS)
+def test_an_end_in_the_midst_of_a_sound_is_told(encoding):
+    form = PcmFormat.of(encoding=encoding)
+    (when,), lost = cuts(encoded(SOUND, encoding), form)
+    assert when == pytest.approx(1.0, abs=FRAME_SECONDS)
+    assert lost == []
+    faded = SOUND * np.linspace(1.0, 0.0, SOUND.size)
+    assert cuts(encoded(faded, encoding), form) == ([], [])
+
+
+def test_sound_that_a_wav_header_promised_is_missing():
+    sound = encoded(SOUND * np.linspace(1.0, 0.0, SOUND.size), "s16le")
+    head = struct.pack(
+        "<4sI4s4sIHHIIHH4sI", b"RIFF", 36, b"WAVE", b"fmt ", 16, 1, 1, SAMPLE_RATE, 32_000, 2, 16, b"data", 64_000
+    )
+    assert cuts(head + sound) == ([], [pytest.approx(1.0)])
+    assert cuts(head[:-4] + struct.pack("<I", len(sound)) + sound) == ([], [])
+    assert cuts(head[:-4] + b"\xff" * 4 + sound) == ([], [])
+
+
+def test_silence_and_a_moment_of_sound_are_not_cut():
+    assert cuts(bytes(32_000)) == ([], [])
+    assert cuts(encoded(SOUND[:300], "s16le")) == ([], [])
+
+
 @pytest.mark.parametrize("encoding", FORMATS)
 def test_every_format(encoding):
     sound = heard(encoded(SOUND, encoding), PcmFormat.of(encoding=encoding))

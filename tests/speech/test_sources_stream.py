@@ -71,10 +71,46 @@ def test_what_is_no_sound_is_refused(bad):
         StreamSource(16_000).push(bad)
 
 
-@pytest.mark.parametrize("rate", [0, -16_000, 16, 10_000_000])
+@pytest.mark.parametrize("rate", [22_050.5, 0, -16_000, 16, 10_000_000])
 def test_a_rate_that_is_none(rate):
     with pytest.raises(AudioError, match="no sample rate"):
         StreamSource(rate)
+
+
+@pytest.mark.parametrize(
+    ("bad", "says"),
+    [
+        (b"\0\0" * 100, r"given bytes.*\n    push np.frombuffer\(data, np.int16\)"),
+        ([[1.0], [1.0, 2.0]], "lists of different lengths"),
+        ([1, 2, 3], r"int64.*\n.*astype\(np.int16\)"),
+        (np.zeros(9, np.uint64), r"uint64.*\n.*astype"),
+        (np.zeros((6, 32)), r"\(6, 32\), which lies on its side\n.*array.T"),
+        (np.zeros((2, 1000)), r"\(2, 1000\)\n    push \(samples,\) for one channel"),
+    ],
+)
+def test_what_would_be_heard_as_something_else_is_refused(bad, says):
+    with pytest.raises(AudioError, match=says):
+        StreamSource(16_000).push(bad)
+
+
+def test_the_last_block_of_many_channels_may_be_short():
+    source = StreamSource(16_000)
+    assert source.push(np.zeros((100, 6)))
+    assert source.push(np.zeros((3, 6)))
+    assert source.push(np.zeros((1, 2)))
+
+
+@pytest.mark.parametrize("rate", [16_000.0, np.float64(16_000), np.int32(16_000)])
+def test_a_whole_rate_may_be_of_any_type(rate):
+    sound = sound_of(pushed(StreamSource(rate, live=False), np.zeros(16_000, np.float32)))
+    assert sound.size == pytest.approx(1.8 * 16_000, abs=512)
+
+
+@pytest.mark.parametrize("wrong", [0, -1, float("nan"), "1", True])
+@pytest.mark.parametrize("name", ["capacity", "patience"])
+def test_a_time_that_is_none_is_refused_and_nobody_waits_for_ever(name, wrong):
+    with pytest.raises(AudioError, match=f"{name}=.* is no time\n    give seconds, more than 0"):
+        StreamSource(16_000, **{name: wrong})
 
 
 def test_what_is_pushed_may_be_changed_afterwards(time):

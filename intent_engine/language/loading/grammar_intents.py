@@ -99,13 +99,20 @@ def read_intent(
 
 def slots_by_label(nodes: Iterable[Node], known: Grammar) -> dict[str, Slot]:
     """The slots that templates fill, through their phrases, by label; of several with one label the first."""
-    found: dict[str, Slot] = {}
+    return {label: slots[0] for label, slots in all_slots_by_label(nodes, known).items()}
+
+
+def all_slots_by_label(nodes: Iterable[Node], known: Grammar) -> dict[str, list[Slot]]:
+    """The slots that templates fill, through their phrases, by label, in the order met."""
+    found: dict[str, list[Slot]] = {}
     met: set[str] = set()
     pending = [reference for node in nodes for reference in references(node)]
     while pending:
         reference = pending.pop(0)
         if reference.name in known.slots:
-            found.setdefault(reference.label, known.slots[reference.name])
+            slots = found.setdefault(reference.label, [])
+            if known.slots[reference.name] not in slots:
+                slots.append(known.slots[reference.name])
         elif reference.name in known.phrases and reference.name not in met:
             met.add(reference.name)
             pending.extend(references(known.phrases[reference.name]))

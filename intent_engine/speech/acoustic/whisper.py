@@ -236,4 +236,7 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
         if wanted == "cuda":
             warnings.warn(f"CUDA cannot be used ({error}); recognising on the CPU", RuntimeWarning, stacklevel=3)
             return _load(weights, "cpu", None if compute_type == "float16" else compute_type, threads)
-        raise WeightsError(f"model {weights.name} at {weights.path} cannot be loaded: {error}") from None
+        raise WeightsError(
+            f"model {weights.name} at {weights.path} cannot be loaded: {error}\n"
+            "    copy, download or convert its files again; another model: --model NAME"
+        ) from None

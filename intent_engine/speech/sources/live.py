@@ -105,6 +105,8 @@ class Inbox:
         self._blocks: deque[_Block] = deque()
         self._waiting = 0.0
         self._ended = False
+        self._cut = False
+        self._missing = 0.0
         self._closed = False
         self._failed = False
         self._woken = False
@@ -160,9 +162,16 @@ class Inbox:
             self._woken = True
             self._changed.notify_all()
 
-    def end(self) -> None:
-        """No more sound will come; what waits is still given."""
+    def end(self, *, cut: bool = False, missing: float = 0.0) -> None:
+        """No more sound will come; what waits is still given.
+
+        Args:
+            cut: it ended in the midst of a sound.
+            missing: s of sound that should have come.
+        """
         with self._changed:
+            if not self._ended:
+                self._cut, self._missing = cut, missing
             self._ended = True
             self._changed.notify_all()
 
@@ -233,10 +242,11 @@ class Inbox:
             if self._ended:
                 if resampler is not None:
                     silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
+                    cut, lost = self._cut, lost + self._missing
                     for frame in resampler.push(silence, last=True):
                         last = max(frame.time, last)
-                        yield replace(frame, time=last, lost=lost)
-                        lost = 0.0
+                        yield replace(frame, time=last, lost=lost, cut=cut)
+                        cut, lost = False, 0.0
                 return
             resampler = None
             if self._patience is None:

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, to_float
+from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import Clock, Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
 
@@ -149,6 +150,10 @@ class PcmSource:
         self._error: AudioError | None = None
         self._head: bytes | None = None
         self._left: float = np.inf
+        self._cut = False
+        """Whether it ended in the midst of a sound,"""
+        self._missing = 0.0
+        """and s of sound that its header had promised beside."""
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
         self._reader: threading.Thread | None = None
         self._since = 0.0
@@ -249,22 +254,26 @@ class PcmSource:
             if not self._inbox.closed:
                 self._error = AudioError(f"{self._name} cannot be read: {error}")
         finally:
-            self._inbox.end()
+            self._inbox.end(cut=self._cut, missing=self._missing)
 
     def _read(self) -> None:
         self._check()
         form, left, rest = self._form, self._left, self._head or b""
         size = max(1, int(form.rate * BLOCK_SECONDS)) * form.frame_bytes
+        ending = Ending(form.rate)
         while True:
             data = self._some(int(min(size, left)))
             left -= len(data)
             rest += data
             whole = len(rest) - len(rest) % form.frame_bytes
             if whole:
+                ending.take(form.decode(rest[:whole]))
                 if not self._bring(rest[:whole], form):
                     return
                 rest = rest[whole:]
             if not data:
+                self._cut = ending.abrupt
+                self._missing = left / form.frame_bytes / form.rate if np.isfinite(left) else 0.0
                 self._keep(b"", form, ended=True)
                 self._put_kept(form)
                 return

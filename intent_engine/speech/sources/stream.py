@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from numbers import Real
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -35,7 +36,7 @@ class StreamSource:
         clock: None: the machine's.
 
     Raises:
-        AudioError: the rate is none.
+        AudioError: the rate is none, or ``patience`` or ``capacity`` no time.
     """
 
     def __init__(
@@ -49,6 +50,11 @@ class StreamSource:
         clock: Clock | None = None,
     ) -> None:
         self.rate = checked_rate(rate)
+        _check_seconds("capacity", capacity)
+        if patience is not None:
+            _check_seconds("patience", patience)
+        self._channels: set[int] = set()
+        """Numbers of channels that came."""
         self._live = live
         self._inbox = Inbox("the stream", patience=patience, capacity=capacity, on_report=on_report, clock=clock)
 
@@ -56,21 +62,16 @@ class StreamSource:
         """Bring more sound.
 
         Args:
-            samples: ``(n,)`` or ``(n, channels)``, any number type; integers are scaled by their range. Copied. What is
-                not finite becomes silence.
+            samples: ``(n,)`` or ``(n, channels)``; floats from -1 to 1, or integers up to 32 bits, which are scaled by
+                the range of their type. Copied. What is not finite becomes silence.
 
         Returns:
             False when the stream was closed or ended: nobody hears it.
 
         Raises:
-            AudioError: not an array of such a shape, or not of numbers.
+            AudioError: not an array of such a shape, or not of such numbers.
         """
-        given = np.asarray(samples)
-        if given.ndim not in (1, 2) or (given.ndim == 2 and not 1 <= given.shape[1] <= MAX_CHANNELS):
-            raise AudioError(
-                f"the stream was given an array of shape {given.shape}\n"
-                "    push (samples,) for one channel, (samples, channels) for more"
-            )
+        given = self._given(samples)
         try:
             sound = np.array(to_float(given))
         except TypeError as error:
@@ -80,6 +81,35 @@ class StreamSource:
             self._inbox.put(sound[start : start + step], self.rate, wait=not self._live)
             for start in range(0, max(len(sound), 1), step)
         )
+
+    def _given(self, samples: npt.ArrayLike) -> npt.NDArray[Any]:
+        if isinstance(samples, (bytes, bytearray)):
+            raise AudioError(
+                "the stream was given bytes, which may be samples of any kind\n"
+                "    push np.frombuffer(data, np.int16), or take a PcmSource"
+            )
+        try:
+            given = np.asarray(samples)
+        except ValueError:
+            raise AudioError("the stream was given lists of different lengths\n    push an array") from None
+        if given.ndim not in (1, 2) or (given.ndim == 2 and not 1 <= given.shape[1] <= MAX_CHANNELS):
+            raise AudioError(
+                f"the stream was given an array of shape {given.shape}\n"
+                "    push (samples,) for one channel, (samples, channels) for more"
+            )
+        if given.dtype.kind in "iu" and given.dtype.itemsize > 4 and given.size:
+            raise AudioError(
+                f"the stream was given {given.dtype}, whose whole range no sound fills\n"
+                "    push the type in which it was recorded: samples.astype(np.int16)"
+            )
+        channels = 1 if given.ndim == 1 else given.shape[1]
+        if 0 < len(given) < channels and channels > 2 and channels not in self._channels:
+            raise AudioError(
+                f"the stream was given an array of shape {given.shape}, which lies on its side\n"
+                "    push (samples, channels): array.T"
+            )
+        self._channels.add(channels)
+        return given
 
     def frames(self) -> Iterator[Frame]:
         return self._inbox.frames(counted=not self._live)
@@ -96,12 +126,17 @@ class StreamSource:
 
 
 def checked_rate(rate: int) -> int:
-    """A sample rate that is one.
+    """A sample rate that is one; ``16000.0`` is 16000.
 
     Raises:
         AudioError: it is none.
     """
-    if not isinstance(rate, Real) or not 1000 <= rate <= MAX_RATE:
+    if not isinstance(rate, Real) or not 1000 <= rate <= MAX_RATE or rate != int(rate):
         shown = f"{rate} Hz" if isinstance(rate, Real) else repr(rate)
         raise AudioError(f"{shown} is no sample rate of sound\n    give one from 1000 to {MAX_RATE}, such as 16000")
-    return rate
+    return int(rate)
+
+
+def _check_seconds(name: str, value: float) -> None:
+    if isinstance(value, bool) or not isinstance(value, Real) or not value > 0:
+        raise AudioError(f"{name}={value!r} is no time\n    give seconds, more than 0")
