@@ -272,7 +272,6 @@ def _listener(
     states: tuple[str, ...],
 ) -> Listener:
     from intent_engine.evaluation.hearing import Listener
-    from intent_engine.evaluation.labels import Row
     from intent_engine.execution.robots.robot_file import load_robot
 
     return Listener(
