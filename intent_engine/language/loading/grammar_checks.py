@@ -149,6 +149,8 @@ def _recursion(grammar: Grammar, places: Places) -> Iterator[Problem]:
                 loop = [*names[names.index(other) :], other]
                 message = f"phrases name each other in a circle: {' -> '.join(loop)}"
                 hint = "a sentence would never end; write the repetition out"
+                if other == name:
+                    hint += f", or give the phrase another name than the slot {{{name}}} in it"
                 yield places.problem(("phrases", other), message, hint, key=True)
             elif other not in depth:
                 trail[other] = iter(inner[other])
@@ -297,4 +299,6 @@ def _sentences(intent: Intent, places: Places, shapes: Shapes, *, whole: bool, b
         for label, count in shapes.labels(sentence.template).items():
             if count > 1:
                 message = f"slot {label!r} can be said {count} times in one sentence; only one value would be kept"
-                yield problem_at(sentence.place, message, f"give one of them another name: {{{label}:other}}")
+                either = f"({{{label}}} ...|... {{{label}}})"
+                hint = f"give one of them another name: {{{label}:other}}; or, if only one is ever said, write {either}"
+                yield problem_at(sentence.place, message, hint)
