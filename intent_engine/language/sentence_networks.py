@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ from intent_engine.language import quantities
 from intent_engine.language.automaton import SOUND
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Sentence, Slot
+from intent_engine.language.led_names import led
 from intent_engine.language.network import NAMED, NEVER, Call, Networks
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.digit_by_digit import template_of
@@ -109,6 +110,24 @@ class SentenceNetworks:
             self._networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
         return True
 
+    def add_led(self, indices: Iterable[int]) -> None:
+        """Some sentences, ``led:0`` and so on, with an article before names of places and values of lists, which are
+        understood with one although their file writes none: "photograph the bridge", of "photograph {thing}"."""
+        named = {slot.name for slot in self._grammar.slots.values() if _is_named(slot)}
+        counted = {slot.name for slot in self._grammar.slots.values() if slot.type in QUANTITY_KINDS}
+        for name, node in self._grammar.phrases.items():
+            self._networks.add_template(f"led phrase:{name}", self._spoken(led(node, named, counted)), self._led(node))
+        for index in indices:
+            node = self._sentences[index].template
+            self._networks.add_template(f"led:{index}", self._spoken(led(node, named, counted)), self._led(node))
+
+    def _led(self, node: Node) -> dict[str, Call]:
+        """The scope of a template whose phrases have such articles too."""
+        phrases = {
+            one.name: Call(f"led phrase:{one.name}") for one in references(node) if one.name not in self._grammar.slots
+        }
+        return self._scope(node) | phrases
+
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"
         if slot.type in QUANTITY_KINDS:
@@ -187,9 +206,14 @@ def call_of(slot: Slot, label: str) -> Call:
         kind = "dictated" if slot.dictation else "free"
         return Call(f"text:{slot.name}" if listed else f"{kind}:{slot.max_words}", mark)
     loose = None
-    if slot.fuzzy and slot.type in ("location", "choice"):
+    if _is_named(slot):
         loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
     return Call(f"slot:{slot.name}", mark, loose)
+
+
+def _is_named(slot: Slot) -> bool:
+    """Whether what a slot holds is compared with names, and may be said with an article."""
+    return slot.fuzzy and slot.type in ("location", "choice")
 
 
 def _with_behind_first(node: Node, more: Node) -> Node:

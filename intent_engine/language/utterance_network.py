@@ -73,8 +73,11 @@ class UtteranceNetwork:
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         polite = not stop_anywhere and self._sentences.add_polite(self._fillers, self._sounds)
         kind = "polite" if polite else "sentence"
+        led = set() if stop_anywhere else self._named_without_article()
+        self._sentences.add_led(led)
         for index, intent in self._whole.items():
-            middle.edges.append(Edge(ends.get(intent, end), call=Call(f"{kind}:{index}")))
+            call = Call(f"{'led' if index in led else kind}:{index}")
+            middle.edges.append(Edge(ends.get(intent, end), call=call))
         for key in self._patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
@@ -91,6 +94,14 @@ class UtteranceNetwork:
             for index in later:
                 between.edges.append(Edge(ends[name], call=Call(f"{kind}:{index}")))
         return begin
+
+    def _named_without_article(self) -> set[int]:
+        """The sentences in which what is named may have an article, though they write none; directions of a motion have
+        none. English alone: elsewhere it depends on the name."""
+        if self._grammar.language != "en":
+            return set()
+        intents = self._grammar.intents
+        return {index for index, name in self._whole.items() if intents[name].action.type not in ("move", "turn")}
 
     def _add_words(self) -> None:
         """Add what stands before, between and after sentences."""

@@ -1,0 +1,61 @@
+"""Templates with an article before the names that they have none before: who writes "photograph {thing}" is told
+"photograph the bridge" as well."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
+from intent_engine.language.thing_words import ARTICLES
+
+__all__ = ["led"]
+
+THE = Optional(Word("the"))
+"""No "a": it sounds like "eight"."""
+
+
+def led(node: Node, names: Collection[str], numbers: Collection[str]) -> Node:
+    """A template in which an article may stand before a name, where none is written and no number is before it.
+
+    Args:
+        node: the template, in English.
+        names: the slots that hold names.
+        numbers: the slots that hold amounts.
+    """
+
+    def ends(item: Node, before: bool = False) -> bool:
+        """Whether it may end in what no article stands behind; ``before``: whether what is before it does."""
+        match item:
+            case Word(text):
+                return text in ARTICLES
+            case Reference(name, _, _):
+                return name in numbers
+            case Choice(items) | AnyOrder(items):
+                return any(ends(one, before) for one in items)
+            case Optional(inner):
+                return before or ends(inner)
+            case Sequence(items):
+                for one in items:
+                    before = ends(one, before)
+                return before
+        return False
+
+    def walk(item: Node, before: bool) -> Node:
+        match item:
+            case Reference(name, _, _) if name in names and not before:
+                return Sequence((THE, item))
+            case Choice(items):
+                return Choice(tuple(walk(one, before) for one in items))
+            case AnyOrder(items):
+                return AnyOrder(tuple(walk(one, before) for one in items))
+            case Optional(inner):
+                return Optional(walk(inner, before))
+            case Sequence(items):
+                parts: list[Node] = []
+                for one in items:
+                    parts.append(walk(one, before))
+                    before = ends(one, before)
+                return Sequence(tuple(parts))
+        return item
+
+    return walk(node, False)
