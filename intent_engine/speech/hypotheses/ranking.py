@@ -15,7 +15,7 @@ from intent_engine.speech.hypotheses.word_count import WORD, word_count
 
 __all__ = ["ranked"]
 
-UNKNOWN_WORD = 8.0
+UNKNOWN_WORD = 4.0
 """nats by which a word that no list has is less likely than those that are."""
 
 
