@@ -23,6 +23,8 @@ class ThingWords:
     """Before the name of a thing or a place, and no part of it."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
+    itself: frozenset[str] = frozenset()
+    """The robot itself, and what it moves with."""
     unfinished: frozenset[str] = frozenset()
     """No thing ends so."""
     alone: frozenset[str] = frozenset()

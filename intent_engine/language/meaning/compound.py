@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
@@ -34,7 +35,7 @@ class Compounds:
         self._corrections = corrections
         self._ways_back = PhraseSet(commands.matcher.grammar.ways_back)
         known = thing_words(commands.matcher.grammar.language)
-        self._definite, self._persons = known.definite, known.persons
+        self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
 
     @step(Kind.COMMAND)
     def part(self, part: Utterance, state: Collection[str], *, loosely: bool = True) -> Clause | None:
@@ -184,8 +185,8 @@ class Compounds:
         return any(verb in first for word in doing for verb in verbs(word, language))
 
     def _names_what(self, stop: list[str]) -> bool:
-        """Whether a stop names what is to stop: "kill *the motors*"."""
-        return not self._definite.isdisjoint(stop)
+        """Whether a stop names what is to stop, other than the robot itself: "kill *the motors*"."""
+        return any(word in self._definite and after not in self._itself for word, after in pairwise(stop))
 
     def _goes_on_from(self, clause: Clause) -> str:
         """The intent of a command, if there are parts that go on from it; else nothing."""

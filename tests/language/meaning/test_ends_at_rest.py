@@ -14,6 +14,8 @@ from meanings import done, german, shipped
         ("release it and wait there", "wait there"),
         ("drop the cup and stay", "stay"),
         ("turn left and stop turning", "stop turning"),
+        ("go forward for two seconds and then stop the robot", "stop the robot"),
+        ("turn left and hit the brakes", "hit the brakes"),
     ],
 )
 def test_words_that_change_nothing_are_told(said, stop):
@@ -44,4 +46,5 @@ def test_what_ends_something_else_is_no_end_of_the_command(said):
 def test_it_is_so_in_german():
     assert done(german().parse("dreh dich nach links und hör auf mir zu folgen")) == "stop"
     assert done(german().parse("fahr vor und brich die Fahrt ab")) == "stop"
+    assert done(german().parse("dreh dich nach links und stopp den Roboter")) == "left 43"
     assert german().parse("nimm die Tasse und warte").reason == "every command ends at rest, also without 'warte'"

@@ -70,6 +70,14 @@ def test_a_word_that_no_list_has_is_less_likely(engine_of):
     assert (cup.evidence.margin, flurb.behind) == (UNKNOWN_WORD, UNKNOWN_WORD)
 
 
+@pytest.mark.parametrize(("ahead", "first"), [(3.5, "ball"), (4.5, "bell")])
+def test_what_was_clearly_heard_is_no_listed_word_that_sounds_alike(engine_of, ahead, first):
+    people = SpokenGrammar(engine_of(PEOPLE))
+    bell, ball = ("take", "the", FreeWord("bell")), ("take", "the", "ball")
+    views = {bell: (View(-1.0, -1.0, 0.0),), ball: (View(-1.0 - ahead, -1.0, 0.0),)}
+    assert ranked(people, views)[0].words[-1] == first
+
+
 GATES = """
 language: en
 slots: {gate: {type: number, min: 1, max: 16, whole: true}}
