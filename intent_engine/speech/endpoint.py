@@ -166,7 +166,13 @@ class Endpointer:
         self._asked = asked
 
     def frame(self, probability: float) -> Signal:
-        """Take one frame's probability of speech."""
+        """Take one frame's probability of speech.
+
+        Raises:
+            ValueError: it is none. Whoever took it for silence would hear nobody say stop.
+        """
+        if not 0 <= probability <= 1:
+            raise ValueError(f"a voice detector gives each frame a probability from 0 to 1, not {probability!r}")
         settings = self.settings
         if not self._speaking:
             self._voiced = self._voiced + 1 if probability >= settings.onset else 0

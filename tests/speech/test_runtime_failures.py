@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from speech_stage import Frames, Jumpy, Says, Voiced, framed
 
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
+from intent_engine.actions import Move
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.acoustic.whisper import WhisperRecognizer
@@ -281,6 +282,24 @@ def test_after_a_listener_that_raised_all_is_let_go_and_it_listens_as_before(eng
         summary = runtime.run(Opened(sound))
         assert events[: len(first)] == first, "it hears, and holds, as it did"
         assert summary.utterances == 1
+
+
+@pytest.mark.parametrize("gives", [float("nan"), 1.5, -0.1])
+def test_a_voice_detector_that_gives_no_probability_is_a_failure_and_no_silence(engine, gives):
+    class Broken(Voiced):
+        def probability(self, samples: np.ndarray) -> float:
+            found = super().probability(samples)
+            return gives if self._frames > 40 else found
+
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    with Executor(robot, clock=clock) as executor:
+        executor.submit(Move(0.5, 5.0, 10.0))
+        runtime = Runtime(engine, executor, Says("stop"), voice=Broken((0.5, 2.5)), noise_filter=None)
+        with pytest.raises(ValueError, match=f"a probability from 0 to 1, not {gives}"):
+            runtime.run(Frames(framed(np.zeros(3 * SAMPLE_RATE, np.float32))))
+        assert executor.idle
+        assert executor.snapshot().velocity == (0.0, 0.0)
 
 
 class OneAtATime:
