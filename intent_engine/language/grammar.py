@@ -15,6 +15,7 @@ from intent_engine.needs import Needs
 __all__ = [
     "ACTION_PARAMETERS",
     "LONGEST_WAIT",
+    "MOTIONS",
     "QUANTITY_KINDS",
     "SLOT_TYPES",
     "ActionSpec",
@@ -45,6 +46,9 @@ _POINTING = _WRITTEN.keys() - {"duration"}
 """Quantities that have a size and point one of two ways."""
 
 SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
+
+MOTIONS = frozenset(("move", "turn", "navigate"))
+"""Actions that are nothing but a way of the robot, which ends at rest."""
 
 ACTION_PARAMETERS: dict[str, dict[str, str]] = {
     "move": {

@@ -10,7 +10,17 @@ from typing import TYPE_CHECKING
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.network import MOST_ARTICLES
 from intent_engine.language.quantities import MAX_WORDS
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+    most_words,
+)
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -112,17 +122,7 @@ class _Lengths(_Figure):
         self._longest_name = longest_name
 
     def of(self, node: Node) -> int:
-        match node:
-            case Word() | WordClass():
-                return 1
-            case Optional(item):
-                return self.of(item)
-            case Choice(items):
-                return max(self.of(item) for item in items)
-            case Sequence(items) | AnyOrder(items):
-                return sum(self.of(item) for item in items)
-            case Reference(name):
-                return self._reference(name)
+        return most_words(node, lambda reference: self._reference(reference.name))
 
     def _named(self, name: str) -> int:
         if name in self._grammar.phrases:

@@ -6,28 +6,31 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.thing_words import ThingWords
 
 __all__ = ["led"]
 
-THE = Optional(Word("the"))
-"""No "a": it sounds like "eight"."""
 
-
-def led(node: Node, names: Collection[str], numbers: Collection[str]) -> Node:
-    """A template in which an article may stand before a name, where none is written and no number is before it.
+def led(node: Node, names: Collection[str], numbers: Collection[str], words: ThingWords) -> Node:
+    """A template in which a definite article may stand before a name, where none is written and no number is before
+    it. No other article: "a" sounds like "eight".
 
     Args:
-        node: the template, in English.
+        node: the template.
         names: the slots that hold names.
         numbers: the slots that hold amounts.
+        words: the articles of its language.
     """
+    if not words.definite:
+        return node
+    definite = tuple(map(Word, sorted(words.definite)))
+    article = Optional(definite[0] if len(definite) == 1 else Choice(definite))
 
     def ends(item: Node, before: bool = False) -> bool:
         """Whether it may end in what no article stands behind; ``before``: whether what is before it does."""
         match item:
             case Word(text):
-                return text in ARTICLES
+                return text in words.articles
             case Reference(name, _, _):
                 return name in numbers
             case Choice(items) | AnyOrder(items):
@@ -43,7 +46,7 @@ def led(node: Node, names: Collection[str], numbers: Collection[str]) -> Node:
     def walk(item: Node, before: bool) -> Node:
         match item:
             case Reference(name, _, _) if name in names and not before:
-                return Sequence((THE, item))
+                return Sequence((article, item))
             case Choice(items):
                 return Choice(tuple(walk(one, before) for one in items))
             case AnyOrder(items):

@@ -32,6 +32,10 @@ if TYPE_CHECKING:
 __all__ = ["Matcher"]
 
 
+STEERING = frozenset(("move", "turn"))
+"""Actions whose directions have no article: "turn the left"."""
+
+
 class Matcher:
     """The automaton of one grammar and one map, and what its readings mean. Thread-safe."""
 
@@ -50,6 +54,8 @@ class Matcher:
         self.values = SlotValues(grammar, locations, self._free)
         self._parts = SentenceNetworks(grammar, locations, self.networks, self._free)
         self._parts.add_sentences([sentence for _, sentence in self.sentences])
+        self._led = {index for index, (intent, _) in enumerate(self.sentences) if intent.action.type not in STEERING}
+        self._parts.add_led(self._led)
         self.patterns = SpokenPatterns(grammar, self.networks, call_of)
         self.strict = self._automaton(self._root(self._whole), loose=False)
         self.loose = self._automaton(self._root(self._whole), loose=True)
@@ -96,7 +102,8 @@ class Matcher:
         for index in sentences:
             end = State()
             end.final = True
-            root.edges.append(Edge(end, call=Call(f"sentence:{index}", ("sentence", index))))
+            kind = "led" if index in self._led else "sentence"
+            root.edges.append(Edge(end, call=Call(f"{kind}:{index}", ("sentence", index))))
         return root
 
     @cached_property
@@ -121,7 +128,7 @@ class Matcher:
     def _utterances(self) -> UtteranceNetwork:
         whole = {index: self.sentences[index][0].name for index in self._whole}
         later = {intent.name: self._later_of(intent) for intent in self.grammar.intents.values() if intent.then}
-        return UtteranceNetwork(self.grammar, self.networks, self._parts, self.patterns, whole, later)
+        return UtteranceNetwork(self.grammar, self.networks, self._parts, self.patterns, whole, later, self._led)
 
     @cached_property
     def _continuations(self) -> Continuations:

@@ -36,6 +36,8 @@ SHORTLIST = 24
 """Names that are compared word by word."""
 SHORTLIST_RATIO = 60.0
 """Least likeness of their letters, in percent."""
+SUGGESTED = 3
+"""Names that are told where none was meant."""
 SUGGESTION_SCAN = 20_000
 """Names looked at for a suggestion; those of the most similar length come first."""
 MAX_GROUPS = 10_000
@@ -262,16 +264,18 @@ class _Tables:
         identifiers, letters = _split(said)
         if letters:
             forms = self._all.nearest(letters)
+            if len({name for words in forms for name in self._exact[words]}) < SUGGESTED:  # "station": all of one place
+                forms = self._all.nearest(letters, far=True)
         else:
             forms = self._by_identifiers.get(identifiers, [])[:SUGGESTION_SCAN] or self._first
         spoken = {" ".join(words): words for words in forms}
-        rows = process.extract(text, list(spoken), scorer=fuzz.ratio, limit=SHORTLIST)
+        rows = process.extract(text, list(spoken), scorer=fuzz.ratio, limit=None)
         rows.sort(key=lambda row: (-row[1], _natural(spoken[row[0]])))
         best: dict[str, float] = {}
         for found, score, _ in rows:
             for name in self._exact[spoken[found]]:
                 best.setdefault(name, round(score / 100, 3))
-        return tuple(best.items())[:3]
+        return tuple(best.items())[:SUGGESTED]
 
 
 class _Group:
@@ -299,8 +303,8 @@ class _Group:
         found.sort()
         return [words for _, text in found[:SHORTLIST] for words in self._forms[text]]
 
-    def nearest(self, letters: str) -> list[Words]:
-        """Forms whose letters are the most alike of those of similar length, however little."""
+    def nearest(self, letters: str, *, far: bool = False) -> list[Words]:
+        """Forms whose letters are the most alike of those of similar length, however little; ``far``: all of these."""
         from rapidfuzz import fuzz, process
 
         texts: list[str] = []
@@ -309,8 +313,8 @@ class _Group:
             if len(texts) >= SUGGESTION_SCAN:
                 break
         found = process.extract(letters, texts, scorer=fuzz.ratio, limit=SHORTLIST, score_cutoff=SHORTLIST_RATIO)
-        if len(found) < 3:
-            found = process.extract(letters, texts, scorer=fuzz.ratio, limit=SHORTLIST)
+        if far or len(found) < SUGGESTED:
+            found = process.extract(letters, texts, scorer=fuzz.ratio, limit=None if far else SHORTLIST)
         forms: list[Words] = []
         for text, _, _ in sorted(found, key=lambda row: (-row[1], row[0])):
             forms.extend(self._forms[text][: SUGGESTION_SCAN - len(forms)])

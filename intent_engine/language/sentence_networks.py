@@ -18,7 +18,7 @@ from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.numbers.units import units
 from intent_engine.language.slot_values import NamesOf
 from intent_engine.language.template import parse_template
-from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, references
+from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, most_words, references
 from intent_engine.language.template_tree import Sequence as TemplateSequence
 from intent_engine.language.thing_words import thing_words
 
@@ -29,6 +29,10 @@ __all__ = ["NOT_AFTER_THE_VERB", "SentenceNetworks", "call_of", "spoken_trees"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
+LOOSE_VALUE_WORDS = 3
+"""The same of a value of a list, or as many as the longest of them has."""
+MOST_WILD = 12
+"""Words of any kind that a network may take."""
 NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht",),)}
 """What stands behind the first words of a command that shall not be done, in some languages."""
 BEHIND = ("\0behind", "\0sound behind")
@@ -62,7 +66,7 @@ class SentenceNetworks:
         for name, node in spoken_trees(grammar.language).items():
             scope = {reference.name: Call(f"quantity:{reference.name}") for reference in references(node)}
             self._networks.add_template(f"quantity:{name}", node, scope)
-        for words in range(1, 13):
+        for words in range(1, MOST_WILD + 1):
             self._networks.add_wild(f"wild:{words}", words)
             for key, articles in (("free", free.articles), ("dictated", frozenset[str]())):
                 self._networks.add_wild(
@@ -113,20 +117,20 @@ class SentenceNetworks:
     def add_led(self, indices: Iterable[int]) -> None:
         """Some sentences, ``led:0`` and so on, with an article before names of places and values of lists, which are
         understood with one although their file writes none: "photograph the bridge", of "photograph {thing}"."""
-        named = {slot.name for slot in self._grammar.slots.values() if _is_named(slot)}
-        counted = {slot.name for slot in self._grammar.slots.values() if slot.type in QUANTITY_KINDS}
         for name, node in self._grammar.phrases.items():
-            self._networks.add_template(f"led phrase:{name}", self._spoken(led(node, named, counted)), self._led(node))
+            self._add_led(f"led phrase:{name}", node)
         for index in indices:
-            node = self._sentences[index].template
-            self._networks.add_template(f"led:{index}", self._spoken(led(node, named, counted)), self._led(node))
+            self._add_led(f"led:{index}", self._sentences[index].template)
 
-    def _led(self, node: Node) -> dict[str, Call]:
-        """The scope of a template whose phrases have such articles too."""
+    def _add_led(self, key: str, node: Node) -> None:
+        slots = self._grammar.slots.values()
+        named = {slot.name for slot in slots if _is_named(slot)}
+        counted = {slot.name for slot in slots if slot.type in QUANTITY_KINDS}
         phrases = {
             one.name: Call(f"led phrase:{one.name}") for one in references(node) if one.name not in self._grammar.slots
         }
-        return self._scope(node) | phrases
+        template = led(node, named, counted, thing_words(self._grammar.language))
+        self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
 
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"
@@ -207,8 +211,14 @@ def call_of(slot: Slot, label: str) -> Call:
         return Call(f"text:{slot.name}" if listed else f"{kind}:{slot.max_words}", mark)
     loose = None
     if _is_named(slot):
-        loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else 3}"
+        loose = f"wild:{MAX_LOOSE_WORDS if slot.type == 'location' else _longest_value(slot)}"
     return Call(f"slot:{slot.name}", mark, loose)
+
+
+def _longest_value(slot: Slot) -> int:
+    """Words that a misheard value of a list may have."""
+    longest = max((most_words(node) for _, node in slot.values), default=0)
+    return min(max(longest, LOOSE_VALUE_WORDS), MOST_WILD)
 
 
 def _is_named(slot: Slot) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -15,6 +15,8 @@ __all__ = [
     "Sequence",
     "Word",
     "WordClass",
+    "first_words",
+    "most_words",
     "references",
     "template_text",
 ]
@@ -76,6 +78,47 @@ def references(node: Node) -> Iterator[Reference]:
             waiting.extend(reversed(node.items))
         elif isinstance(node, Optional):
             waiting.append(node.item)
+
+
+def most_words(node: Node, named: Callable[[Reference], int] = lambda _: 1) -> int:
+    """Words of the longest way to say a template; ``named``: of what it names."""
+    match node:
+        case Word() | WordClass():
+            return 1
+        case Optional(item):
+            return most_words(item, named)
+        case Choice(items):
+            return max(most_words(item, named) for item in items)
+        case Sequence(items) | AnyOrder(items):
+            return sum(most_words(item, named) for item in items)
+        case Reference():
+            return named(node)
+
+
+def first_words(node: Node, phrases: Mapping[str, Node]) -> tuple[frozenset[str], bool]:
+    """Words with which a template may begin, and whether it may say nothing; those of phrases with it, but of no slot.
+    Phrases name each other in no circle."""
+    match node:
+        case Word(text):
+            return frozenset((text,)), False
+        case Reference(name) if name in phrases:
+            return first_words(phrases[name], phrases)
+        case Optional(item):
+            return first_words(item, phrases)[0], True
+        case Choice(items) | AnyOrder(items):
+            found = [first_words(item, phrases) for item in items]
+            either = any if isinstance(node, Choice) else all
+            return frozenset[str]().union(*(words for words, _ in found)), either(empty for _, empty in found)
+        case Sequence(items):
+            begun: frozenset[str] = frozenset()
+            for item in items:
+                words, empty = first_words(item, phrases)
+                begun |= words
+                if not empty:
+                    return begun, False
+            return begun, True
+        case _:
+            return frozenset(), False
 
 
 def template_text(node: Node) -> str:

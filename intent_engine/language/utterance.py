@@ -232,11 +232,15 @@ class Utterance:
         )
 
     def zero_between(self, position: int) -> bool:
-        """Whether an "oh" stands between two numbers: a digit, as in "two oh four", or a sigh: "two, oh, four"."""
-        around = self.words[position - 1 : position + 2] if position else []
-        if len(around) < 3 or around[1] not in ZERO:
+        """Whether an "oh" stands between two numbers: a digit, as in "two oh four", or a sigh: "two, oh, four". Among
+        others it is a digit as they are: of "two oh oh four", but not of "go oh oh oh"."""
+        if self.words[position] not in ZERO or position + 1 >= len(self.words):
             return False
-        return all(word in NUMBER_WORDS or is_numeral(word) for word in around[::2])
+        begin = position
+        while begin and self.words[begin - 1] in ZERO:
+            begin -= 1
+        around = (*self.words[max(begin - 1, 0) : begin], self.words[position + 1])
+        return len(around) == 2 and all(word in NUMBER_WORDS or is_numeral(word) for word in around)
 
     def _zero_after(self, position: int) -> bool:
         """Whether an "oh" stands right behind a digit."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from intent_engine.language.automaton import SOUND
 from intent_engine.language.grammar import Grammar
@@ -30,6 +30,7 @@ class UtteranceNetwork:
         patterns: what is said for its patterns.
         whole: sentences that are an utterance by themselves: number of the network to name of the intent.
         later: by name of the intent, numbers of the sentences that may follow a command of it and a joint.
+        led: the sentences that are also there with an article before what they name.
     """
 
     def __init__(
@@ -40,6 +41,7 @@ class UtteranceNetwork:
         patterns: SpokenPatterns,
         whole: Mapping[int, str],
         later: Mapping[str, Sequence[int]],
+        led: Collection[int] = (),
     ) -> None:
         self._grammar = grammar
         self._networks = networks
@@ -47,6 +49,8 @@ class UtteranceNetwork:
         self._patterns = patterns
         self._whole = whole
         self._later = later
+        # Which of several articles stands before a name no network knows, and speech that is none would be like more.
+        self._led = frozenset(led if grammar.language == "en" else ())
         self._fillers = [words for words in (*grammar.fillers, *grammar.wake) if words]
         sounds = [words for words in self._fillers if len("".join(words)) <= SOUND_LETTERS]
         sounds += [words for words in self._fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
@@ -73,10 +77,8 @@ class UtteranceNetwork:
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         polite = not stop_anywhere and self._sentences.add_polite(self._fillers, self._sounds)
         kind = "polite" if polite else "sentence"
-        led = set() if stop_anywhere else self._named_without_article()
-        self._sentences.add_led(led)
         for index, intent in self._whole.items():
-            call = Call(f"{'led' if index in led else kind}:{index}")
+            call = Call(f"{'led' if index in self._led else kind}:{index}")
             middle.edges.append(Edge(ends.get(intent, end), call=call))
         for key in self._patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
@@ -94,14 +96,6 @@ class UtteranceNetwork:
             for index in later:
                 between.edges.append(Edge(ends[name], call=Call(f"{kind}:{index}")))
         return begin
-
-    def _named_without_article(self) -> set[int]:
-        """The sentences in which what is named may have an article, though they write none; directions of a motion have
-        none. English alone: elsewhere it depends on the name."""
-        if self._grammar.language != "en":
-            return set()
-        intents = self._grammar.intents
-        return {index for index, name in self._whole.items() if intents[name].action.type not in ("move", "turn")}
 
     def _add_words(self) -> None:
         """Add what stands before, between and after sentences."""

@@ -7,6 +7,7 @@ import pytest
 from intent_engine.language.led_names import led
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import template_text
+from intent_engine.language.thing_words import thing_words
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 CAMERA = """
@@ -36,7 +37,7 @@ intents:
     ],
 )
 def test_it_stands_where_none_is_written_and_no_number(template, with_articles):
-    assert template_text(led(parse_template(template), {"thing"}, {"count"})) == with_articles
+    assert template_text(led(parse_template(template), {"thing"}, {"count"}, thing_words("en"))) == with_articles
 
 
 @pytest.mark.parametrize(
@@ -54,3 +55,35 @@ def test_speech_is_compared_with_names_that_have_one(engine_of, heard, said):
 def test_a_direction_has_none(engine_of):
     the_left = ["turn", "the", "left"]
     assert tuple(the_left) not in SpokenGrammar(engine_of(CAMERA)).near(the_left)
+
+
+WARD = """
+language: en
+slots:
+  place: [lab, intensive care unit, main pharmacy store room]
+  item: [saline, bandages]
+intents:
+  fetch:
+    action: custom
+    sentences: ["go to {place}", "get {item} from {place:origin} and bring it to {place}"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("go to the intensive care unit", {"place": "intensive care unit"}),
+        ("go to the intensiv care unit", {"place": "intensive care unit"}),
+        ("go to the main farmacy store room", {"place": "main pharmacy store room"}),
+        (
+            "get the saline from the lab and bring it to the intensive care unit",
+            {"item": "saline", "origin": "lab", "place": "intensive care unit"},
+        ),
+    ],
+)
+def test_a_name_is_understood_with_an_article_however_long_and_wherever(engine_of, said, slots):
+    assert dict(engine_of(WARD).parse(said).slots) == slots
+
+
+def test_no_other_article_is_part_of_a_sentence(engine_of):
+    assert not engine_of(WARD).parse("get a saline from some lab and bring it to the lab").actions

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import pairwise
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
+from intent_engine.language.grammar import MOTIONS
 from intent_engine.language.meaning.command import Clause, Commands, described
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.template_tree import first_words
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import PhraseSet, Utterance
 
@@ -181,8 +184,21 @@ class Compounds:
             return True
         length = self._phrases.stop.at(stop, 0)
         doing = stop[length : length + 1] if length else []
-        first, language = self._commands.first_words, self._commands.matcher.grammar.language
-        return any(verb in first for word in doing for verb in verbs(word, language))
+        language = self._commands.matcher.grammar.language
+        return any(verb in self._acting for word in doing for verb in verbs(word, language))
+
+    @cached_property
+    def _acting(self) -> frozenset[str]:
+        """Verbs of what a command does not end by itself: "follow", but not "roll"."""
+        grammar = self._commands.matcher.grammar
+        sentences = (
+            sentence
+            for intent in grammar.intents.values()
+            if intent.action.type not in (*MOTIONS, "stop")
+            for sentence in intent.sentences
+        )
+        begun = (first_words(sentence.template, grammar.phrases)[0] for sentence in sentences)
+        return frozenset[str]().union(*begun)
 
     def _names_what(self, stop: list[str]) -> bool:
         """Whether a stop names what is to stop, other than the robot itself: "kill *the motors*"."""

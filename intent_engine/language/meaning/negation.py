@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from intent_engine.actions import Custom
+from intent_engine.language.grammar import MOTIONS
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
@@ -16,7 +17,6 @@ __all__ = ["Negations"]
 
 _BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
 """What may stand before "don't turn left, turn right"."""
-_MOTIONS = frozenset(("move", "turn", "navigate"))
 _BEHIND_THE_VERB = frozenset(("de",))
 """Languages in which "not" stands behind the verb: "dreh dich nicht nach links, dreh dich nach rechts"."""
 
@@ -72,7 +72,7 @@ class Negations:
         if clause is None or clause.reading is None:
             return False
         person = isinstance(clause.action, Custom) and not clause.action.slots  # "don't follow me", "don't come here"
-        return person or clause.reading.intent.action.type in _MOTIONS  # also one that cannot be: "don't go there"
+        return person or clause.reading.intent.action.type in MOTIONS  # also one that cannot be: "don't go there"
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:

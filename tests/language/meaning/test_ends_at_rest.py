@@ -16,6 +16,7 @@ from meanings import done, german, shipped
         ("turn left and stop turning", "stop turning"),
         ("go forward for two seconds and then stop the robot", "stop the robot"),
         ("turn left and hit the brakes", "hit the brakes"),
+        ("turn left and stop rolling", "stop rolling"),
     ],
 )
 def test_words_that_change_nothing_are_told(said, stop):
