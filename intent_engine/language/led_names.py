@@ -6,31 +6,31 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
-from intent_engine.language.thing_words import ThingWords
 
 __all__ = ["led"]
 
 
-def led(node: Node, names: Collection[str], numbers: Collection[str], words: ThingWords) -> Node:
-    """A template in which a definite article may stand before a name, where none is written and no number is before
-    it. No other article: "a" sounds like "eight".
+def led(
+    node: Node, names: Collection[str], numbers: Collection[str], articles: Collection[str], leading: Collection[str]
+) -> Node:
+    """A template in which an article may stand before a name, where none is written and no number is before it.
 
     Args:
         node: the template.
         names: the slots that hold names.
         numbers: the slots that hold amounts.
-        words: the articles of its language.
+        articles: of its language.
+        leading: those that may stand there.
     """
-    if not words.definite:
+    if not leading:
         return node
-    definite = tuple(map(Word, sorted(words.definite)))
-    article = Optional(definite[0] if len(definite) == 1 else Choice(definite))
+    article = Optional(Choice(tuple(map(Word, sorted(leading)))))
 
     def ends(item: Node, before: bool = False) -> bool:
         """Whether it may end in what no article stands behind; ``before``: whether what is before it does."""
         match item:
             case Word(text):
-                return text in words.articles
+                return text in articles
             case Reference(name, _, _):
                 return name in numbers
             case Choice(items) | AnyOrder(items):

@@ -21,6 +21,7 @@ from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.sentence_networks import SentenceNetworks, call_of
 from intent_engine.language.slot_values import SlotValues
 from intent_engine.language.spacing import Spacing
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.trace_checks import NUMBERS_BY_SOUND, loses_a_number, means_nothing
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.utterance_network import UtteranceNetwork
@@ -55,7 +56,7 @@ class Matcher:
         self._parts = SentenceNetworks(grammar, locations, self.networks, self._free)
         self._parts.add_sentences([sentence for _, sentence in self.sentences])
         self._led = {index for index, (intent, _) in enumerate(self.sentences) if intent.action.type not in STEERING}
-        self._parts.add_led(self._led)
+        self._parts.add_led("read", self._led, thing_words(grammar.language).introducing)
         self.patterns = SpokenPatterns(grammar, self.networks, call_of)
         self.strict = self._automaton(self._root(self._whole), loose=False)
         self.loose = self._automaton(self._root(self._whole), loose=True)
@@ -102,7 +103,7 @@ class Matcher:
         for index in sentences:
             end = State()
             end.final = True
-            kind = "led" if index in self._led else "sentence"
+            kind = "read" if index in self._led else "sentence"
             root.edges.append(Edge(end, call=Call(f"{kind}:{index}", ("sentence", index))))
         return root
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -114,22 +114,27 @@ class SentenceNetworks:
             self._networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
         return True
 
-    def add_led(self, indices: Iterable[int]) -> None:
-        """Some sentences, ``led:0`` and so on, with an article before names of places and values of lists, which are
-        understood with one although their file writes none: "photograph the bridge", of "photograph {thing}"."""
-        for name, node in self._grammar.phrases.items():
-            self._add_led(f"led phrase:{name}", node)
-        for index in indices:
-            self._add_led(f"led:{index}", self._sentences[index].template)
+    def add_led(self, kind: str, indices: Iterable[int], leading: Collection[str]) -> None:
+        """Some sentences with an article before names of places and values of lists, which are understood with one
+        although their file writes none: "photograph the bridge", of "photograph {thing}".
 
-    def _add_led(self, key: str, node: Node) -> None:
+        Args:
+            kind: what their networks are called, before their number: "led" for ``led:0`` and so on.
+            indices: which.
+            leading: the articles.
+        """
+        for name, node in self._grammar.phrases.items():
+            self._add_led(kind, f"{kind} phrase:{name}", node, leading)
+        for index in indices:
+            self._add_led(kind, f"{kind}:{index}", self._sentences[index].template, leading)
+
+    def _add_led(self, kind: str, key: str, node: Node, leading: Collection[str]) -> None:
         slots = self._grammar.slots.values()
         named = {slot.name for slot in slots if _is_named(slot)}
         counted = {slot.name for slot in slots if slot.type in QUANTITY_KINDS}
-        phrases = {
-            one.name: Call(f"led phrase:{one.name}") for one in references(node) if one.name not in self._grammar.slots
-        }
-        template = led(node, named, counted, thing_words(self._grammar.language))
+        inner = {one.name for one in references(node)} - self._grammar.slots.keys()
+        phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
+        template = led(node, named, counted, thing_words(self._grammar.language).articles, leading)
         self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
 
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:

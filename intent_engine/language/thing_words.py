@@ -21,6 +21,8 @@ class ThingWords:
 
     articles: frozenset[str] = frozenset()
     """Before the name of a thing or a place, and no part of it."""
+    introducing: frozenset[str] = frozenset()
+    """Those of them that may stand where a sentence writes none."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

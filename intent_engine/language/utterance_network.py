@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from intent_engine.language.automaton import SOUND
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.sentence_networks import SentenceNetworks
+from intent_engine.language.thing_words import thing_words
 
 __all__ = ["NEGATED", "UtteranceNetwork"]
 
@@ -30,7 +31,7 @@ class UtteranceNetwork:
         patterns: what is said for its patterns.
         whole: sentences that are an utterance by themselves: number of the network to name of the intent.
         later: by name of the intent, numbers of the sentences that may follow a command of it and a joint.
-        led: the sentences that are also there with an article before what they name.
+        led: the sentences that are read with an article before what they name ("read:0").
     """
 
     def __init__(
@@ -49,8 +50,7 @@ class UtteranceNetwork:
         self._patterns = patterns
         self._whole = whole
         self._later = later
-        # Which of several articles stands before a name no network knows, and speech that is none would be like more.
-        self._led = frozenset(led if grammar.language == "en" else ())
+        self._led = frozenset(led)
         self._fillers = [words for words in (*grammar.fillers, *grammar.wake) if words]
         sounds = [words for words in self._fillers if len("".join(words)) <= SOUND_LETTERS]
         sounds += [words for words in self._fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
@@ -75,11 +75,9 @@ class UtteranceNetwork:
             for place in (begin, end, *ends.values()):
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
-        polite = not stop_anywhere and self._sentences.add_polite(self._fillers, self._sounds)
-        kind = "polite" if polite else "sentence"
+        called = self._read_as if stop_anywhere else self._said_as()
         for index, intent in self._whole.items():
-            call = Call(f"{'led' if index in self._led else kind}:{index}")
-            middle.edges.append(Edge(ends.get(intent, end), call=call))
+            middle.edges.append(Edge(ends.get(intent, end), call=Call(called(index))))
         for key in self._patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
@@ -94,8 +92,20 @@ class UtteranceNetwork:
             ends[name].edges.append(Edge(between, call=Call("sequence", apart=True)))
             between.edges.append(Edge(middle))
             for index in later:
-                between.edges.append(Edge(ends[name], call=Call(f"{kind}:{index}")))
+                between.edges.append(Edge(ends[name], call=Call(called(index))))
         return begin
+
+    def _read_as(self, index: int) -> str:
+        """The network of a sentence as it is understood."""
+        return f"read:{index}" if index in self._led else f"sentence:{index}"
+
+    def _said_as(self) -> Callable[[int], str]:
+        """The network of each sentence as speech is compared with it. With one article alone: "a" sounds like "eight",
+        and what is no command would be like more."""
+        polite = self._sentences.add_polite(self._fillers, self._sounds)
+        led = self._led if self._grammar.language == "en" else frozenset()
+        self._sentences.add_led("led", led, thing_words(self._grammar.language).definite)
+        return lambda index: f"{'led' if index in led else 'polite' if polite else 'sentence'}:{index}"
 
     def _add_words(self) -> None:
         """Add what stands before, between and after sentences."""

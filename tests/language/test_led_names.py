@@ -7,7 +7,7 @@ import pytest
 from intent_engine.language.led_names import led
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import template_text
-from intent_engine.language.thing_words import thing_words
+from intent_engine.language.thing_words import ARTICLES
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 CAMERA = """
@@ -37,7 +37,7 @@ intents:
     ],
 )
 def test_it_stands_where_none_is_written_and_no_number(template, with_articles):
-    assert template_text(led(parse_template(template), {"thing"}, {"count"}, thing_words("en"))) == with_articles
+    assert template_text(led(parse_template(template), {"thing"}, {"count"}, ARTICLES, {"the"})) == with_articles
 
 
 @pytest.mark.parametrize(
@@ -57,6 +57,14 @@ def test_a_direction_has_none(engine_of):
     assert tuple(the_left) not in SpokenGrammar(engine_of(CAMERA)).near(the_left)
 
 
+DRINKS = """
+language: en
+slots:
+  drink: [coffee, milk, orange juice]
+  size: [small, large]
+intents:
+  bring: {action: custom, sentences: ["i would like {drink}", "i want {size} {drink}"]}
+"""
 WARD = """
 language: en
 slots:
@@ -85,5 +93,25 @@ def test_a_name_is_understood_with_an_article_however_long_and_wherever(engine_o
     assert dict(engine_of(WARD).parse(said).slots) == slots
 
 
-def test_no_other_article_is_part_of_a_sentence(engine_of):
-    assert not engine_of(WARD).parse("get a saline from some lab and bring it to the lab").actions
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("i would like a coffee", True),
+        ("i would like an orange juice", True),
+        ("i would like some milk", True),
+        ("i would like two milk", False),
+        ("i would like no milk", False),
+        ("i want a large milk", True),
+    ],
+)
+def test_whatever_the_article_is_and_where_nothing_is_guessed(engine_of, said, done):
+    assert bool(engine_of(DRINKS).parse(said).actions) is done
+
+
+def test_german_articles(engine_of):
+    german = engine_of(
+        "language: de\nslots: {getränk: [kaffee, milch]}\nintents:\n  bring: {action: custom, sentences: "
+        "['ich möchte {getränk}']}\n"
+    )
+    assert german.parse("ich möchte einen Kaffee").actions
+    assert not german.parse("ich möchte keinen Kaffee").actions
