@@ -17,12 +17,14 @@ from intent_engine.language.numbers import english, english_ordinals
 
 __all__ = [
     "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
-    "without_article",
+    "singular", "without_article",
 ]  # fmt: skip
 
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
 """Dropped before a name if the name is not known with it. "the" carries nothing and is dropped
 everywhere but at the end, where what it belongs to was not said."""
+PLURALS = (("ies", "y"), ("ves", "f"), ("ves", "fe"), ("es", ""), ("s", ""))
+"""How more of a thing end, and one of it."""
 OWNERS = {"my": "us", "our": "us", "your": "you"}
 """Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
 office"."""
@@ -195,3 +197,13 @@ def heard_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
     for count in (1, 2):
         for chosen in itertools.combinations(places, count):
             yield name_words([ALIKES[word] if place in chosen else word for place, word in enumerate(words)])
+
+
+def singular(words: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    """The same words with the last as one of what it names, by how English makes more of it: "boxes", "batteries",
+    "knives". Some of them are none."""
+    *before, last = words
+    for ending, one in PLURALS:
+        stem = last.removesuffix(ending)
+        if stem != last and len(stem) > 1:
+            yield (*before, stem + one)

@@ -21,6 +21,7 @@ from intent_engine.language.name_words import (
     name_words,
     owner,
     raw_words,
+    singular,
     without_article,
 )
 
@@ -130,6 +131,9 @@ class NameIndex:
 
         for found in tables.near(said):
             offer(found)
+        for one in singular(said):
+            for name in tables.names_of(one):
+                offer(_Found(name, ALIKE_WEIGHT, True, "spelling"))
         for alike in heard_otherwise(heard):
             for name in tables.names_of(alike):
                 offer(_Found(name, ALIKE_WEIGHT, True, "sound"))

@@ -241,6 +241,28 @@ def test_a_number_that_is_not_there_is_never_another(said):
     assert match.candidates
 
 
+THINGS = NameIndex([(name, name) for name in ("box", "battery", "knife", "roof", "tray", "glass", "light", "lights")])
+
+
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        ("boxes", "box"),
+        ("the batteries", "battery"),
+        ("knives", "knife"),
+        ("rooves", "roof"),
+        ("trays", "tray"),
+        ("glasses", "glass"),
+        ("lights", "lights"),
+        ("light", "light"),
+        ("bosses", None),
+        ("foxes", None),
+    ],
+)
+def test_more_of_a_thing_is_that_thing(said, name):
+    assert THINGS.resolve(said).name == name
+
+
 @given(st.text(alphabet=string.ascii_lowercase, min_size=1, max_size=20))
 def test_what_is_unknown_comes_with_the_three_nearest(said):
     match = MAPS["home"].index.resolve(said)
