@@ -98,6 +98,9 @@ def test_a_name_is_understood_with_an_article_however_long_and_wherever(engine_o
     [
         ("i would like a coffee", True),
         ("i would like an orange juice", True),
+        ("i would like a cofee", True),
+        ("i would not like a cofee", False),
+        ("if i would like a cofee", False),
         ("i would like some milk", True),
         ("i would like two milk", False),
         ("i would like no milk", False),

@@ -51,7 +51,9 @@ class Compounds:
             corrected = self._corrections.corrected(part, state)
             if corrected is not None:
                 return corrected
-        if loosely and not self._phrases.change_meaning(words):
+        # No name takes a word that changes a sense, but a sentence may have it: "i would like a cofee". Where it may
+        # join commands every part would be compared.
+        if loosely and not (self._phrases.change_meaning(words) and self._sequence.may_stand_in(words)):
             loose = self._commands.misheard(words, state, breaks=part.breaks)
             if loose is not None and (clause is None or not clause.parted or loose.accepted):
                 return loose
