@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
@@ -11,20 +11,16 @@ __all__ = ["led"]
 
 
 def led(
-    node: Node, names: Collection[str], numbers: Collection[str], articles: Collection[str], leading: Collection[str]
+    node: Node, leading: Mapping[str, Collection[str]], numbers: Collection[str], articles: Collection[str]
 ) -> Node:
     """A template in which an article may stand before a name, where none is written and no number is before it.
 
     Args:
         node: the template.
-        names: the slots that hold names.
+        leading: the articles that may stand before each slot that holds names.
         numbers: the slots that hold amounts.
         articles: of its language.
-        leading: those that may stand there.
     """
-    if not leading:
-        return node
-    article = Optional(Choice(tuple(map(Word, sorted(leading)))))
 
     def ends(item: Node, before: bool = False) -> bool:
         """Whether it may end in what no article stands behind; ``before``: whether what is before it does."""
@@ -45,8 +41,8 @@ def led(
 
     def walk(item: Node, before: bool) -> Node:
         match item:
-            case Reference(name, _, _) if name in names and not before:
-                return Sequence((article, item))
+            case Reference(name, _, _) if leading.get(name) and not before:
+                return Sequence((Optional(Choice(tuple(map(Word, sorted(leading[name]))))), item))
             case Choice(items):
                 return Choice(tuple(walk(one, before) for one in items))
             case AnyOrder(items):

@@ -18,7 +18,16 @@ from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.numbers.units import units
 from intent_engine.language.slot_values import NamesOf
 from intent_engine.language.template import parse_template
-from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Word, most_words, references
+from intent_engine.language.template_tree import (
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Word,
+    first_words,
+    most_words,
+    references,
+)
 from intent_engine.language.template_tree import Sequence as TemplateSequence
 from intent_engine.language.thing_words import thing_words
 
@@ -130,12 +139,18 @@ class SentenceNetworks:
 
     def _add_led(self, kind: str, key: str, node: Node, leading: Collection[str]) -> None:
         slots = self._grammar.slots.values()
-        named = {slot.name for slot in slots if _is_named(slot)}
+        named = {slot.name: self._before(slot, leading) for slot in slots if _is_named(slot)}
         counted = {slot.name for slot in slots if slot.type in QUANTITY_KINDS}
         inner = {one.name for one in references(node)} - self._grammar.slots.keys()
         phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
-        template = led(node, named, counted, thing_words(self._grammar.language).articles, leading)
+        template = led(node, named, counted, thing_words(self._grammar.language).articles)
         self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
+
+    def _before(self, slot: Slot, leading: Collection[str]) -> frozenset[str]:
+        """The articles that may stand before what a slot holds: none with which one of its values begins, as "some
+        milk" beside "milk"."""
+        own = (first_words(node, self._grammar.phrases)[0] for _, node in slot.values)
+        return frozenset(leading).difference(*own)
 
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"

@@ -37,7 +37,7 @@ intents:
     ],
 )
 def test_it_stands_where_none_is_written_and_no_number(template, with_articles):
-    assert template_text(led(parse_template(template), {"thing"}, {"count"}, ARTICLES, {"the"})) == with_articles
+    assert template_text(led(parse_template(template), {"thing": {"the"}}, {"count"}, ARTICLES)) == with_articles
 
 
 @pytest.mark.parametrize(
@@ -109,6 +109,16 @@ def test_a_name_is_understood_with_an_article_however_long_and_wherever(engine_o
 )
 def test_whatever_the_article_is_and_where_nothing_is_guessed(engine_of, said, done):
     assert bool(engine_of(DRINKS).parse(said).actions) is done
+
+
+def test_an_article_that_a_value_begins_with_is_its_own(engine_of):
+    latte = engine_of(
+        "language: en\nslots: {milk: [milk, some milk]}\nintents:\n  order: {action: custom, sentences: "
+        "['i want {milk}']}\n"
+    )
+    for said in ("milk", "some milk"):
+        assert latte.parse(f"i want {said}").slots == {"milk": said}
+    assert latte.parse("i want the milk").slots == {"milk": "milk"}
 
 
 def test_german_articles(engine_of):
