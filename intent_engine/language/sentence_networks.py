@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 from intent_engine.language import quantities
@@ -132,25 +132,29 @@ class SentenceNetworks:
             indices: which.
             leading: the articles.
         """
-        for name, node in self._grammar.phrases.items():
-            self._add_led(kind, f"{kind} phrase:{name}", node, leading)
-        for index in indices:
-            self._add_led(kind, f"{kind}:{index}", self._sentences[index].template, leading)
-
-    def _add_led(self, kind: str, key: str, node: Node, leading: Collection[str]) -> None:
-        slots = self._grammar.slots.values()
-        named = {slot.name: self._before(slot, leading) for slot in slots if _is_named(slot)}
-        counted = {slot.name for slot in slots if slot.type in QUANTITY_KINDS}
-        inner = {one.name for one in references(node)} - self._grammar.slots.keys()
-        phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
-        template = led(node, named, counted, thing_words(self._grammar.language).articles)
-        self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
+        grammar, articles = self._grammar, thing_words(self._grammar.language).articles
+        before = {slot.name: self._before(slot, leading) for slot in grammar.slots.values() if _is_named(slot)}
+        counted = {slot.name for slot in grammar.slots.values() if slot.type in QUANTITY_KINDS}
+        templates = [(f"{kind} phrase:{name}", node) for name, node in grammar.phrases.items()]
+        templates += [(f"{kind}:{index}", self._sentences[index].template) for index in indices]
+        for key, node in templates:
+            inner = {one.name for one in references(node)} - grammar.slots.keys()
+            phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
+            template = led(node, before, counted, articles)
+            self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
 
     def _before(self, slot: Slot, leading: Collection[str]) -> frozenset[str]:
-        """The articles that may stand before what a slot holds: none with which one of its values begins, as "some
-        milk" beside "milk"."""
-        own = (first_words(node, self._grammar.phrases)[0] for _, node in slot.values)
+        """The articles that may stand before what a slot holds: none with which one of its names begins, as "some milk"
+        beside "milk", and "a 12" beside "12"."""
+        own = [first_words(node, self._grammar.phrases)[0] for _, node in slot.values]
+        if slot.type == "location":
+            own.append(self._begin_places)
         return frozenset(leading).difference(*own)
+
+    @cached_property
+    def _begin_places(self) -> frozenset[str]:
+        """First words of the names on the map, without the "the" that none needs."""
+        return frozenset(words[0] for words, _ in self._locations.names()) if self._locations else frozenset()
 
     def _add_slot(self, slot: Slot, spoken: Mapping[str, str]) -> None:
         key = f"slot:{slot.name}"

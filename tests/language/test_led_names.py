@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.language.led_names import led
+from intent_engine.language.locations import LocationMap
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import template_text
 from intent_engine.language.thing_words import ARTICLES
@@ -119,6 +120,18 @@ def test_an_article_that_a_value_begins_with_is_its_own(engine_of):
     for said in ("milk", "some milk"):
         assert latte.parse(f"i want {said}").slots == {"milk": said}
     assert latte.parse("i want the milk").slots == {"milk": "milk"}
+
+
+def test_nor_one_that_a_place_begins_with(engine_of):
+    bays = LocationMap.from_mapping({name: (float(at), 0.0) for at, name in enumerate(("12", "a 12", "office"))})
+    engine = engine_of(
+        "language: en\nslots: {location: location}\nintents:\n  go: {action: navigate, sentences: "
+        "['visit {location}']}\n",
+        locations=bays,
+    )
+    for said in ("12", "a 12", "office"):
+        assert engine.parse(f"visit {said}").slots == {"location": said}
+    assert engine.parse("visit the office").slots == {"location": "office"}
 
 
 def test_german_articles(engine_of):
