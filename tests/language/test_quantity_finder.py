@@ -43,6 +43,34 @@ def test_a_quantity_may_end_with_the_text(text: str) -> None:
     assert [(one.kind, text[one.end :]) for one in find(text, language)] == [("distance", "")]
 
 
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("it is two and a half meters away", "distance", 2.5),
+        ("walk three quarters of a mile and rest", "distance", 1207.008),
+        ("about 1,250 mm of pipe", "distance", 1.25),
+        ("a foot and a half from the wall", "distance", 0.4572),
+        ("five feet two inches tall", "distance", 1.5748),
+        ("half a kilometer down the road", "distance", 500),
+        ("wait a quarter of an hour", "duration", 900),
+        ("it took two hours and thirty minutes", "duration", 9000),
+        ("for a minute and a half", "duration", 90),
+        ("turn by a quarter turn", "angle", 90 * DEGREE),
+        ("tilt it 12.5 degrees to the side", "angle", 12.5 * DEGREE),
+        ("minus four degrees", "angle", -4 * DEGREE),
+        ("at twelve kilometers per hour", "speed", 12 / 3.6),
+        ("no faster than half a meter per second", "speed", 0.5),
+        ("it spins at 30 degrees per second", "angular_speed", 30 * DEGREE),
+        ("one hundred and five people came", "number", 105),
+        ("three point one four is close", "number", 3.14),
+        ("two dozen eggs", "number", 24),
+    ],
+)
+def test_a_quantity_in_words_that_are_none(text: str, kind: str, value: float) -> None:
+    assert [(one.kind, one.value) for one in find(text)] == [(kind, pytest.approx(value))]
+
+
+# What others wrote is not copied into the repository: where it is not beside it, the quantities above stand for it.
 @pytest.mark.data
 @pytest.mark.skipif(not DATA.exists(), reason="../shared/data/numbers_units is not here")
 def test_quantities_of_others_test_suites() -> None:
