@@ -21,8 +21,8 @@ class ThingWords:
 
     articles: frozenset[str] = frozenset()
     """Before the name of a thing or a place, and no part of it."""
-    introducing: frozenset[str] = frozenset()
-    """Those of them that may stand where a sentence writes none."""
+    owning: frozenset[str] = frozenset()
+    """Those of them that say whose it is, or which."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()
@@ -77,6 +77,11 @@ class ThingWords:
     """What is said of an "it" that is no thing."""
     examples: tuple[str, ...] = ()
     """Things, for sampled sentences."""
+
+    @property
+    def introducing(self) -> frozenset[str]:
+        """The articles that may stand where a sentence writes none."""
+        return self.articles - self.owning
 
     def is_manner(self, word: str) -> bool:
         """Whether a word says how something is done: it ends so, and has two letters before."""
