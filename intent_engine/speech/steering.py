@@ -235,8 +235,9 @@ class Steering(OtherCommands):
         otherwise = said_otherwise(self.grammar, heard.sentences, transcript.language)
         unclear = (*self._hardly_heard_before(heard), *_below(heard.clearness(best, otherwise)))
         unclear += hardly_begun(best, [heard])
-        unclear += SaidAndHeard(self.grammar, best, [heard.heard], transcript.language).begins_unheard()
-        left_out = self.left_out(heard.encoded, best, heard.heard, transcript)
+        said = SaidAndHeard(self.grammar, best, [heard.heard], transcript.language)
+        unclear += said.begins_unheard()
+        left_out = self.left_out(heard.encoded, best, heard.heard, transcript) or said.opposite()
         return replace(transcript, unclear=unclear, left_out=left_out)
 
     def _hardly_heard_before(self, heard: Opinion) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from intent_engine.language.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_out import (
     begin_left_out,
@@ -67,6 +68,16 @@ class SaidAndHeard:
         if not said and confidence < SURE_OF_OTHERS:
             said = heard_otherwise(self.words, self.heard, self._says_nothing)
         return (" ".join(said),) if said and not self._says_nothing(said) else ()
+
+    def opposite(self) -> tuple[str, ...]:
+        """The word that all models heard and the sentence has not, where this has its opposite, which none heard: with
+        "switch the lamp off" nobody means "switch the lamp on", however alike they sound."""
+        if self._free or not self.heard:
+            return ()
+        shared = set.intersection(*map(set, self.heard)) - set(self.words)
+        unheard = set(self.words).difference(*self.heard)
+        said = sorted(word for word in shared if not unheard.isdisjoint(opposed(word, self.language)))
+        return tuple(said[:1])
 
     def begins_unheard(self) -> tuple[str, ...]:
         """The word with which the command begins, where no model heard it, and what they heard is none."""
