@@ -22,8 +22,8 @@ _PAIRS: Mapping[str, str] = {
         upstairs/downstairs upward/downward upwards/downwards leftmost/rightmost""",
     "de": """
         an/aus ein/aus auf/zu öffne/schließe öffnen/schließen hoch/runter rauf/runter links/rechts vor/zurück
-        vorwärts/rückwärts rein/raus mit/ohne mehr/weniger wärmer/kälter lauter/leiser heller/dunkler schneller/langsamer
-        höher/tiefer oben/unten vorne/hinten erster/letzter heiß/kalt starte/stoppe""",
+        vorwärts/rückwärts rein/raus mit/ohne mehr/weniger wärmer/kälter lauter/leiser heller/dunkler
+        schneller/langsamer höher/tiefer oben/unten vorne/hinten erster/letzter heiß/kalt starte/stoppe""",
     "fr": """
         allume/éteins allumer/éteindre ouvre/ferme ouvrir/fermer monte/descends monter/descendre gauche/droite
         avance/recule avancer/reculer avec/sans plus/moins dedans/dehors haut/bas devant/derrière""",

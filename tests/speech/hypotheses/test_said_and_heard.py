@@ -47,3 +47,21 @@ def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
     kitchen = SaidAndHeard(grammar, ["go", "to", "the", "kitchen"], other)
     assert kitchen.heard_otherwise(0.8) == ("mountains",)
     assert not kitchen.heard_otherwise(0.99)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "opposite"),
+    [
+        ("switch the fan on", ["switch the fan off"] * 2, ("off",)),
+        ("switch the fan on", ["switch off the fan"] * 2, ("off",)),  # wherever it stands
+        ("switch the fan on", ["switch the fan off", "switch the fan of"], ()),  # one may be wrong
+        ("switch the fan on", ["switch the fan off", "switch the fan on"], ()),
+        ("switch the fan on and the lamp off", ["switch the fan on and the lamp off"] * 2, ()),
+        ("unlock the door", ["lock the door"], ("lock",)),  # a model that hears alone
+        ("close the door", ["pause the door"] * 2, ()),
+        ("stop", ["start"] * 2, ()),  # a stop waits for nothing
+        ("switch the fan on", [], ()),
+    ],
+)
+def test_a_command_is_not_the_opposite_of_what_all_heard(grammar, sentence, heard, opposite):
+    assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).opposite() == opposite

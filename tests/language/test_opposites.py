@@ -1,0 +1,29 @@
+"""Words that mean the opposite of each other."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.language.normalize import tokenize
+from intent_engine.language.opposites import _OPPOSITES, opposed
+
+
+@pytest.mark.parametrize(
+    ("word", "other", "language"),
+    [("on", "off", None), ("off", "on", "en"), ("Tür auf", "zu", "de"), ("éteins", "allume", "fr"), ("giù", "su", "it")],
+)
+def test_the_opposite_of_a_word_in_its_language(word, other, language):
+    assert other in opposed(word.split()[-1], language)
+
+
+def test_none_is_known_of_other_words_and_languages():
+    assert not opposed("kitchen")
+    assert not opposed("on", "nl")
+
+
+@pytest.mark.parametrize("language", _OPPOSITES)
+def test_every_word_is_as_texts_are_compared_and_opposes_what_opposes_it(language):
+    for word, others in _OPPOSITES[language].items():
+        assert [token.word for token in tokenize(word)] == [word]
+        assert word not in others
+        assert all(word in opposed(other, language) for other in others)
