@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from intent_engine.language.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
@@ -74,7 +75,8 @@ class SaidAndHeard:
         "switch the lamp off" nobody means "switch the lamp on", however alike they sound."""
         if self._free or not self.heard:
             return ()
-        shared = set.intersection(*map(set, self.heard)) - set(self.words)
+        written_apart = {one + other for one, other in pairwise(self.words)}  # "counter clockwise"
+        shared = set.intersection(*map(set, self.heard)) - set(self.words) - written_apart
         unheard = set(self.words).difference(*self.heard)
         said = sorted(word for word in shared if not unheard.isdisjoint(opposed(word, self.language)))
         return tuple(said[:1])

@@ -58,6 +58,7 @@ def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
         ("switch the fan on", ["switch the fan off", "switch the fan on"], ()),
         ("switch the fan on and the lamp off", ["switch the fan on and the lamp off"] * 2, ()),
         ("unlock the door", ["lock the door"], ("lock",)),  # a model that hears alone
+        ("turn counter clockwise", ["turn counterclockwise"] * 2, ()),
         ("close the door", ["pause the door"] * 2, ()),
         ("stop", ["start"] * 2, ()),  # a stop waits for nothing
         ("switch the fan on", [], ()),
