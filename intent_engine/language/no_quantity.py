@@ -118,6 +118,7 @@ def no_amount(words: Sequence[str], at: int, tokens: Sequence[Token], text: str,
         or _vague(words, at, language)
         or _of_pi(words, at, language)
         or _ordinal(words, at, language)
+        or _many_parts(words, at, language)
         or (at + 1 if _counts_nothing(words, at, language) else at)
     )
 
@@ -172,6 +173,17 @@ def _ordinal(words: Sequence[str], at: int, language: str) -> int:
         if ordinal is not None:
             return end if said[-1] != "second" or said[-2] == "and" else 0  # "thirty second" may be a time
     return 0
+
+
+def _many_parts(words: Sequence[str], at: int, language: str) -> int:
+    """Where more parts than a whole has end in another language than English, for which there is no value: "veinte
+    quintos" is no twenty. Of quarters there may be as many: they are also rooms."""
+    table = units(language)
+    if language == "en" or table is None:
+        return 0
+    end = max((end for _, end in parser_of(language).numbers_at(words, at)), default=len(words))
+    parts = end < len(words) and (words[end], False) in table.parts and words[end] not in table.words.get("quarter", ())
+    return end + 1 if parts else 0
 
 
 def _counts_nothing(words: Sequence[str], at: int, language: str) -> bool:

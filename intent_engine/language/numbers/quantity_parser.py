@@ -79,7 +79,7 @@ class QuantityParser:
             found.extend(self._extended(words, value, after, key, kind, 0))
         if self._language in WITHOUT_ONE and (half := self._and_a_half(words, at, kind)) is not None:
             found.append(half)
-        if not found and kind == "angle" and self._language == "en":
+        if not found and kind == "angle" and self._language == "en" and not PI.isdisjoint(words):
             yield from self._radians_in_pi(words, at)
             return
         found.sort(key=lambda pair: -pair[1])
