@@ -97,10 +97,17 @@ def _parted(tokens: Sequence[Token], place: int, text: str, language: str) -> bo
     before = tokens[place - 1].word
     if _DASH.fullmatch(between):  # "fifty - two", but "10 m - 20 m"
         return is_numeral(tokens[place].word) or (before,) in table.names
-    goes_on = before in _SCALES or (before,) in table.names or tokens[place].word in table.words.get("and", ())
-    return not (
-        goes_on and _STEPS.fullmatch(between) and not (between[0] == "." and text[tokens[place].start].isupper())
-    )
+    joined = tokens[place].word in table.words.get("and", ())
+    if not joined and (before,) in table.names:
+        joined = _counts_a_unit([token.word for token in tokens[place : place + 8]], language, table)
+    goes_on = (joined or before in _SCALES) and _STEPS.fullmatch(between) is not None
+    return not goes_on or (between[0] == "." and text[tokens[place].start].isupper())
+
+
+def _counts_a_unit(words: Sequence[str], language: str, table: Units) -> bool:
+    """Whether words begin with a number and its unit: "3 inches" after "4 feet,", but not "3 boxes"."""
+    ends = [end for _, end in parser_of(language).counts_at(words, 0)]
+    return any(end < len(words) and any(unit[0] == words[end] for unit in table.names) for end in ends)
 
 
 def no_amount(words: Sequence[str], at: int, tokens: Sequence[Token], text: str, language: str) -> int:
