@@ -237,6 +237,8 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
         return _AND.get(language, ())
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
+        if before and before[-1].word in ("pi", "π") and text[place + 1 :].lstrip()[:1].isdigit():
+            return ("over",) if language == "en" else ()  # "pi/2"
         return ("per",) if between or _unit_beside(text, place, before) else ()
     if not number_before or _closes_a_quotation(sign, text, place):
         return ()

@@ -54,6 +54,9 @@ _GOES_ON = NUMBER_WORDS.union(
 )
 """Words with which a number may go on after its first."""
 
+_GOES_ON_TO_A_SCALE = frozenset(("thousand", "million", "billion", "trillion"))
+"""Of which there are halves and quarters."""
+
 Found = tuple[float, int]
 """A value and the place after its last word."""
 
@@ -218,9 +221,11 @@ def fraction(words: Sequence[str], at: int) -> Found | None:
             shorter = cardinal(words[: top[1] - 1], at)
             joined = _denominator(words, top[1] - 1)
             if shorter is not None and shorter[1] == top[1] - 1 and joined is not None and joined[1] > top[1]:
+                if shorter[0] % 100 == 0 and words[top[1]] in ORDINAL_UNITS:
+                    return None  # "one hundred thirty fifth"
                 return shorter[0] / joined[0], joined[1]
         bottom = _denominator(words, top[1])
-        if bottom is not None:
+        if bottom is not None and not _is_ordinal(words, top, bottom[1]):
             return top[0] / bottom[0], bottom[1]
         # "three twenty-firsts": the tens belong to the denominator, not to "three twenty"
         if words[at] in DIGITS:
@@ -228,6 +233,15 @@ def fraction(words: Sequence[str], at: int) -> Found | None:
             if bottom is not None:
                 return DIGITS[words[at]] / bottom[0], bottom[1]
     return None
+
+
+def _is_ordinal(words: Sequence[str], top: Found, end: int) -> bool:
+    """Whether a number and what would be its denominator are an ordinal: "twenty fifth" is no 20/5."""
+    last = words[end - 1]
+    if last in ORDINAL_UNITS:
+        fits = top[0] % 100 == 0 or (ORDINAL_UNITS[last] < 10 and top[0] % 10 == 0)
+        return end == top[1] + 1 and top[0] >= 20 and fits
+    return last in ORDINAL_TENS and top[0] >= 100 and top[0] % 100 == 0
 
 
 def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
@@ -272,11 +286,9 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         yield 2.0, after
         return
     # "ten and a half thousand" is below, with what may follow "and".
-    if word in ("quarter", "half") and tuple(words[at + 1 : at + 2]) in (("million",), ("billion",)):
-        yield SCALES[words[at + 1]] / HALVES[word], at + 2
-        return
-    if word == "half" and tuple(words[at + 1 : at + 3]) in (("a", "million"), ("a", "thousand")):
-        yield SCALES[words[at + 2]] / 2, at + 3
+    scaled = _part_of_a_scale(words, at)
+    if scaled is not None:
+        yield scaled
         return
     whole = cardinal(words, at)
     if whole is not None:
@@ -310,6 +322,21 @@ def _positive(words: Sequence[str], at: int) -> Iterator[Found]:
         yield part
     if whole is not None:
         yield whole
+
+
+def _part_of_a_scale(words: Sequence[str], at: int) -> Found | None:
+    """ "Half a million", "a quarter million", "three quarters of a million"."""
+    if _GOES_ON_TO_A_SCALE.isdisjoint(words[at : at + 5]):
+        return None
+    part = fraction(words, at)
+    if part is None or part[0] >= 1 or words[part[1] - 1] not in HALVES:
+        return None
+    here = part[1]
+    for joint in ("of", "a"):
+        here += tuple(words[here : here + 1]) == (joint,)
+    if tuple(words[here : here + 1]) and words[here] in _GOES_ON_TO_A_SCALE:
+        return part[0] * SCALES[words[here]], here + 1
+    return None
 
 
 def _dozens(words: Sequence[str], at: int) -> Found | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
@@ -25,7 +26,7 @@ __all__ = [
 
 LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
 """What text2num knows, besides English."""
-MAX_WORDS = 12
+MAX_WORDS = 16
 
 SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
@@ -104,12 +105,18 @@ def numbers_at(words: Sequence[str], at: int, language: str) -> Iterator[tuple[f
     if is_numeral(words[at]):
         value = numeral_value(words[at])
         if value is not None:
-            scale = _scale(words[at + 1], language) if at + 1 < len(words) else None
-            if scale is not None:
-                half = _and_half(words, at + 2, language)
+            if (decimals := _decimals_after_figures(words, at + 1, language)) is not None:
+                yield math.copysign(abs(value) + decimals[0], value), decimals[1]
+                return
+            here = at + 1
+            while here < len(words) and (scale := _scale_of_figures(words, here, language)) is not None:
+                half = _and_half(words, here + 1, language) if here == at + 1 else None
                 if half is not None:
                     yield (value + half[0]) * scale, half[1]
-                yield value * scale, at + 2
+                value, here = value * scale, here + 1
+            if here > at + 1:
+                yield value, here
+                return
             part = fraction(words, at, language)
             if part is not None:
                 yield part
@@ -168,11 +175,15 @@ def _value(words: Sequence[str], at: int, end: int, language: str) -> float | No
         return part[0]
     if language == "de" and words[at] in table.words.get("one", ()):
         part = fraction(words, at + 1, language)
+        one_more = words[at + 1] in table.words.get("halves", ()) or words[at + 1] in table.words.get("one", ())
+        if part is not None and one_more:
+            return 1 + part[0] if part[1] == end else None  # "ein einhalb", "ein ein viertel"
         if part is not None and part[1] == end:
             return part[0]  # "eine drei viertel Stunde"
     if (scale := _scale(words[end - 1], language)) is not None:
         before = _value(words, at, end - 1, language)
-        return before * scale if before is not None and not 0 < before < 0.01 else None
+        fits = before is not None and not 0 < before < 0.01 and (scale == 12 or before < scale)
+        return before * scale if before is not None and fits else None
     for place in range(at + 1, end):
         half = _and_half(words, place, language)
         if half is not None and half[1] == end:
@@ -273,6 +284,26 @@ def _part(word: str, words: Mapping[str, frozenset[str]]) -> float | None:
         return 0.5
     if word in words.get("quarter", ()):
         return 0.25
+    return None
+
+
+def _scale_of_figures(words: Sequence[str], at: int, language: str) -> float | None:
+    """What multiplies the figures before it: "2 mil millones", "10 k"."""
+    return 1e3 if words[at] == "k" and words[at - 1][-1].isdigit() else _scale(words[at], language)
+
+
+def _decimals_after_figures(words: Sequence[str], at: int, language: str) -> tuple[float, int] | None:
+    """What follows a point that is said behind figures: "1 komma 5", "2 punto cinco"."""
+    table = units(language)
+    if table is None or at + 1 >= len(words) or words[at] not in table.words.get("point", ()):
+        return None
+    if not words[at - 1].lstrip("-").isdigit():
+        return None
+    if words[at + 1].isdigit():
+        return float(f"0.{words[at + 1]}"), at + 2
+    for end in range(min(len(words), at + 5), at + 1, -1):
+        if (decimals := _decimals(words[at + 1 : end], language)) is not None:
+            return decimals, end
     return None
 
 

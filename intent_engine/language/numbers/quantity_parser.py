@@ -15,7 +15,7 @@ from intent_engine.language.numbers.phrases import WHOLE_ANGLES
 from intent_engine.language.numbers.templates import WITHOUT_ONE
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
-__all__ = ["MAX_WORDS", "QuantityParser", "parser_of", "tidy"]
+__all__ = ["MAX_WORDS", "PI", "QuantityParser", "parser_of", "tidy"]
 
 MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
@@ -25,6 +25,15 @@ _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
 _IMPERIAL = frozenset(("in", "ft", "yd", "mi"))
 """Lengths of which no other is a part: "two meters three feet" are two lengths, or the second puts the first right."""
+_NO_INCH_BEFORE = english.NUMBER_WORDS.union(
+    ("a", "an", "the", "my", "your", "his", "her", "its", "our", "their", "this", "that", "these", "those", "total"),
+    ("january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november"),
+    ("december", "spring", "summer", "autumn", "winter"),
+)
+"""What "in" leads to: "two in three", "two in my car", "put two in the box" hold no inches."""
+_OF_DAYS = {"d": "d", "w": "wk"}
+"""Letters that are units only before a smaller one: of "3 d" nobody knows, "3d 4h" is a time."""
+PI = frozenset(("pi", "π"))
 JOINED = frozenset(("es", "it"))
 """Languages that say "a meter and fifty": "un metro e cinquanta"."""
 
@@ -70,6 +79,9 @@ class QuantityParser:
             found.extend(self._extended(words, value, after, key, kind, 0))
         if self._language in WITHOUT_ONE and (half := self._and_a_half(words, at, kind)) is not None:
             found.append(half)
+        if not found and kind == "angle" and self._language == "en" and not PI.isdisjoint(words):
+            yield from self._radians_in_pi(words, at)
+            return
         found.sort(key=lambda pair: -pair[1])
         yield from ((tidy(value), after) for value, after in found)
 
@@ -113,8 +125,12 @@ class QuantityParser:
     def _unit(self, words: Sequence[str], at: int, kind: str) -> tuple[float, int, str] | None:
         """The unit that stands at a place, longest first: (factor, after, key)."""
         known = self._table.by_kind.get(kind, {})
-        if kind == "duration" and words[at : at + 1] and words[at] == "m" and self._of_a_time(words, at):
-            return 60.0, at + 1, "min"
+        if kind == "duration" and words[at : at + 1]:
+            if words[at] == "m" and self._of_a_time(words, at):
+                return 60.0, at + 1, "min"
+            if words[at] in _OF_DAYS and self._before_a_time(words, at):
+                key = _OF_DAYS[words[at]]
+                return FACTORS["duration"][key], at + 1, key
         for length in range(min(LONGEST, len(words) - at), 0, -1):
             spoken = tuple(words[at : at + length])
             if spoken in known:
@@ -128,6 +144,27 @@ class QuantityParser:
         if at > 2 and is_numeral(words[at - 1]) and self._table.names.get((words[at - 2],)) == "h":
             return True
         return at + 2 < len(words) and is_numeral(words[at + 1]) and self._table.names.get((words[at + 2],)) == "s"
+
+    def _before_a_time(self, words: Sequence[str], at: int) -> bool:
+        """Whether "d" or "w" is a unit as the next one is: "2d 4h", "1w 3d 2h"."""
+        if at < 1 or at + 2 >= len(words) or not is_numeral(words[at - 1]) or not is_numeral(words[at + 1]):
+            return False
+        return self._unit(words, at + 2, "duration") is not None
+
+    def _radians_in_pi(self, words: Sequence[str], at: int) -> Iterator[tuple[float, int]]:
+        """ "Pi over two radians", "half pi radians", "minus 3 pi / 4 rad"; without the unit it may be any number."""
+        sign = -1.0 if words[at : at + 1] and words[at] in ("minus", "negative") else 1.0
+        begin = at + (sign < 0)
+        tops = [(1.0, begin), *self.numbers_at(words, begin)] if begin < len(words) else []
+        for top, here in tops:
+            if here >= len(words) or words[here] not in PI:
+                continue
+            bottoms = [(1.0, here + 1)]
+            if here + 2 < len(words) and words[here + 1] in ("over", "by"):
+                bottoms = [*self.numbers_at(words, here + 2)]
+            for bottom, end in bottoms:
+                if bottom > 0 and end < len(words) and self._table.names.get((words[end],)) == "rad":
+                    yield sign * top * math.pi / bottom, end + 1
 
     def _rate(self, words: Sequence[str], at: int, kind: str) -> tuple[float, int] | None:
         """The unit of a rate that stands at a place, "knots" or "meters per second": its factor, and where it ends."""
@@ -203,6 +240,8 @@ class QuantityParser:
         if key in _SMALLER and (not joined or kind == "duration" or self._language in JOINED) and not square:
             size, most = _SMALLER[key]
             for number, end in self.numbers_at(words, onward):
+                if end < len(words) and any(self._unit(words, end, other) is not None for other in self._table.by_kind):
+                    continue  # "10 m 20 m", "one meter twenty degrees"
                 if 0 < number < most and number == int(number) and (not joined or kind == "duration" or number >= 10):
                     yield value + number * size, end
 
@@ -244,7 +283,8 @@ def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: Sequenc
     "uh, turn left", is no circle; but "a turn and a half" is, and "a turn per second"."""
     last = "".join(before[-1:])
     if spoken == ("in",):
-        return is_numeral("".join(after[:1])) or last in english.HALVES
+        following = "".join(after[:1])
+        return is_numeral(following) or following in _NO_INCH_BEFORE or last in english.HALVES
     if spoken == ("turn",):
         number = english.number([last])
         if "".join(after[:1]) in ("per", "a") or (after and after[0] == "and" and english.fraction(after, 1)):

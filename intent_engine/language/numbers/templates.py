@@ -107,6 +107,9 @@ def templates(language: str) -> Mapping[str, str]:
         base["turns"] = f"({{counted}} [{article}|{more}]|{single}) turn"
         base["angle"] += f"|{{turns}} [{joint} {part}]|(a|an) turn {joint} {part}"
         base["angle"] += "".join(f"|{' '.join(words)}" for words in WHOLE_ANGLES)
+        base["angle"] += (
+            "|[minus|negative] [{counted}] pi [(over|by) {below_hundred}|(over|by) {#}] (radians|radian|rad)"
+        )
     for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
         unit = f"{{{top}_unit}}" if top == "distance" else table.spoken(top)  # with "a turn per second"

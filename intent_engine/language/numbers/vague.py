@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from intent_engine.language.utterance import PhraseSet, Utterance
 
-__all__ = ["said_exactly"]
+__all__ = ["said_exactly", "vague_length"]
 
 _ANY_NUMBER = "3"
 
@@ -25,6 +25,12 @@ _VAGUE: Mapping[str, PhraseSet] = {
     "es": _phrases("unos", "unas", "algunos", "algunas", "varios", "varias", "muchos", "muchas", "unos cuantos"),
     "it": _phrases("alcuni", "alcune", "qualche", "diversi", "diverse", "parecchi", "molti", "molte", "un paio di"),
 }
+
+
+def vague_length(words: Sequence[str], at: int, language: str) -> int:
+    """Words of such an amount that begins at a place; 0: none does."""
+    phrases = _VAGUE.get(language)
+    return phrases.at(words, at) if phrases is not None else 0
 
 
 def said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None:

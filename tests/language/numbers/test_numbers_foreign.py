@@ -29,6 +29,12 @@ SAID = {
         ("minus drei", "number", -3),
         ("2,5", "number", 2.5),
         ("anderthalb", "number", 1.5),
+        ("ein einhalb Meter", "distance", 1.5),
+        ("ein ein viertel", "number", 1.25),
+        ("negativ sieben", "number", -7),
+        ("3 Komma 2", "number", 3.2),
+        ("3 Komma zwei fünf", "number", 3.25),
+        ("eine Million und eine halbe Million", "number", None),
         ("zweieinhalb", "number", 2.5),
         ("null Komma zwei fünf", "number", 0.25),
         ("zwei Meter", "distance", 2),
@@ -52,6 +58,9 @@ SAID = {
         ("soixante-dix", "number", 70),
         ("mille deux cents", "number", 1200),
         ("10 mille", "number", 10_000),
+        ("négatif six", "number", -6),
+        ("un milliard et demi million", "number", None),
+        ("90 miles à l'heure", "speed", 90 * 0.44704),
         ("deux millions et demi", "number", 2_500_000),
         ("moins trois", "number", -3),
         ("2,5", "number", 2.5),
@@ -78,6 +87,8 @@ SAID = {
         ("treinta y cinco", "number", 35),
         ("mil doscientos", "number", 1200),
         ("2 mil", "number", 2000),
+        ("3 mil millones", "number", 3e9),
+        ("negativo seis", "number", -6),
         ("menos tres", "number", -3),
         ("2,5", "number", 2.5),
         ("dos metros y medio", "distance", 2.5),
@@ -194,3 +205,8 @@ def test_number_words_are_told_from_others() -> None:
     assert not is_number_word("two", "en"), "English number words are spelled out in templates"
     assert is_number_word("3rd", "en")
     assert not is_number_word("3", "en")
+
+
+@pytest.mark.parametrize(("said", "value"), [("-3 Komma 2", -3.2), ("8 k", 8000), ("-2,5 k", -2500)])
+def test_figures_go_on_in_words(said: str, value: float) -> None:
+    assert evaluate(words(said), "number", "de") == pytest.approx(value)
