@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
+from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -55,6 +56,7 @@ class Interpreter:
         commands = Commands(matcher)
         self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
+        self._keyboards = Keyboards(matcher)
         self._language = grammar.language
         self._said_twice = SaidTwice(commands, self.phrases)
         self._stop_intent = next(
@@ -114,10 +116,10 @@ class Interpreter:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
         sentence = without_enumeration(text)
         if sentence is not text:
-            understood = self._meant(sentence, Utterance.of(sentence, self._language), state, spoken)
+            understood = self._meant(sentence, self._said(sentence), state, spoken)
             if understood[0].status is Status.ACCEPTED:
                 return understood  # else it may be how a number was written: "2. Meters ahead"
-        said = Utterance.of(text, self._language)
+        said = self._said(text)
         words = said.words
         if not words:
             return self._rejected(text, "nothing was said")
@@ -139,6 +141,9 @@ class Interpreter:
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant
+
+    def _said(self, text: str) -> Utterance:
+        return self._keyboards.read(Utterance.of(text, self._language))
 
     def _by_letters(
         self,
@@ -249,7 +254,7 @@ class Interpreter:
         if (alone := self._dictation.taken(text, state, spoken)) is not None:
             return as_told(text, alone.clause)
         for before, dictated in self._dictation.behind(text, state):
-            found, parts = self._meant(before, Utterance.of(before, self._language), state, spoken)
+            found, parts = self._meant(before, self._said(before), state, spoken)
             if found.status is Status.ACCEPTED and parts and not found.stops:
                 return self._joined(text, [*parts, dictated.clause])
         return None
