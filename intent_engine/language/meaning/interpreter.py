@@ -131,7 +131,7 @@ class Interpreter:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         # How a recogniser sets its question marks tells little.
         if _ASKED.search(text) and (
-            (not spoken and self._lists_only(meant[1]))
+            (not spoken and self._lists_only(meant[1]) and not self.phrases.requests(words))
             or self._asks_at_last(said, meant[1])
             or any(map(self._asks_whether, meant[1]))
         ):
@@ -235,6 +235,8 @@ class Interpreter:
                 clause = again  # "take your time please" takes no "time please"
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
+        if core is not said and phrases.stop.may_stand_in(core.words) and self._stops.heard(core, state):
+            return self._stopped(text)  # "halten Sie bitte an": some stand within a stop
         if not core.words:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
