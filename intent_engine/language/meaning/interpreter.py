@@ -171,7 +171,8 @@ class Interpreter:
         stop is heard all the same."""
         if part.reading is None or isinstance(part.action, Stop):
             return False
-        asked = not self.matcher.grammar.asked.isdisjoint(part.reading.words[1:2])
+        grammar, words = self.matcher.grammar, part.reading.words
+        asked = not grammar.asked.isdisjoint(words[1:2]) and words[0] not in grammar.requests
         return asked and all(slot.start > 1 for slot in part.reading.slots)  # "nimm sie?" is none
 
     def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:
