@@ -304,6 +304,8 @@ class Grammar:
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     asked: frozenset[str] = frozenset()
     """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
+    requests: frozenset[str] = frozenset()
+    """Verbs with which people ask for something, and whose own verb may stand last: "*kannst* du links abbiegen?"."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -51,6 +51,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 
 FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
 ASKED = "asked"
+REQUEST = "request"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -64,7 +65,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED)
+    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -106,6 +107,11 @@ def default_ways_back(language: str) -> tuple[str, ...]:
 def default_asked(language: str) -> tuple[str, ...]:
     """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
     return _language_words(language).get(ASKED, ())
+
+
+def default_requests(language: str) -> tuple[str, ...]:
+    """Verbs with which people ask for something ("*kannst* du links abbiegen?"), whose own verb may stand last."""
+    return _language_words(language).get(REQUEST, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -317,6 +323,7 @@ class _Builder:
             hesitations=self._said(default_hesitations(self.language)),
             ways_back=self._said(default_ways_back(self.language)),
             asked=frozenset(default_asked(self.language)),
+            requests=frozenset(default_requests(self.language)),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

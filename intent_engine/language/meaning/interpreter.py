@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.figures_apart import are_apart, figures_apart
+from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -55,6 +56,7 @@ class Interpreter:
         commands = Commands(matcher)
         self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
+        self._keyboards = Keyboards(matcher)
         self._language = grammar.language
         self._said_twice = SaidTwice(commands, self.phrases)
         self._stop_intent = next(
@@ -114,10 +116,10 @@ class Interpreter:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
         sentence = without_enumeration(text)
         if sentence is not text:
-            understood = self._meant(sentence, Utterance.of(sentence, self._language), state, spoken)
+            understood = self._meant(sentence, self._said(sentence), state, spoken)
             if understood[0].status is Status.ACCEPTED:
                 return understood  # else it may be how a number was written: "2. Meters ahead"
-        said = Utterance.of(text, self._language)
+        said = self._said(text)
         words = said.words
         if not words:
             return self._rejected(text, "nothing was said")
@@ -129,7 +131,7 @@ class Interpreter:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         # How a recogniser sets its question marks tells little.
         if _ASKED.search(text) and (
-            (not spoken and self._lists_only(meant[1]))
+            (not spoken and self._lists_only(meant[1]) and not self.phrases.requests(words))
             or self._asks_at_last(said, meant[1])
             or any(map(self._asks_whether, meant[1]))
         ):
@@ -139,6 +141,9 @@ class Interpreter:
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant
+
+    def _said(self, text: str) -> Utterance:
+        return self._keyboards.read(Utterance.of(text, self._language))
 
     def _by_letters(
         self,
@@ -166,7 +171,8 @@ class Interpreter:
         stop is heard all the same."""
         if part.reading is None or isinstance(part.action, Stop):
             return False
-        asked = not self.matcher.grammar.asked.isdisjoint(part.reading.words[1:2])
+        grammar, words = self.matcher.grammar, part.reading.words
+        asked = not grammar.asked.isdisjoint(words[1:2]) and words[0] not in grammar.requests
         return asked and all(slot.start > 1 for slot in part.reading.slots)  # "nimm sie?" is none
 
     def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:
@@ -230,6 +236,8 @@ class Interpreter:
                 clause = again  # "take your time please" takes no "time please"
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
+        if core is not said and phrases.stop.may_stand_in(core.words) and self._stops.heard(core, state):
+            return self._stopped(text)  # "halten Sie bitte an": some stand within a stop
         if not core.words:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
@@ -249,7 +257,7 @@ class Interpreter:
         if (alone := self._dictation.taken(text, state, spoken)) is not None:
             return as_told(text, alone.clause)
         for before, dictated in self._dictation.behind(text, state):
-            found, parts = self._meant(before, Utterance.of(before, self._language), state, spoken)
+            found, parts = self._meant(before, self._said(before), state, spoken)
             if found.status is Status.ACCEPTED and parts and not found.stops:
                 return self._joined(text, [*parts, dictated.clause])
         return None

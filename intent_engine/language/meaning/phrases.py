@@ -23,6 +23,14 @@ _COMPARES: Mapping[str, frozenset[str]] = {
 }
 """Words of negations that compare ("in place of"), which join what a sentence of the grammar has them between."""
 
+_BEFORE_VERBS: Mapping[str, frozenset[str]] = {
+    "de": frozenset(("zu", "dich", "euch", "sich")),
+    "fr": frozenset(("m", "s", "t", "me", "nous", "se", "te", "vous")),
+    "es": frozenset(("me", "nos", "os", "se", "te")),
+    "it": frozenset(("ci", "mi", "si", "ti", "vi")),
+}
+"""Words between a negation and the verb that it is of: "sans s'arrêter", "non ti fermare", "ohne zu bremsen"."""
+
 
 class Phrases:
     """Fillers, wake words and operators (stop, negation, correction ...) of a grammar, ready to be found.
@@ -80,6 +88,8 @@ class Phrases:
             PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language, digits
         )
         self._closed = operators.closed
+        self._requests = grammar.requests
+        self._before_verbs = _BEFORE_VERBS.get(grammar.language, frozenset())
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
@@ -229,6 +239,10 @@ class Phrases:
             position += length
         return position
 
+    def requests(self, words: list[str]) -> bool:
+        """Whether an utterance begins with words that ask for what follows: "kannst du links abbiegen?"."""
+        return not self._requests.isdisjoint(words[: self.after_opening(words)])
+
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""
         return self._only(self.stop, words, position)
@@ -253,6 +267,8 @@ class Phrases:
         return found
 
     def negated_before(self, words: list[str], position: int) -> bool:
+        while position and words[position - 1] in self._before_verbs:
+            position -= 1
         return any(self.negation.at(words, back) == position - back for back in range(max(0, position - 3), position))
 
     def joined_before(self, words: list[str], position: int) -> bool:
