@@ -35,20 +35,25 @@ class Plurals:
         self._grammar = grammar
         self._first_words = first_words
 
-    def otherwise(self, said: Utterance) -> Utterance | None:
+    def otherwise(self, said: Utterance, *, known: bool = False) -> Utterance | None:
         """The same utterance with the words that the grammar has for one or more of the same; None: it is the same.
 
-        Only a word that the grammar does not have changes: one beside a number, into one or into more, and one
-        anywhere into one of what a list names.
+        A word that the grammar does not have changes: one beside a number into one or into more, and one anywhere into
+        one of what a list names.
+
+        Args:
+            said: the utterance.
+            known: whether words that the grammar has change as well, behind a number: "take one more photo" of "take
+                {n} more photos" and "take a photo".
         """
         if self._grammar.language != "en":
             return None
         words = list(said.words)
         for place, word in enumerate(words):
-            if self._is_strange(word):
-                beside = (*words[max(place - 2, 0) : place], *words[place + 1 : place + 2])  # "one fresh tip"
-                counted = any(is_number(other, "en") for other in beside)
-                words[place] = next(self._ways(word, counted=counted), word)
+            behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
+            before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
+            if self._is_strange(word) or (known and behind and word in self._words):
+                words[place] = next(self._ways(word, counted=behind or before), word)
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
     def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:

@@ -383,11 +383,13 @@ class Interpreter:
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
-        other = self._plurals.otherwise(core)
-        found = self._understood_as(text, core, other, state)
-        if found is None or other is None or self._plurals.changes_free_words(core, other, _readings(found)):
-            return None
-        return found
+        begun = self.matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
+        for known in (False, True)[: 1 if begun else 2]:
+            other = self._plurals.otherwise(core, known=known)
+            found = self._understood_as(text, core, other, state)
+            if found is not None and other is not None:
+                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+        return None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
