@@ -43,8 +43,8 @@ class Plurals:
 
         Args:
             said: the utterance.
-            known: whether words that the grammar has change as well, behind a number: "take one more photo" of "take
-                {n} more photos" and "take a photo".
+            known: whether one of something becomes more behind a number though the grammar has a word for one: "take
+                one more photo" of "take {n} more photos" and "take a photo". Never the other way, or there is no end.
         """
         if self._grammar.language != "en":
             return None
@@ -52,8 +52,10 @@ class Plurals:
         for place, word in enumerate(words):
             behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
             before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
-            if self._is_strange(word) or (known and behind and word in self._words):
+            if self._is_strange(word):
                 words[place] = next(self._ways(word, counted=behind or before), word)
+            elif known and behind and word not in self._first_words():
+                words[place] = next(iter(self._more.get(word, ())), word)
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
     def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:

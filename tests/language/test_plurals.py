@@ -61,6 +61,8 @@ def test_more_of_a_thing_is_what_the_grammar_has_for_one(waiter, said, written):
         "spray at two barrels",
         "sow three row",  # may have broken off
         "take a more photo",
+        "take 3 photos of the cup",
+        "take 3 photo of the cup",
         "don't bring two soups to table 6",
         "bring two soups or three salads to table 6",
         "bring nine soups to table 6",
