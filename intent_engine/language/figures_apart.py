@@ -1,5 +1,5 @@
 """Two numbers that are written or said as one: "6.30", "6:30" and "630" for "six thirty", as recognisers write times,
-and "six oh five"."""
+"six oh five", and "3 and 4", which figures join as those of "100 and 4"."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from itertools import pairwise
 
 from intent_engine.language.adjacent_numbers import may_hold
 from intent_engine.language.numbers.english import DIGITS, SMALL, ZERO
+from intent_engine.language.numbers.spelled import in_words
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 
-__all__ = ["are_apart", "figures_apart"]
+__all__ = ["are_apart", "figures_apart", "figures_joined"]
 
 _TOGETHER = re.compile(r"(\d{1,2})\.?(\d\d)")
 _FIGURES = re.compile(r"\d{1,2}")
@@ -40,6 +42,27 @@ def figures_apart(said: Utterance, language: str) -> Utterance | None:
         words[two.place : end] = [two.first, two.second]
         breaks[two.place : end] = [said.breaks[two.place], False]
     return Utterance(words, breaks) if words != said.words else None
+
+
+def figures_joined(said: Utterance, language: str) -> Utterance | None:
+    """An utterance with the figures of two whole numbers around an "and" in words, in which they are two ("rows three
+    and four") unless they are one number ("100 and 4"); None: it has none."""
+    words, breaks = list(said.words), list(said.breaks)
+    for place in range(len(words) - 2, 0, -1) if language == "en" else ():
+        around = (words[place - 1], words[place + 1])
+        if words[place] != "and" or not all(map(_is_whole, around)) or not any(map(str.isdigit, around)):
+            continue
+        if evaluate(words[place - 1 : place + 2], "number", language) is not None:
+            continue
+        for at in (place + 1, place - 1):
+            spelled = in_words([words[at]])
+            words[at : at + 1] = spelled
+            breaks[at : at + 1] = [breaks[at], *[False] * (len(spelled) - 1)]
+    return Utterance(words, breaks) if words != said.words else None
+
+
+def _is_whole(word: str) -> bool:
+    return word.isdigit() or word in SMALL
 
 
 def are_apart(said: Utterance, readings: Sequence[Reading], language: str) -> bool:

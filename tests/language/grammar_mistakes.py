@@ -152,6 +152,13 @@ MISTAKES: dict[str, str | bytes] = {
     "a usual step for words": slot("{type: text, usual_step: 5}"),
     "a usual step in the wrong unit": slot("{type: angle, usual_step: 5 m}"),
     "a unit of something else": slot("{type: angle, unit: m}"),
+    "a unit of a number": slot("{type: number, unit: kg}"),
+    "a type as programs call it": slot("{type: float, max: 5}"),
+    "a type that is a list": slot("{type: enum, values: [a, b]}"),
+    "keys of a slot as programs call them": slot(
+        "{type: number, minimum: 1, range: [1, 5], integer: true, default: 2}"
+    ),
+    "an action as programs call it": move(action="{type: drive}"),
     "a unit of its own of nothing": slot("{type: distance, units: {0 cm: step}}"),
     "a unit of its own of another kind": slot("{type: distance, units: {3 kg: step}}"),
     "a unit of its own that is one already": slot("{type: distance, units: {30 cm: [step, foot]}}"),

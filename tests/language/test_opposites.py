@@ -10,10 +10,10 @@ from intent_engine.language.opposites import _OPPOSITES, opposed
 
 @pytest.mark.parametrize(
     ("word", "other", "language"),
-    [("on", "off", None), ("off", "on", "en"), ("Tür auf", "zu", "de"), ("éteins", "allume", "fr"), ("giù", "su", "it")],
+    [("on", "off", None), ("off", "on", "en"), ("auf", "zu", "de"), ("éteins", "allume", "fr"), ("giù", "su", "it")],
 )
 def test_the_opposite_of_a_word_in_its_language(word, other, language):
-    assert other in opposed(word.split()[-1], language)
+    assert other in opposed(word, language)
 
 
 def test_none_is_known_of_other_words_and_languages():

@@ -176,7 +176,12 @@ class PartReader:
                 hint = f"a slot of type {kind} takes {', '.join(_KEYS[kind])}"
                 source.problem(at, f"{key!r} means nothing for a slot of type {kind}", hint, key=True)
         unit = spec.get("unit") if kind in QUANTITY_KINDS else None
-        if unit is not None and self.si("1", kind, unit) is None:
+        unit = unit.replace("\N{MICRO SIGN}", "\N{GREEK SMALL LETTER MU}") if isinstance(unit, str) else unit
+        if unit is not None and kind == "number" and "units" not in spec:
+            hint = f"write the words into the sentence, or units: {{1: {unit}}} beside it"
+            source.problem((*path, "unit"), f"a number has no units, and so no {unit!r}", hint)
+            unit = None
+        elif unit is not None and self.si("1", kind, unit) is None:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{unit!r} is not a unit of {kind}", hint)
             unit = None

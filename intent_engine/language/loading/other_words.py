@@ -1,4 +1,4 @@
-"""What other programs call the types of slots, the actions and the fields of a place, and their names here."""
+"""What other programs call the types and keys of slots, the actions and the fields of a place, and their names here."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from intent_engine.hints import did_you_mean
 
-__all__ = ["ACTIONS", "FIELDS_OF_A_PLACE", "TYPES", "meant"]
+__all__ = ["ACTIONS", "FIELDS_OF_A_PLACE", "KEYS_OF_A_SLOT", "TYPES", "meant"]
 
 TYPES: Mapping[str, str] = {
     **dict.fromkeys(("int", "integer", "count"), "number, with whole: true"),
@@ -20,6 +20,15 @@ TYPES: Mapping[str, str] = {
     **dict.fromkeys(("angular_velocity", "turn_speed"), "angular_speed"),
     **dict.fromkeys(("degrees", "yaw", "rotation"), "angle"),
     "bool": "boolean",
+}
+KEYS_OF_A_SLOT: Mapping[str, str] = {
+    **dict.fromkeys(("options", "choices", "enum", "items", "synonyms"), "values"),
+    **dict.fromkeys(("lower", "ge"), "min"),
+    **dict.fromkeys(("upper", "le"), "max"),
+    **dict.fromkeys(("range", "limits", "bounds", "between"), "min and max"),
+    **dict.fromkeys(("integer", "int"), "whole: true"),
+    **dict.fromkeys(("step", "resolution", "increment"), "usual_step"),
+    **dict.fromkeys(("default", "defaults"), "defaults: {name: value} of the intent"),
 }
 ACTIONS: Mapping[str, str] = {
     **dict.fromkeys(("drive", "go", "cmd_vel", "forward", "backward"), "move"),

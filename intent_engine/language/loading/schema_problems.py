@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
+from intent_engine.language.loading.other_words import ACTIONS, FIELDS_OF_A_PLACE, KEYS_OF_A_SLOT, TYPES, meant
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.several_names import as_list
 from intent_engine.language.loading.yaml_source import YamlSource
@@ -86,7 +86,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         yield _wrong_type(source, path, name, wanted if isinstance(wanted, list) else [wanted], instance)
     elif error.validator == "enum":
         values = [str(value) for value in wanted]
-        hint = did_you_mean(str(instance), values) or f"one of: {', '.join(values)}"
+        others = {"slots": TYPES, "intents": ACTIONS}.get(str(path[0]), {}) if path[-1:] == ("type",) else {}
+        hint = meant(str(instance), others, values) or f"one of: {', '.join(values)}"
         yield _at(source, path, f"{instance!r} is not known here", hint)
     elif error.validator == "required":
         known = list(schema.get("properties", ()))
@@ -149,7 +150,7 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
             return _at(source, path, f"unknown key {key!r}", "a place lies on the floor: leave it out", key=True)
         near = meant(key, FIELDS_OF_A_PLACE, known)
     else:
-        near = did_you_mean(key, known)
+        near = meant(key, KEYS_OF_A_SLOT if path[:1] == ("slots",) and len(path) == 3 else {}, known)
     if near is None and len(instance) == 1 and known[:1] == ["say"]:
         value = source.raw.get(path, instance[key])
         if value == "":

@@ -19,6 +19,7 @@ from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words
+from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_telling", "slot_values"]
 
@@ -210,6 +211,8 @@ class Commands:
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
         if True in breaks:
             readings = [one for one in readings if not self._parted_by_command(one, breaks)]
+        if readings and self._tells_of(words):
+            readings = [one for one in readings if not any(slot.start == 0 for slot in one.slots)]
         if not readings:
             return None
         # Something must have been heard as it is: "lft" alone is nothing, and "jump" no direction that is missing.
@@ -226,6 +229,16 @@ class Commands:
             ]
             return self._choose([best, *(reading for reading in level if reading is not best), *wrong], state)
         return self._choose([min(wrong, key=_problem_rank)], state) if wrong else None
+
+    def _tells_of(self, words: Sequence[str]) -> bool:
+        """Whether the first word says that somebody does or did what a command says in its list of verbs: "opens the
+        gripper", "activated the pump". A verb is what "the" may stand behind: "lights on" are more of "light"."""
+        if words[0] in self.first_words:
+            return False
+        strict = self.matcher.strict
+        verbs = told_forms_of(words[0], self.matcher.grammar.language)
+        begun = (strict.step(strict.start(), verb) for verb in verbs if verb in self.first_words)
+        return any(state is not None and strict.step(state, "the") is not None for state in begun)
 
     @step(Kind.CHOICE)
     def _choose(self, readings: list[Reading], state: Collection[str]) -> Clause:

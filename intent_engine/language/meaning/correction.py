@@ -139,8 +139,14 @@ class Corrections:
     def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
         """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
         pieces = [piece.words for piece, _ in self._split(part) if piece.words]
-        if len(pieces) != 2 or not self._commands.accepts(pieces[0], state):
+        if len(pieces) != 2:
             return []
+        if not self._commands.accepts(pieces[0], state):
+            nearly = self._commands.misheard(pieces[0], state)  # "bring two beers to table five, no, six"
+            if nearly is None or not nearly.accepted:
+                return []
+        if any(self._commands.whole_from(part.words, len(pieces[0]))):
+            return []  # "clear table three, wait two minutes and ...": what is wrong is in what follows
         return pieces[1]
 
     def instead(self, denied: Utterance, meant: Utterance, state: Collection[str]) -> Utterance | None:

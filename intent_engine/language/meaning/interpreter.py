@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.figures_apart import are_apart, figures_apart
+from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
 from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
@@ -30,6 +30,8 @@ from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
+from intent_engine.language.plurals import Plurals
+from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
 
@@ -59,6 +61,7 @@ class Interpreter:
         self._keyboards = Keyboards(matcher)
         self._language = grammar.language
         self._said_twice = SaidTwice(commands, self.phrases)
+        self._plurals = Plurals(grammar, lambda: commands.first_words)
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
@@ -380,10 +383,21 @@ class Interpreter:
             written = self._begun_twice(text, core, state)
         if written is None:
             written = self._understood_as(text, core, figures_apart(core, self._language), state)
-            readings = [part.reading for part in written[1] if part.reading is not None] if written is not None else []
-            if not are_apart(core, readings, self._language):
-                return None
-        return written
+            if not are_apart(core, _readings(written), self._language):
+                written = None
+        if written is None:
+            written = self._understood_as(text, core, figures_joined(core, self._language), state)
+        return written if written is not None else self._counted_otherwise(text, core, state)
+
+    def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
+        begun = self.matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
+        for known in (False, True)[: 1 if begun else 2]:
+            other = self._plurals.otherwise(core, known=known)
+            found = self._understood_as(text, core, other, state)
+            if found is not None and other is not None:
+                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+        return None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
@@ -452,3 +466,8 @@ class Interpreter:
     @step(Kind.REFUSAL)
     def _rejected(self, text: str, reason: str) -> Understood:
         return Interpretation(text, Status.REJECTED, reason=reason), ()
+
+
+def _readings(understood: Understood | None) -> list[Reading]:
+    """What the words of an interpretation were read as, command by command."""
+    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []

@@ -138,6 +138,13 @@ def test_a_limit_is_the_same_in_every_unit(value, unit):
     assert load(text).slots["it"].maximum == pytest.approx(round(value, 4) * factor)
 
 
+@pytest.mark.parametrize("unit", ["\N{MICRO SIGN}m", "\N{GREEK SMALL LETTER MU}m", "um"])
+def test_a_unit_with_either_sign_of_micro(unit):
+    text = f"slots: {{it: {{type: distance, unit: {unit}, max: 500}}}}\n"
+    text += "intents:\n  x: {action: custom, sentences: ['do {it}']}\n"
+    assert load(text).slots["it"].maximum == pytest.approx(500e-6)
+
+
 # -- several files --------------------------------------------------------------------------------------------
 
 

@@ -1,0 +1,100 @@
+"""One thing and more of it: "one tip" where a grammar has "{count} tips", "two point five bars" where it has "bar", and
+"beers" where a list has "beer". Whoever writes a grammar writes one of them, and people say the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import cached_property
+
+from intent_engine.language.adjacent_numbers import is_number
+from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.name_words import singular
+from intent_engine.language.reading import Reading
+from intent_engine.language.spellings import own_words
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import words_in
+
+__all__ = ["Plurals"]
+
+LEAST_LETTERS = 3
+"""Of a word that may be one of something, or more of it: "as" is no more of "a"."""
+
+
+class Plurals:
+    """Words of a grammar by how many they name. Only in English. Thread-safe: at worst it is looked up twice.
+
+    Args:
+        grammar: whose words.
+        first_words: tells the words with which its commands begin: "lifts" tells what somebody does, and is no more of
+            "lift". Asked only where something is not understood.
+    """
+
+    def __init__(self, grammar: Grammar, first_words: Callable[[], Collection[str]]) -> None:
+        self._grammar = grammar
+        self._first_words = first_words
+
+    def otherwise(self, said: Utterance, *, known: bool = False) -> Utterance | None:
+        """The same utterance with the words that the grammar has for one or more of the same; None: it is the same.
+
+        A word that the grammar does not have changes: one beside a number into one or into more, and one anywhere into
+        one of what a list names.
+
+        Args:
+            said: the utterance.
+            known: whether one of something becomes more behind a number though the grammar has a word for one: "take
+                one more photo" of "take {n} more photos" and "take a photo". Never the other way, or there is no end.
+        """
+        if self._grammar.language != "en":
+            return None
+        words = list(said.words)
+        for place, word in enumerate(words):
+            behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
+            before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
+            if self._is_strange(word):
+                words[place] = next(self._ways(word, counted=behind or before), word)
+            elif known and behind and word not in self._first_words():
+                words[place] = next(iter(self._more.get(word, ())), word)
+        return Utterance(words, list(said.breaks)) if words != said.words else None
+
+    def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:
+        """Whether a name in free words would not be what was said: of "boxes" there are more than of "box"."""
+        changed = set(other.words).difference(said.words)
+        return any(
+            not changed.isdisjoint(reading.words[slot.start : slot.end])
+            for reading in readings
+            for slot in reading.slots
+            if slot.slot.type in FREE_KINDS
+        )
+
+    def _is_strange(self, word: str) -> bool:
+        known = word in self._words or word in self._grammar.operators.closed or is_number(word, "en")
+        return word.isalpha() and len(word) >= LEAST_LETTERS and not known
+
+    def _ways(self, word: str, *, counted: bool) -> Iterator[str]:
+        """The words of the grammar that a word may stand for, likely ones first."""
+        own = self._words if counted else self._listed
+        ways = [one for (one,) in singular((word,))]
+        if counted:
+            ways += self._more.get(word, ())
+        yield from (one for one in ways if one in own and one not in self._first_words() and len(one) >= LEAST_LETTERS)
+
+    @cached_property
+    def _words(self) -> frozenset[str]:
+        return own_words(self._grammar)
+
+    @cached_property
+    def _listed(self) -> frozenset[str]:
+        """Words of the values of lists."""
+        nodes = (node for slot in self._grammar.slots.values() if slot.type == "choice" for _, node in slot.values)
+        return frozenset(word for node in nodes for word in words_in(node))
+
+    @cached_property
+    def _more(self) -> dict[str, list[str]]:
+        """By one of something: the words that the grammar has for more of it."""
+        found: dict[str, list[str]] = {}
+        for word in sorted(self._words):
+            for (one,) in singular((word,)):
+                found.setdefault(one, []).append(word)
+        return found

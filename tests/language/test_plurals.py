@@ -1,0 +1,88 @@
+"""One thing and more of it: what people say of the words that a grammar has."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+
+WAITER = """
+language: en
+slots:
+  n: {type: number, min: 1, max: 8, whole: true}
+  table: {type: number, min: 1, max: 24, whole: true}
+  bar: {type: number, max: 6}
+  dish: [soup, salad, glass of wine]
+  thing: {type: object, known: [cup]}
+intents:
+  serve: {action: custom, sentences: ["bring [{n}] {dish} to table {table}"]}
+  tips: {action: custom, sentences: ["pick up {n} [fresh] tips"]}
+  spray: {action: custom, sentences: ["spray at {bar} bar"]}
+  order: {action: custom, sentences: ["order {n} coffee", "for table {table} order {n} coffee"]}
+  photo: {action: custom, sentences: ["take a photo", "take {n} more photos"]}
+  row: {action: custom, sentences: ["sow {n} row [by] {table}", "sow {n} rows"]}
+  wait: {action: custom, sentences: ["wait [for {n} minutes]"]}
+  wipe: {action: custom, sentences: ["wipe the {thing} {n} times"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def waiter(engine_of) -> IntentEngine:
+    return engine_of(WAITER)
+
+
+@pytest.mark.parametrize(
+    ("said", "written"),
+    [
+        ("pick up one tip", "pick up one tips"),
+        ("pick up 1 fresh tip, please", "pick up 1 fresh tips"),
+        ("spray at two point five bars", "spray at 2.5 bar"),
+        ("order two coffees", "order two coffee"),
+        ("take 1 more photo", "take 1 more photos"),
+        ("take three more photo", "take 3 more photos"),
+        ("wipe the cups one time", "wipe the cups one times"),
+        ("bring two, no, three soups to table 6", "bring three soup to table 6"),
+        ("bring two soups, no, salads to table 6", "bring two salad to table 6"),
+        ("bring two soups to table 6, no, to table 7", "bring two soup to table 7"),
+        ("bring two soups to table 6, no, three soups to table 7", "bring three soup to table 7"),
+        ("bring two, no, three glasses of wine to table 6", "bring three glass of wine to table 6"),
+    ],
+)
+def test_more_of_a_thing_is_what_the_grammar_has_for_one(waiter, said, written):
+    assert waiter.parse(said).actions == waiter.parse(written).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "table 4 orders two coffees",
+        "for table 4 orders two coffee",
+        "picks up two tips",
+        "spray at two barrels",
+        "sow three row",  # may have broken off
+        "take a more photo",
+        "take 3 photos of the cup",
+        "take 3 photo of the cup",
+        "don't bring two soups to table 6",
+        "bring two soups or three salads to table 6",
+        "bring nine soups to table 6",
+        "did you bring two soups to table 6",
+        "if he wants two coffees order two coffees",
+    ],
+)
+def test_nobody_is_obeyed_who_only_tells(waiter, said):
+    assert not waiter.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "reason"),
+    [
+        (
+            "bring two soups to table 5, no, 6",
+            "it is not clear what '6' takes the place of; say the whole command again",
+        ),
+        ("take a photo, wait for two minutes and take it", "'take it' is not a command of this grammar"),
+    ],
+)
+def test_what_is_not_clear_is_told(waiter, said, reason):
+    assert waiter.parse(said).reason == reason
