@@ -8,18 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-__all__ = ["apart", "in_full", "together"]
+__all__ = ["PRONOUNS", "apart", "in_full", "together"]
 
-_PRONOUNS = frozenset(
+PRONOUNS = frozenset(
     ("i", "you", "he", "she", "it", "we", "they", "that", "there", "this", "who", "what", "where", "when", "how")
 )
+"""Words that are shortened with what follows them wherever they stand: "that's"."""
 _ENDINGS: Mapping[str, tuple[str, frozenset[str] | None]] = {
     "is": ("s", None),
     "am": ("m", frozenset(("i",))),
-    "are": ("re", _PRONOUNS - {"i", "it"}),
-    "have": ("ve", _PRONOUNS),
-    "will": ("ll", _PRONOUNS),
-    "would": ("d", _PRONOUNS),
+    "are": ("re", PRONOUNS - {"i", "it"}),
+    "have": ("ve", PRONOUNS),
+    "will": ("ll", PRONOUNS),
+    "would": ("d", PRONOUNS),
 }
 """What is left of the second word, and the words after which it is so; None: any ("the music's too loud")."""
 _OTHERS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))

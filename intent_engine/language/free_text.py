@@ -203,6 +203,8 @@ class FreeText:
             return said[0]  # "take part", though a part is a thing
         if len(said) > 1 and self._points_at_all(slot, said):
             return said[-1]
+        if len(said) > 1 and self._is_a_particle(slot, said):
+            return said[-1]
         following = (*said[1:], "")
         return next(
             (
@@ -221,6 +223,14 @@ class FreeText:
         if said[-1] not in self._words.alone or said[-1] in self.articles or said[-1] in slot.allow:
             return False
         return self._pointing.issuperset(said[:-1])
+
+    def _is_a_particle(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether the last word belongs to the verb before a name: "take the cup *back*". Behind an article, another
+        such word or a word that describes, it may be a part of a thing: "the cup at the back"."""
+        last, before = said[-1], said[-2]
+        if last not in self._words.alone or last in self.articles or last in slot.allow or last not in slot.known:
+            return False
+        return before not in self._binding and before not in self.alone
 
     def _of_nothing(self, word: str, after: str) -> bool:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""

@@ -10,7 +10,7 @@ from functools import cached_property
 from itertools import pairwise, permutations
 from typing import TypeAlias
 
-from intent_engine.language.contractions import apart, in_full, together
+from intent_engine.language.contractions import PRONOUNS, apart, in_full, together
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.thing_words import thing_words
@@ -91,6 +91,8 @@ class Spacing:
         short = together(first, second) if self._grammar.language == "en" else None
         if short is None or short not in self._words:
             return None
+        if short == first + "s" and first in self._words and first not in PRONOUNS:
+            return None  # the grammar has both: "forward is" is no "forwards"
         return short if not self.follow(first, second) or self._goes_on(short, second, after) else None
 
     def _goes_on(self, one: str, other: str, after: list[str]) -> bool:

@@ -123,8 +123,8 @@ NEGATED = {
     "nothing, go forward": NOTHING,
     "nowhere, go forward": NOTHING,
     "nowhere near the kitchen": NOTHING,
-    "turn left not right": NOTHING,
-    "turn left and not right": NOTHING,
+    "turn left not right": "left 43",
+    "turn left and not right": "left 43",
     "no turning left": NOTHING,
     "no left turn": NOTHING,
     "no turn left": NOTHING,
@@ -913,7 +913,7 @@ TABLE = {
 WHILE_MOVING = [
     *("stop the music", "stop by the kitchen", "whoa what was that", "freeze, he said"),
     *("uh robot stop the music", "no stop the music"),
-    *("you are going to hit the wall stop", "watch out halt", "damn it stop", "the bus stop", "no no no", "nope, no"),
+    *("you are going to hit the wall stop", "watch out halt", "my word stop", "the bus stop", "no no no", "nope, no"),
 ]
 MOTION_FORBIDDEN = [
     "don't go there",

@@ -68,7 +68,9 @@ class Commands:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
         self._whose_place = WhosePlace(matcher)
-        self._not_verbs = ARTICLES | thing_words(matcher.grammar.language).alone
+        known = thing_words(matcher.grammar.language)
+        self._not_verbs = ARTICLES | known.alone
+        self._telling = known.telling
 
     @step(Kind.SENTENCE)
     def exact(
@@ -181,6 +183,15 @@ class Commands:
             return ()
         return number_said_apart(reading, breaks, self.matcher.grammar.language)
 
+    def _tells_of_a_name(self, reading: Reading) -> bool:
+        """Whether a listed name is only like what was said, which goes on to tell of it: "forward *is* slow"."""
+        return any(
+            slot.slot.type not in FREE_KINDS
+            and isinstance(slot.value, str)
+            and not self._telling.intersection(reading.words[slot.start : slot.end]) <= set(slot.value.split())
+            for slot in reading.slots
+        )
+
     def _parted_by_command(self, reading: Reading, breaks: Sequence[bool | None]) -> Sequence[str]:
         """The words after a pause within free words that are a command by themselves, or how one is done, up to the
         next pause or the end: "the cup, *back*" and "the cup, *faster*" are no names of things. A pause alone proves
@@ -209,6 +220,8 @@ class Commands:
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
+        if not self._telling.isdisjoint(words):
+            readings = [one for one in readings if one.problem or not self._tells_of_a_name(one)]
         if True in breaks:
             readings = [one for one in readings if not self._parted_by_command(one, breaks)]
         if readings and self._tells_of(words):

@@ -18,6 +18,7 @@ from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.template_tree import first_words
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.vocabulary import words_in
 
 __all__ = ["MAX_PARTS", "Compounds"]
 
@@ -99,7 +100,7 @@ class Compounds:
                 if end == len(words):
                     found = [clause] if not listed else None
                 elif self._phrases.only_stops(words, after) and not listed and not self._names_what(words[after:]):
-                    found = [_at_rest(clause, words[after:])]  # "... and stop"
+                    found = [self._at_rest(clause, words[after:])]  # "... and stop"
                 elif depth < MAX_PARTS:
                     name = self._goes_on_from(clause)
                     onward = None
@@ -118,7 +119,7 @@ class Compounds:
                         found = [clause, *onward]
                         stops = after > end and len(onward) == 1 and isinstance(onward[0].action, Stop)
                         if stops and not self._ends_another(words[after:]):
-                            found = [_at_rest(clause, words[after:])]  # "... and wait there"
+                            found = [self._at_rest(clause, words[after:])]  # "... and wait there"
                 if found is not None:
                     break
             tried[start, before, joined] = found
@@ -189,6 +190,31 @@ class Compounds:
         language = self._commands.matcher.grammar.language
         return any(verb in self._acting for word in doing for verb in verbs(word, language))
 
+    def _at_rest(self, clause: Clause, stop: Sequence[str]) -> Clause:
+        """A command that is joined with a stop at last, which is told to be part of it: every command ends with the
+        robot at rest. Only what goes on until it is stopped, would not have begun: "follow me and stay"."""
+        said = " ".join(stop)
+        if clause.reading is not None and clause.reading.intent.name in self._going_on:
+            told = f"{said!r} would end at once what was told before it; say one of them"
+            return Clause(clause.reading, reason=told, alternatives=(described(clause.reading), said), ambiguous=True)
+        told = f"every command ends at rest, also without {said!r}"
+        return replace(clause, reason="; ".join(filter(None, (clause.reason, told))))
+
+    @cached_property
+    def _going_on(self) -> frozenset[str]:
+        """The intents whose doing the grammar has a stop for, by its name, and which are no motion: who writes "stop
+        following" has a robot that follows until it is told to stop."""
+        grammar = self._commands.matcher.grammar
+        stops = [intent for intent in grammar.intents.values() if intent.action.type == "stop"]
+        words = {word for intent in stops for one in intent.all_sentences for word in words_in(one.template)}
+        ended = {verb for word in words for verb in verbs(word, grammar.language)}
+        begun: dict[bool, dict[str, frozenset[str]]] = {True: {}, False: {}}
+        for intent in grammar.intents.values():
+            verbs_of = (first_words(one.template, grammar.phrases)[0] for one in intent.sentences)
+            begun[intent.action.type in MOTIONS][intent.name] = frozenset[str]().union(*verbs_of)
+        ended = ended.difference(*begun[True].values())
+        return frozenset(name for name, first in begun[False].items() if not ended.isdisjoint(first))
+
     @cached_property
     def _acting(self) -> frozenset[str]:
         """Verbs of what a command does not end by itself: "follow", but not "roll"."""
@@ -255,13 +281,6 @@ def _goes_on(clause: Clause) -> bool:
     """Whether a command is one only behind another."""
     reading = clause.reading
     return reading is not None and any(reading.sentence is one for one in reading.intent.then)
-
-
-def _at_rest(clause: Clause, stop: Sequence[str]) -> Clause:
-    """A command that is joined with a stop at last, which is told to be part of it: every command ends with the robot
-    at rest."""
-    told = f"every command ends at rest, also without {' '.join(stop)!r}"
-    return replace(clause, reason="; ".join(filter(None, (clause.reason, told))))
 
 
 def _goes_somewhere(clause: Clause) -> bool:

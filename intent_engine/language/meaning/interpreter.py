@@ -230,6 +230,9 @@ class Interpreter:
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
             return as_told(text, clause)
+        if len(core) == 1 and phrases.only_agrees(said):
+            reason = f"{core.words[0]!r} may be a command, or only agree; say it in a whole sentence"
+            return self._rejected(text, reason)
         listed = phrases.as_a_list(said)
         if listed is not None and (either := self._listed(text, *listed, state)) is not None:
             return either

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from intent_engine.actions import Custom
 from intent_engine.language.grammar import MOTIONS
@@ -17,6 +17,9 @@ __all__ = ["Negations"]
 
 _BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
 """What may stand before "don't turn left, turn right"."""
+_EXCLUDES: Mapping[str, frozenset[tuple[str, ...]]] = {"en": frozenset((("not",), ("rather", "than")))}
+"""Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, not right". Where
+"not" may stand behind its verb, as in German, the same words may forbid the command itself."""
 _BEHIND_THE_VERB = frozenset(("de",))
 """Languages in which "not" stands behind the verb: "dreh dich nicht nach links, dreh dich nach rechts"."""
 
@@ -87,6 +90,8 @@ class Negations:
         if found is None:
             return core, ""
         position, length = found
+        if position and (said := self._not_the_other(core, position, length, state)) is not None:
+            return said, ""
         refused = f"negated: {' '.join(words[position : position + length])!r}"
         start = position if words[:position] in _BEFORE else 0
         told = core.with_other(position, position + length, Utterance([], []))
@@ -109,6 +114,30 @@ class Negations:
             if contrast and (instead := self._corrections.instead(denied, wanted, state)) is not None:
                 return instead, ""
         return None, refused
+
+    def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
+        """The command before a negation behind which stands only another value of one of its slots: "turn left, not
+        right", "forward and not back". None: there is more, or less, or it is no other ("turn left not now")."""
+        words = core.words
+        if tuple(words[position : position + length]) not in _EXCLUDES.get(self._commands.matcher.grammar.language, ()):
+            return None
+        other = core.part(position + length, len(core))
+        if not other.words or self._negation.may_stand_in(other.words):
+            return None
+        said = core.part(0, position)
+        joint = max(self._phrases.sequence.ends(said.words), self._phrases.contrast.ends(said.words))
+        if self._phrases.says_later(said.words[len(said) - joint :]):
+            return None
+        said = said.part(0, len(said) - joint)
+        excluded = self._corrections.instead(said, other, state)
+        if excluded is None:
+            return None
+        one, two = (self._commands.exact(some.words, state) for some in (said, excluded))
+        if one is None or two is None or one.reading is None or two.reading is None:
+            return None
+        wanted, denied = one.reading, two.reading
+        named, others = ({slot.label for slot in reading.slots} for reading in (wanted, denied))
+        return said if wanted.intent is denied.intent and named == others else None  # "move not back" names no other
 
 
 def _apart(said: Utterance, start: int, end: int) -> bool:

@@ -15,6 +15,12 @@ __all__ = ["Phrases"]
 _AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
 """Commands that say nothing where a pause and another command follow: "right, go forward"."""
 
+_AGREEING: Mapping[str, frozenset[str]] = {
+    "en": frozenset(("yes", "yeah", "ok", "okay", "kay", "alright", "all right", "oh", "so", "well", "sure", "good",
+                     "very good", "great", "perfect", "excellent", "cool", "nice", "awesome"))
+}  # fmt: skip
+"""Words beside which one of those says nothing either: "yeah right", "right okay"."""
+
 _COMPARES: Mapping[str, frozenset[str]] = {
     "en": frozenset(("rather", "place", "other", "apart", "aside")),
     "fr": frozenset(("lieu", "plutôt")),
@@ -81,6 +87,8 @@ class Phrases:
         self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
+        agreeing = _AGREEING.get(grammar.language, frozenset())
+        self._agreeing = PhraseSet(words for words in grammar.fillers if " ".join(words) in agreeing)
         around = PhraseSet(grammar.around)
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
@@ -140,6 +148,14 @@ class Phrases:
         if after >= len(said) or not said.breaks[after] or self.sequence.at(said.words, after):
             return None
         return said.words[start:after], said.part(after, len(said))
+
+    def only_agrees(self, said: Utterance) -> bool:
+        """Whether an utterance is one command that may say nothing, among words of agreement alone: "yeah right"."""
+        words = said.words
+        at = next((place for place, word in enumerate(words) if word in self._agrees), None)
+        if at is None or len(words) == 1:
+            return False
+        return self._agreeing.cover(words[:at]) and self._agreeing.cover(words[at + 1 :])
 
     def in_full(self, said: Utterance) -> Utterance | None:
         """An utterance with the word that is a command in the place of each filler that has one in it, where no pause

@@ -65,7 +65,7 @@ ENGLISH = {
     "go to the kitchen, to the bedroom": "rejected",
     "go to the kitchen, turn left, and to the bedroom": "rejected",
     # And whatever else is not clear.
-    "go to the kitchen and not to the bedroom": "rejected",
+    "go to the kitchen and not to the bedroom": "to kitchen",
     "don't go to the kitchen and then to the bedroom": "rejected",
     "don't go to the kitchen, to the bedroom": "rejected",
     "go to the kitchen and then to the bedroom if the door is open": "rejected",
