@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
 from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
@@ -21,17 +19,16 @@ from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.no_command import NoCommand
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
-from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
+from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
-from intent_engine.language.plurals import Plurals
-from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
 
@@ -43,9 +40,6 @@ __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 MAX_WORDS = 80
 """Words beyond which nothing is a command. A long compound order has about 30."""
 MAX_CHARACTERS = 2_000
-_ASKED = re.compile(r"\?[\s!?.\"')\]]*$")
-"""The end of a question. "Turn left?" asks for it, as "will you turn left?" does; "right?" asks whether it is so."""
-
 _Rule = TypeVar("_Rule")
 
 
@@ -60,8 +54,6 @@ class Interpreter:
         self._nearest = nearest
         self._keyboards = Keyboards(matcher)
         self._language = grammar.language
-        self._said_twice = SaidTwice(commands, self.phrases)
-        self._plurals = Plurals(grammar, lambda: commands.first_words)
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
         )
@@ -80,6 +72,8 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands, replacements))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
+        self._questions = Questions(phrases, self._commands)
+        self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
         self._sayings = Sayings(phrases, self.matcher.grammar)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
@@ -132,12 +126,7 @@ class Interpreter:
         lettered = Utterance.with_letters(text, self._language)
         if lettered is not None and not meant[0].stops:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
-        # How a recogniser sets its question marks tells little.
-        if _ASKED.search(text) and (
-            (not spoken and self._lists_only(meant[1]) and not self.phrases.requests(words))
-            or self._asks_at_last(said, meant[1])
-            or any(map(self._asks_whether, meant[1]))
-        ):
+        if self._questions.asks(text, said, meant[1], spoken=spoken):
             return self._rejected(text, "a question, and not one to do something")
         if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
             return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
@@ -164,30 +153,6 @@ class Interpreter:
             tells = True  # "no row is called 'b bay'"
         return (lettered, found) if tells else otherwise
 
-    def _lists_only(self, parts: Collection[Clause]) -> bool:
-        """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
-        readings = [part.reading for part in parts if part.accepted and part.reading is not None]
-        return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
-
-    def _asks_whether(self, part: Clause) -> bool:
-        """Whether a command is a question in the same words, which nothing but its mark tells: "gehen Sie zur Tür?". A
-        stop is heard all the same."""
-        if part.reading is None or isinstance(part.action, Stop):
-            return False
-        grammar, words = self.matcher.grammar, part.reading.words
-        asked = not grammar.asked.isdisjoint(words[1:2]) and words[0] not in grammar.requests
-        return asked and all(slot.start > 1 for slot in part.reading.slots)  # "nimm sie?" is none
-
-    def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:
-        """Whether what ends a question asks whether it is so: "pick up the cup, right?" is no turn to the right. It is
-        a command without a verb, behind one with a verb and a pause: "can you turn left, right, left?" asks for it."""
-        if len(parts) < 2 or parts[-2].reading is None or parts[-1].reading is None:
-            return False
-        before, last = parts[-2].reading, parts[-1].reading
-        begin = len(said) - len(last.words)
-        paused = tuple(said.words[begin:]) == last.words and said.breaks[begin] is True
-        return paused and self._commands.opens_with_a_verb(before) and not self._commands.opens_with_a_verb(last)
-
     def _either(self, text: str, meant: Understood, other: Utterance, state: Collection[str]) -> Understood:
         """What was meant, unless the same command in other words is another: a filler may have taken the "right" of
         "turn right away ninety degrees". Nobody knows, so nothing is done."""
@@ -202,7 +167,7 @@ class Interpreter:
         reason = "it could mean two things"
         return Interpretation(text, Status.AMBIGUOUS, alternatives=meanings, reason=reason), ()
 
-    def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool) -> Understood:
+    def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool = False) -> Understood:
         words, phrases = said.words, self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
             return self._stopped(text)
@@ -361,7 +326,7 @@ class Interpreter:
             if other is not None and [one.action for one in other] != [one.action for one in commands]:
                 return self._rejected(text, "it could mean two things")
             return self._joined(text, self._hesitations.or_either(commands, said, state))
-        written = self._written_otherwise(text, core, state)
+        written = self._otherwise.understood(text, core, state)
         if written is not None:
             return written
         vague = self._vague(text, core, state)
@@ -377,50 +342,6 @@ class Interpreter:
         if found.status is not Status.ACCEPTED:
             return None
         return self._rejected(text, f"{amount!r} may be any number; say how many")
-
-    def _written_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """The same words, written together or apart as the grammar has them, or with figures of two numbers apart, if
-        they are a command so."""
-        written = self._understood_as(text, core, self.matcher.spacing.otherwise(core), state)
-        if written is None:
-            written = self._begun_twice(text, core, state)
-        if written is None:
-            written = self._understood_as(text, core, figures_apart(core, self._language), state)
-            if not are_apart(core, _readings(written), self._language):
-                written = None
-        if written is None:
-            written = self._understood_as(text, core, figures_joined(core, self._language), state)
-        return written if written is not None else self._counted_otherwise(text, core, state)
-
-    def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
-        begun = self.matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
-        for known in (False, True)[: 1 if begun else 2]:
-            other = self._plurals.otherwise(core, known=known)
-            found = self._understood_as(text, core, other, state)
-            if found is not None and other is not None:
-                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
-        return None
-
-    def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
-        once = self._said_twice.once(core)
-        found = self._understood_as(text, core, once, state) if once is not None else None
-        if found is None or once is None or not self._said_twice.means(found[1], core, once):
-            return None
-        return found
-
-    def _understood_as(
-        self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
-    ) -> Understood | None:
-        """What was said as it is written otherwise, if it is a command so."""
-        if other is None:
-            return None
-        found, parts = self._meant(text, other, state, spoken=False)
-        if found.status is not Status.ACCEPTED:
-            return None
-        changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
-        return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""
@@ -469,8 +390,3 @@ class Interpreter:
     @step(Kind.REFUSAL)
     def _rejected(self, text: str, reason: str) -> Understood:
         return Interpretation(text, Status.REJECTED, reason=reason), ()
-
-
-def _readings(understood: Understood | None) -> list[Reading]:
-    """What the words of an interpretation were read as, command by command."""
-    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []

@@ -1,0 +1,94 @@
+"""The same words as a grammar has them: written together or apart, said twice, one thing where it has more of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from dataclasses import replace
+
+from intent_engine.interpretation import Status
+from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.said_twice import SaidTwice
+from intent_engine.language.meaning.told import Understood
+from intent_engine.language.plurals import Plurals
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["WrittenOtherwise"]
+
+
+class WrittenOtherwise:
+    """What is no command as it was said, and one as it may be written.
+
+    Args:
+        commands: of the grammar.
+        phrases: of the grammar.
+        meant: what an utterance means in a state of the robot, with the text that it was said in.
+    """
+
+    def __init__(
+        self,
+        commands: Commands,
+        phrases: Phrases,
+        meant: Callable[[str, Utterance, Collection[str]], Understood],
+    ) -> None:
+        self._matcher = commands.matcher
+        self._meant = meant
+        self._said_twice = SaidTwice(commands, phrases)
+        self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
+
+    def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """The meaning of what was said as the grammar has it; None: it is no command so either.
+
+        Args:
+            text: what was said or typed.
+            core: its words, without those that say nothing.
+            state: of the robot.
+        """
+        language = self._matcher.grammar.language
+        written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
+        if written is None:
+            written = self._begun_twice(text, core, state)
+        if written is None:
+            written = self._understood_as(text, core, figures_apart(core, language), state)
+            if not are_apart(core, _readings(written), language):
+                written = None
+        if written is None:
+            written = self._understood_as(text, core, figures_joined(core, language), state)
+        return written if written is not None else self._counted_otherwise(text, core, state)
+
+    def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
+        once = self._said_twice.once(core)
+        found = self._understood_as(text, core, once, state) if once is not None else None
+        if found is None or once is None or not self._said_twice.means(found[1], core, once):
+            return None
+        return found
+
+    def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
+        begun = self._matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
+        for known in (False, True)[: 1 if begun else 2]:
+            other = self._plurals.otherwise(core, known=known)
+            found = self._understood_as(text, core, other, state)
+            if found is not None and other is not None:
+                return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
+        return None
+
+    def _understood_as(
+        self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
+    ) -> Understood | None:
+        """What was said as it is written otherwise, if it is a command so."""
+        if other is None:
+            return None
+        found, parts = self._meant(text, other, state)
+        if found.status is not Status.ACCEPTED:
+            return None
+        changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
+        return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
+
+
+def _readings(understood: Understood | None) -> list[Reading]:
+    """What the words of an interpretation were read as, command by command."""
+    return [part.reading for part in understood[1] if part.reading is not None] if understood is not None else []
