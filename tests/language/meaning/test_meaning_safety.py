@@ -180,6 +180,7 @@ def test_what_is_only_like_a_stop_word_is_none(stop: str, data: st.DataObject) -
     stops = shipped().grammar.operators.stop
     said = Utterance.of(text).words
     assume(all(" ".join(words) not in " ".join(said) for words in stops))
+    assume("".join(said) not in {"".join(words) for words in stops})  # "standstill" is written together, no other
     found = shipped().parse(text, state=("moving",))
     assert not any(isinstance(action, Stop) for action in found.actions) or any(
         reading.intent.action.type == "stop" for reading in shipped().matcher().read(said)
