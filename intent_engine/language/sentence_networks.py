@@ -162,6 +162,8 @@ class SentenceNetworks:
             kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word(NEVER)
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
+            elif slot.type == "percent" and "fraction" in spoken:
+                kind = Choice((kind, Reference("fraction", "fraction", 0)))
             if slot.units:
                 own_units = self._own_units(slot, spoken)
                 kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
+from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, TYPES, meant
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.several_names import as_list
 from intent_engine.language.loading.yaml_source import YamlSource
@@ -86,7 +86,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         yield _wrong_type(source, path, name, wanted if isinstance(wanted, list) else [wanted], instance)
     elif error.validator == "enum":
         values = [str(value) for value in wanted]
-        hint = did_you_mean(str(instance), values) or f"one of: {', '.join(values)}"
+        others = TYPES if path[:1] == ("slots",) and path[-1] == "type" else {}
+        hint = meant(str(instance), others, values) or f"one of: {', '.join(values)}"
         yield _at(source, path, f"{instance!r} is not known here", hint)
     elif error.validator == "required":
         known = list(schema.get("properties", ()))
@@ -200,6 +201,8 @@ def _as_name(given: str) -> str:
 def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: list[str], instance: Any) -> Problem:
     raw = source.raw.get(path)
     message = f"{name} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
+    if len(path) == 4 and (path[0], path[2]) == ("slots", "units") and type(instance) in (int, float):
+        return _at(source, path, f"the size of {name} stands behind it", f"write it before: {{{raw}: [{path[3]}]}}")
     if raw is not None and "string" in wanted:
         if raw.lower() in _YAML_BOOLEANS:
             message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"

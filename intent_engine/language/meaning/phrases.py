@@ -76,9 +76,12 @@ class Phrases:
         around = PhraseSet(grammar.around)
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
+        named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
+        greetings = PhraseSet(words for words in grammar.greetings if named and words in grammar.fillers)
         self._openers = Openers(
-            PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language, digits
-        )
+            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers, grammar.language,
+            digits,
+        )  # fmt: skip
         self._closed = operators.closed
 
     def without_fillers(self, said: Utterance) -> Utterance:
