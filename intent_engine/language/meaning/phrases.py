@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 
 from intent_engine.language.grammar import Grammar
@@ -86,6 +87,10 @@ class Phrases:
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
+
+    def without_greetings(self, said: Utterance) -> Utterance:
+        """The same without those with which a free name may begin."""
+        return said.without(self.fillers, self.kept, replace(self._openers, greetings=PhraseSet(())))
 
     def says_nothing(self, said: Utterance, position: int, length: int) -> bool:
         """Whether so many words at a place are a filler where they stand: "right then" opens, but not in a list."""

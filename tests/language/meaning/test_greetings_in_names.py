@@ -47,3 +47,7 @@ def test_greetings(engine_of, said: str, slots: dict[str, Any]) -> None:
 )
 def test_among_several(engine_of, said: str, last: dict[str, Any]) -> None:
     assert engine_of(GRAMMAR).parse(said).slots["steps"][-1]["slots"] == last
+
+
+def test_a_greeting_where_no_name_is(engine_of) -> None:
+    assert dict(engine_of(GRAMMAR).parse("volume hey five").slots) == {"level": 5}
