@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import Slot
@@ -12,7 +12,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import Node
 
-__all__ = ["MAX_NAMES", "OwnUnits", "units_called"]
+__all__ = ["MAX_NAMES", "OwnUnits", "hundredth", "units_called"]
 
 MAX_NAMES = 200
 """Ways to say one unit."""
@@ -22,6 +22,11 @@ def units_called(slot: Slot, phrases: Mapping[str, Node]) -> Iterator[tuple[floa
     """The size of each unit of a slot, and what it is called, the shortest names first."""
     for size, node in slot.units:
         yield size, sorted(spellings(node, phrases, MAX_NAMES), key=len)
+
+
+def hundredth(size: float, sizes: Iterable[float]) -> float | None:
+    """The one of some units that is a hundredth of another: cents of a euro; None: there is none."""
+    return next((other for other in sizes if math.isclose(other * 100, size)), None)
 
 
 class OwnUnits:
@@ -52,10 +57,20 @@ class OwnUnits:
                     continue
                 if (part := self._part(words[end:])) is not None:
                     return quantities.tidy((count + part) * size)
+                if (hundredths := self._hundredths(words[end:], size)) is not None:
+                    return quantities.tidy(count * size + hundredths)
                 more = self._below(self._without_and(words[end:]), size)
                 if more is not None and more < size:
                     return quantities.tidy(count * size + more)
         return None
+
+    def _hundredths(self, words: Sequence[str], size: float) -> float | None:
+        """What a number alone counts behind a unit of which the slot has the hundredth: "two euros *fifty*"."""
+        small = hundredth(size, self._sizes.values())
+        count = quantities.evaluate(words, "number", self._language) if small is not None else None
+        if small is None or not isinstance(count, float) or not count.is_integer() or not 0 < count < 100:
+            return None
+        return count * small
 
     def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
         """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion."""

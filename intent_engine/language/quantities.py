@@ -30,6 +30,7 @@ __all__ = [
     "is_numeral",
     "is_ordinal_word",
     "part_of_one",
+    "share",
     "templates",
     "tidy",
 ]
@@ -120,6 +121,17 @@ def part_of_one(words: Sequence[str], language: str = "en") -> float | None:
     if len(words) < 2 or words[-1] not in (units(language) or Units({}, {})).words.get("one", ()):
         return None
     return next((value for value, after in counts(words, language) if after == len(words)), None)
+
+
+def share(words: Sequence[str], language: str = "en") -> float | None:
+    """How much of the whole exactly these words say, between 0 and 1: "half", "two thirds", "1/2"; None: nothing.
+
+    What is written with a point is no such share: "0.5" may be half a percent.
+    """
+    if not words or units(language) is None:
+        return None
+    part = english.fraction(words, 0) if language == "en" else foreign.fraction(words, 0, language)
+    return part[0] if part is not None and part[1] == len(words) and 0 < part[0] < 1 else None
 
 
 def _whole(found: Iterator[tuple[float, int]], length: int) -> float | None:

@@ -16,6 +16,7 @@ from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.digit_by_digit import template_of
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.numbers.units import units
+from intent_engine.language.own_units import hundredth
 from intent_engine.language.slot_values import NamesOf
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import (
@@ -162,6 +163,8 @@ class SentenceNetworks:
             kind: Node = Reference(slot.type, slot.type, 0) if slot.type in spoken else Word(NEVER)
             if slot.unit is not None and slot.type != "number":
                 kind = Choice((kind, Reference("number", "number", 0)))
+            elif slot.type == "percent" and "fraction" in spoken:
+                kind = Choice((kind, Reference("fraction", "fraction", 0)))
             if slot.units:
                 own_units = self._own_units(slot, spoken)
                 kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units
@@ -189,11 +192,13 @@ class SentenceNetworks:
         ways: list[Node] = []
         smaller: list[Node] = []
         count = Reference("count", "count", 0)
-        for place, (_, node) in enumerate(sorted(slot.units, key=lambda unit: unit[0])):
+        sizes = [size for size, _ in slot.units]
+        for place, (size, node) in enumerate(sorted(slot.units, key=lambda unit: unit[0])):
             unit = Reference(name := f"{OWN_UNIT}{place}", name, 0)
             self._networks.add_template(f"units:{slot.name}:{place}", self._spoken(node), self._scope(node))
             less = (TemplateSequence((*joint, count, Choice(tuple(smaller)))),) if smaller else ()
-            ways.append(TemplateSequence((count, unit, Choice((part, *less)))))
+            bare = (Reference("number", "number", 0),) if hundredth(size, sizes) is not None else ()
+            ways.append(TemplateSequence((count, unit, Choice((part, *less, *bare)))))
             smaller.append(unit)
         return Choice(tuple(ways))
 

@@ -82,6 +82,8 @@ class SlotValues:
         if slot.digits:
             said = list(said_together(said, self._grammar.language))
         value: float | quantities.Relative | None = self.in_own_units(slot, said)  # "250 g" is no 250 billion to it
+        if value is None and slot.type == "percent":
+            value = quantities.share(said, self._grammar.language)  # "half" is never half a percent
         if value is None and (slot.type != "number" or slot.bare):
             value = quantities.evaluate(said, slot.type, self._grammar.language, slot.unit)
         if value is None and slot.type == "number" and slot.bare and before_word:

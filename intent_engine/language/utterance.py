@@ -125,6 +125,10 @@ class Openers:
     """Fillers that are such only before a number: "about ten seconds", but "a book about cars"."""
     again: PhraseSet
     """Phrases after which a command begins again: "no, I mean go ahead and turn right"."""
+    greetings: PhraseSet
+    """Fillers with which a free name may begin, where the grammar has one: "play hey jude"."""
+    fillers: PhraseSet
+    """All of them."""
     language: str = "en"
     """Whose numbers."""
     digits: bool = False
@@ -142,6 +146,8 @@ class Openers:
         """
         if self.around.at(said.words, position) == length:
             return not any(map(self._counts, said.words[position + length : position + length + 1]))
+        if before and self.greetings.at(said.words, position) == length:
+            return (not paused or self.again.ends(before) > 0) and self._begins_name(said, position, length, before)
         if self.phrases.at(said.words, position) != length:
             return False
         if self.joints.at(said.words, position + length - 1) > 1:
@@ -153,6 +159,14 @@ class Openers:
         else:
             begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])
+
+    def _begins_name(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+        """Whether a greeting stands in the midst of a command, in one breath: people greet before one or behind it."""
+        end = position + length
+        apart = any(said.breaks[position + 1 : end + 1]) or self.joints.ends(before) > 0
+        while end < len(said) and (more := self.fillers.at(said.words, end)):
+            end += more
+        return not apart and end < len(said) and not self.joints.at(said.words, end)
 
     def _begins_after(self, before: Sequence[str]) -> bool:
         return self.joints.ends(before) > 0 or self.again.ends(before) > 0

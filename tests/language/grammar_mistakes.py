@@ -34,6 +34,10 @@ MISTAKES: dict[str, str | bytes] = {
     "an empty alternative": says("wave (at||to)"),
     "a slot and its second name the other way round": says("wave {far:way}", "slots:\n  way: distance\n"),
     "a percentage as a plain number": slot("{type: percent, min: 0, max: 80}"),
+    "a part of one where numbers are percent": slot("{type: percent, max: 1, unit: percent}"),
+    "a unit of a number that has none": slot("{type: number, unit: degrees}"),
+    "units with their sizes behind them": slot("{type: number, units: {euro: 1, cent: 0.01}}"),
+    "a type by the name of another program": slot("{type: enum, values: [one]}"),
     "a speed as a plain number that is none": move("defaults: {speed: 50}"),
     "a turning speed in degrees": (
         "language: en\nintents:\n  spin:\n    action: {type: turn, direction: left, speed: 90}\n    sentences: [spin]\n"

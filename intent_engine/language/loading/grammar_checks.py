@@ -191,6 +191,11 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                     message = f"slot {slot.name!r}: {' '.join(words)!r} is a unit already, of {slot.written(other)}"
                     yield _written_problem(draft, slot, option, message, "call one of them something else")
                 sizes.update(dict.fromkeys(names, size))
+        if slot.type in ("number", "ordinal") and slot.unit and not slot.units:
+            message = f"slot {slot.name!r}: {slot.unit!r} is no unit of {slot.type}s, which are counted as they are"
+            hint = f"write it behind the slot in the sentences: {{{slot.name}}} {slot.unit}"
+            hint += f"; or give its size: units: {{1: [{slot.unit}]}}" if slot.type == "number" else ""
+            yield problem_at(slot.place, message, hint)
         if slot.type == "number" and slot.units and slot.unit and sizes.get(plain_phrase(slot.unit)) != 1:
             message = f"slot {slot.name!r}: a number alone is no number of {slot.unit!r}"
             ones = " or ".join(" ".join(words) for words, size in sizes.items() if size == 1)

@@ -22,7 +22,7 @@ from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
-from intent_engine.language.template_tree import Node
+from intent_engine.language.template_tree import Choice, Node, Word
 from intent_engine.language_tag import language_of
 
 __all__ = ["default_operators", "load_grammars", "phrase", "schema"]
@@ -40,11 +40,12 @@ DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
         "meeters": ("meters",), "meeter": ("meter",), "ford": ("forward",),
         "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
         "moved": ("move",), "stopped": ("stop",), "goto": ("go",), "b": ("bay",), "lift": ("left",),
-        "know": ("no",), "feed": ("feet",), "fee": ("feet",),
+        "know": ("no",), "feed": ("feet",), "fee": ("feet",), "another": ("a", "an"),
     },
 }  # fmt: skip
 """Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those that
-sound the same are ``homophones``. Names have their own index; these are for the rest."""
+sound the same are ``homophones``. Names have their own index; these are for the rest. Nobody hears "another" for "a",
+but who says it wants the same: "another coffee"."""
 NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
@@ -303,7 +304,9 @@ class _Builder:
         """Words that recognisers write for others, but for those of every grammar of the language that this one has a
         use for: where something can be lifted, "lift" is no "left"."""
         own = own_words(grammar) - NUMERIC
-        usual = DEFAULT_SOUND_ALIKES.get(self.language, {})
+        usual = dict(DEFAULT_SOUND_ALIKES.get(self.language, {}))
+        if any(map(_may_be_called_a, self.slots.values())):
+            usual.pop("another", None)  # "row another" is no row A
         return {**{heard: meant for heard, meant in usual.items() if heard not in own}, **self.alikes}
 
     def finish(self) -> tuple[Grammar, list[Problem]]:
@@ -375,3 +378,9 @@ def _where(place: Place | None, source: YamlSource) -> str:
 def _section(source: YamlSource, name: str) -> list[tuple[YamlPath, Any, Any]]:
     """The sound entries of a section of a file."""
     return [] if (name,) in source.broken else list(source.entries((name,), source.data.get(name)))
+
+
+def _may_be_called_a(slot: Slot) -> bool:
+    """Whether "a" may be a value of a slot, and no article: of a list that has it, or on a map, which may have it."""
+    nodes = [item for _, node in slot.values for item in (node.items if isinstance(node, Choice) else (node,))]
+    return slot.type == "location" or Word("a") in nodes

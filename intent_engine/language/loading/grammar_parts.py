@@ -177,13 +177,11 @@ class PartReader:
                 source.problem(at, f"{key!r} means nothing for a slot of type {kind}", hint, key=True)
         unit = spec.get("unit") if kind in QUANTITY_KINDS else None
         unit = unit.replace("\N{MICRO SIGN}", "\N{GREEK SMALL LETTER MU}") if isinstance(unit, str) else unit
-        if unit is not None and kind == "number" and "units" not in spec:
-            hint = f"write the words into the sentence, or units: {{1: {unit}}} beside it"
-            source.problem((*path, "unit"), f"a number has no units, and so no {unit!r}", hint)
-            unit = None
-        elif unit is not None and self.si("1", kind, unit) is None:
+        if unit is not None and kind in _UNITS and self.si("1", kind, unit) is None:
+            unit = " ".join(plain_phrase(unit)) or unit  # "%" is "percent"
+        if unit is not None and self.si("1", kind, unit) is None:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
-            source.problem((*path, "unit"), f"{unit!r} is not a unit of {kind}", hint)
+            source.problem((*path, "unit"), f"{spec['unit']!r} is not a unit of {kind}", hint)
             unit = None
         low, high, least, most = (
             self.quantity((*path, key), kind, spec[key], unit)
@@ -191,6 +189,10 @@ class PartReader:
             else None
             for key in ("min", "max", "least", "usual_max")
         )
+        part = spec.get("max", 0)
+        if kind == "percent" and unit is not None and type(part) in (int, float) and 0 < part <= 1:
+            message = f"{part} is {part:g} percent: a plain number is in the slot's unit"
+            source.problem((*path, "max"), message, f"write {part * 100:g} %, or '{part:g} %' if you mean it")
         if low is not None and high is not None and low > high:
             source.problem((*path, "min"), f"min is larger than max: {spec['min']} > {spec['max']}", "swap them")
         if least is not None and (least <= 0 or (high is not None and least > high and (low is None or -least < low))):

@@ -10,7 +10,7 @@ __all__ = ["ACTIONS", "FIELDS_OF_A_PLACE", "KEYS_OF_A_SLOT", "TYPES", "meant"]
 
 TYPES: Mapping[str, str] = {
     **dict.fromkeys(("int", "integer", "count"), "number, with whole: true"),
-    **dict.fromkeys(("float", "double", "real", "decimal"), "number"),
+    **dict.fromkeys(("float", "double", "real", "decimal", "temperature", "numeric"), "number"),
     **dict.fromkeys(("str", "string", "word", "words", "any"), "text"),
     **dict.fromkeys(("list", "enum", "literal", "options", "color", "colour"), "choice, with values: [one, another]"),
     **dict.fromkeys(("place", "waypoint", "room", "pose"), "location"),
@@ -19,7 +19,8 @@ TYPES: Mapping[str, str] = {
     **dict.fromkeys(("velocity", "linear_velocity"), "speed"),
     **dict.fromkeys(("angular_velocity", "turn_speed"), "angular_speed"),
     **dict.fromkeys(("degrees", "yaw", "rotation"), "angle"),
-    "bool": "boolean",
+    **dict.fromkeys(("percentage", "fraction"), "percent"),
+    **dict.fromkeys(("bool", "onoff", "switch"), "boolean"),
 }
 KEYS_OF_A_SLOT: Mapping[str, str] = {
     **dict.fromkeys(("options", "choices", "enum", "items", "synonyms"), "values"),

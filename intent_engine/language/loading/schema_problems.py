@@ -201,6 +201,8 @@ def _as_name(given: str) -> str:
 def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: list[str], instance: Any) -> Problem:
     raw = source.raw.get(path)
     message = f"{name} must be {' or '.join(_WORDS[kind] for kind in wanted)}"
+    if len(path) == 4 and (path[0], path[2]) == ("slots", "units") and type(instance) in (int, float):
+        return _at(source, path, f"the size of {name} stands behind it", f"write it before: {{{raw}: [{path[3]}]}}")
     if raw is not None and "string" in wanted:
         if raw.lower() in _YAML_BOOLEANS:
             message = f"YAML reads {raw} as {str(instance).lower()}, not as a word"

@@ -260,6 +260,8 @@ class Interpreter:
         clause = self._as_said(core, state)
         if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
             clause = self._as_said(phrases.without_idle_fillers(said), state)
+        if clause is None:  # "light hey on", of a grammar that has free names besides
+            clause = self._as_said(phrases.without_greetings(said), state)
         less = phrases.without_whole_fillers(said)
         if not core.words or len(less) == len(core):
             return clause

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 
 from intent_engine.language.grammar import Grammar
@@ -92,15 +93,22 @@ class Phrases:
         around = PhraseSet(grammar.around)
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
+        named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
+        greetings = PhraseSet(words for words in grammar.greetings if named and words in grammar.fillers)
         self._openers = Openers(
-            PhraseSet(joining), self.sequence, self._listing, around, again, grammar.language, digits
-        )
+            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers, grammar.language,
+            digits,
+        )  # fmt: skip
         self._closed = operators.closed
         self._requests = grammar.requests
         self._before_verbs = _BEFORE_VERBS.get(grammar.language, frozenset())
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)
+
+    def without_greetings(self, said: Utterance) -> Utterance:
+        """The same without those with which a free name may begin."""
+        return said.without(self.fillers, self.kept, replace(self._openers, greetings=PhraseSet(())))
 
     def says_nothing(self, said: Utterance, position: int, length: int) -> bool:
         """Whether so many words at a place are a filler where they stand: "right then" opens, but not in a list."""

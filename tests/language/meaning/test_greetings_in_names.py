@@ -1,0 +1,53 @@
+"""A greeting with which a free name begins is a part of it: whoever greets does it before a command or behind it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+GRAMMAR = """
+slots:
+  title: {type: text, max_words: 4}
+  artist: {type: text, max_words: 3}
+  level: {type: number, max: 10}
+intents:
+  play: {action: custom, sentences: ["play {title} [by {artist}]"]}
+  volume: {action: custom, sentences: ["volume {level}", "louder"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("play hey jude", {"title": "hey jude"}),
+        ("play uh hey jude please", {"title": "hey jude"}),
+        ("please play hey jude by hey marseilles", {"title": "hey jude", "artist": "hey marseilles"}),
+        ("hello play hello by adele", {"title": "hello", "artist": "adele"}),
+        ("play thank you by dido", {"title": "thank you", "artist": "dido"}),
+        ("play yesterday, no, hey jude", {"title": "hey jude"}),
+        ("play yesterday thanks", {"title": "yesterday"}),
+        ("play yesterday please thank you", {"title": "yesterday"}),
+        ("hey play yesterday", {"title": "yesterday"}),
+        ("play, hey, yesterday", {"title": "yesterday"}),
+        ("could you hey play yesterday", {"title": "yesterday"}),
+    ],
+)
+def test_greetings(engine_of, said: str, slots: dict[str, Any]) -> None:
+    assert dict(engine_of(GRAMMAR).parse(said).slots) == slots
+
+
+@pytest.mark.parametrize(
+    ("said", "last"),
+    [
+        ("louder and play hey jude", {"title": "hey jude"}),
+        ("louder thanks and then play yesterday", {"title": "yesterday"}),
+        ("louder and hey play yesterday", {"title": "yesterday"}),
+    ],
+)
+def test_among_several(engine_of, said: str, last: dict[str, Any]) -> None:
+    assert engine_of(GRAMMAR).parse(said).slots["steps"][-1]["slots"] == last
+
+
+def test_a_greeting_where_no_name_is(engine_of) -> None:
+    assert dict(engine_of(GRAMMAR).parse("volume hey five").slots) == {"level": 5}

@@ -1,0 +1,51 @@
+"""How much of the whole, in a slot that holds a percentage: "half" is fifty percent, and never half a percent."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.language.quantities import share
+
+GRAMMAR = """
+language: {language}
+slots: {{level: {{type: percent, min: 0, max: 100 %{unit}}}}}
+intents:
+  dim: {{action: custom, sentences: ["dim to {{level}} [now]"]}}
+"""
+
+
+@pytest.mark.parametrize("unit", ["", ", unit: percent"])
+@pytest.mark.parametrize(
+    ("said", "level"),
+    [
+        ("half", 0.5),
+        ("a quarter now", 0.25),
+        ("three quarters", 0.75),
+        ("two thirds", 2 / 3),
+        ("half a percent", 0.005),
+        ("a quarter, no, half", 0.5),
+    ],
+)
+def test_a_part_is_one_of_the_whole(engine_of, unit: str, said: str, level: float) -> None:
+    engine = engine_of(GRAMMAR.format(unit=unit, language="en"))
+    assert engine.parse(f"dim to {said}").slots["level"] == pytest.approx(level)
+
+
+@pytest.mark.parametrize("unit", ["", ", unit: percent"])
+def test_german_parts(engine_of, unit: str) -> None:
+    assert engine_of(GRAMMAR.format(unit=unit, language="de")).parse("dim to drei Viertel").slots["level"] == 0.75
+
+
+@pytest.mark.parametrize("said", ["half or a quarter", "half fifty", "minus half", "a", "third"])
+def test_what_is_no_part(engine_of, said: str) -> None:
+    assert not engine_of(GRAMMAR.format(unit="", language="en")).parse(f"dim to {said}").actions
+
+
+@pytest.mark.parametrize("said", ["point five", "one and a half", "three halves", "two", "a", "", "minus half"])
+def test_no_share(said: str) -> None:
+    assert share(said.split()) is None
+
+
+def test_the_sign_is_the_unit(engine_of) -> None:
+    engine = engine_of(GRAMMAR.format(unit=", unit: '%'", language="en"))
+    assert engine.parse("dim to thirty").slots["level"] == 0.3
