@@ -119,11 +119,21 @@ class Runtime:
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
         self._holding = Holding(reflex, executor, self._tell)
-        self._acting = Acting(executor, judge, self._continuing, self._holding, self._tell, state or tuple)
+        self._closing = threading.Event()
+        self._acting = Acting(
+            executor,
+            judge,
+            self._continuing,
+            self._holding,
+            self._tell,
+            state or tuple,
+            over=self._closing.is_set,
+        )
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
-        self._closing = threading.Event()
+        self._running = threading.Lock()
+        """Held while it listens."""
         self._talk = threading.Event()
         self._push_to_talk = False
         self._deaf = False
@@ -155,6 +165,7 @@ class Runtime:
     def close(self) -> None:
         """End :meth:`run` and stop the robot, for good: a later ``run`` ends at once. Idempotent, from any thread."""
         self._closing.set()
+        self._decoding.close()
         source = self._source
         if source is not None:
             source.close()
@@ -170,9 +181,22 @@ class Runtime:
             DeviceError: the device is missing; the robot is stopped.
             BaseException: whatever ``on_event`` or ``state`` raised; the robot is stopped.
             TypeError: ``source`` is none; a path is not.
+            RuntimeError: it listens already, to another source or in the listener that calls this.
         """
         if not hasattr(source, "frames"):
             raise TypeError(f"run takes a source of sound, not {source!r}: FileSource(path), Microphone() or another")
+        if not self._running.acquire(blocking=False):
+            raise RuntimeError(
+                "this runtime listens already, and hears one source at a time: wait for its run() to end, or make "
+                "another Runtime"
+            )
+        try:
+            return self._listen(source)
+        finally:
+            self._running.release()
+
+    def _listen(self, source: AudioSource) -> Summary:
+        """As :meth:`run`, which sees to it that it is done once at a time."""
         self._source = source
         self._base = self.executor.clock.now()
         self._voice.reset()
@@ -349,19 +373,21 @@ class Runtime:
 
     def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
         over, failure = self._decoding.outcome(utterance)
-        if failure:
+        if failure and not self._closing.is_set():
             self._acting.failed(time, failure)
         return over
 
     def _drain(self) -> None:
         """The source has ended: wait for the decodes that are under way."""
-        while self._waiting:
+        while self._waiting and not self._closing.is_set():
             first = self._waiting[0]
             if first.job is None:
                 self._decoding.settle()
                 self._decoding.decode(first, final=True)
             if first.job is not None:
                 self._decoding.wait(first.job)
+                if self._closing.is_set():
+                    return
                 if not first.job.done():
                     self._decoding.give_up()
                     self._acting.failed(self._acting.summary.seconds, "the recogniser did not answer")

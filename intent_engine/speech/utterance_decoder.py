@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import FIRST_COMPLETED, Future, InvalidStateError
+from concurrent.futures import wait as wait_for
 from dataclasses import replace
 
 from intent_engine.speech.beside import cores
@@ -43,6 +44,8 @@ class UtteranceDecoder(DecodeThread):
         """s since the source began."""
         self._next = 0.0
         """s since the source began: when it is listened along again."""
+        self._closed: Future[None] = Future()
+        """Done when nobody waits for anything any more."""
         self._along: tuple[float, Future[Transcript]] | None = None
         """Since when it is listened along, and what will have been heard."""
 
@@ -124,9 +127,13 @@ class UtteranceDecoder(DecodeThread):
         return job is not None
 
     def wait(self, job: Future[Transcript]) -> None:
-        """Wait for a decode, but no longer than it may take."""
-        with contextlib.suppress(TimeoutError):  # it counts as hung then
-            job.exception(timeout=self.patience)
+        """Wait for a decode, but no longer than it may take, after which it counts as hung, nor after ``close``."""
+        wait_for((job, self._closed), timeout=self.patience, return_when=FIRST_COMPLETED)
+
+    def close(self) -> None:
+        """Let whoever waits for a decode wait no longer. Idempotent, from any thread."""
+        with contextlib.suppress(InvalidStateError):
+            self._closed.set_result(None)
 
     def outcome(self, utterance: SpokenUtterance) -> tuple[bool, str]:
         """Whether the decode of an utterance is over, and why it failed, if it did. One that hangs is given up."""

@@ -15,6 +15,7 @@ from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, Frame
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.sources.stream import StreamSource
+from intent_engine.speech.utterance_decoder import UtteranceDecoder
 
 
 def held_down(engine, whisper, sound: np.ndarray, down: float, up: float):
@@ -187,3 +188,88 @@ def test_what_is_decoded_is_done_though_no_more_sound_comes(engine):
         runtime.close()
         thread.join(timeout=60)
         assert not thread.is_alive()
+
+
+def test_what_is_decoded_when_it_is_closed_is_not_done_and_not_waited_for(engine, monkeypatch):
+    """The sound is over, and its last words are waited for: the recogniser does not answer before it is closed."""
+    waits, never = threading.Event(), threading.Event()
+    wait = UtteranceDecoder.wait
+
+    def told(decoder: UtteranceDecoder, job) -> None:
+        waits.set()
+        wait(decoder, job)
+
+    monkeypatch.setattr(UtteranceDecoder, "wait", told)
+    monkeypatch.setattr("intent_engine.runtime.LAST_DECODE", 0.0)
+
+    class Hangs(Says):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            never.wait(60)
+            return super().transcribe(samples, final=final)
+
+    events, summaries = [], []
+    with Executor(SimulatedRobot()) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            Hangs("turn left"),
+            voice=Voiced((0.5, 1.5)),
+            noise_filter=None,
+            speculate=False,
+            on_event=events.append,
+            patience=60,
+        )
+        source = Frames(framed(np.zeros(2 * SAMPLE_RATE, np.float32)))
+        thread = threading.Thread(target=lambda: summaries.append(runtime.run(source)))
+        thread.start()
+        assert waits.wait(60)
+        runtime.close()
+        thread.join(timeout=10)
+        waited = thread.is_alive()
+        never.set()
+        thread.join(timeout=30)
+        assert not waited
+        assert executor.idle
+    assert [event.kind for event in events] == [HeardKind.SPEECH]
+    assert (summaries[0].utterances, summaries[0].errors) == (0, 0)
+
+
+@pytest.mark.parametrize("kind", [HeardKind.SPEECH, HeardKind.PARTIAL, HeardKind.TRANSCRIPT, HeardKind.INTERPRETATION])
+def test_nothing_is_begun_after_a_listener_has_closed_it(engine, kind):
+    clock = VirtualClock()
+    events = []
+
+    def on_event(event) -> None:
+        events.append(event.kind)
+        if event.kind is kind:
+            runtime.close()
+
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        voice = Voiced((0.5, 1.5))
+        said = Says("turn left", "turn left")
+        runtime = Runtime(engine, executor, said, voice=voice, noise_filter=None, on_event=on_event)
+        summary = runtime.run(Frames(framed(np.zeros(4 * SAMPLE_RATE, np.float32))))
+        assert executor.idle
+    assert kind in events
+    assert HeardKind.SUBMITTED not in events
+    assert summary.accepted == 0
+
+
+def test_it_hears_one_source_at_a_time(engine, go_forward):
+    """Two would share one endpoint, and close() would end the second alone."""
+    clock = VirtualClock()
+    refused = []
+
+    def on_event(event) -> None:
+        if event.kind is HeardKind.SPEECH:
+            with pytest.raises(RuntimeError, match="listens already.*or make another Runtime") as caught:
+                runtime.run(Frames([]))
+            refused.append(caught)
+
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        voice = Voiced((0.5, 1.5))
+        runtime = Runtime(engine, executor, Says("turn left"), voice=voice, noise_filter=None, on_event=on_event)
+        sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
+        assert runtime.run(Frames(sound)).utterances == 1
+        assert len(refused) == 1
+        assert runtime.run(Frames(sound)).seconds > 0, "once it is over it may be called again"
