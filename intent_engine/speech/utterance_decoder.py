@@ -75,12 +75,12 @@ class UtteranceDecoder(DecodeThread):
         if self._along is None or not self._along[1].done():
             return None
         began, job = self._along
-        if job.exception() is None and self._stepped and self._now < began + job.result().decode_seconds:
+        heard = _heard(job)
+        if heard is not None and self._stepped and self._now < began + heard.decode_seconds:
             return None
         self._along = None
-        if job.exception() is not None:  # whoever is asked next has the same trouble, and tells it
+        if heard is None:  # whoever is asked next has the same trouble, and tells it
             return None
-        heard = job.result()
         self._next = began + max(OFTEN, REST * heard.decode_seconds)
         return heard if heard.text else None
 
@@ -89,8 +89,8 @@ class UtteranceDecoder(DecodeThread):
             return super()._begin(decode)
         began, job = self._along
         self._along = None
-        known = job.done() and job.exception() is None
-        if not (self._stepped and known and self._now < began + job.result().decode_seconds):
+        known = _heard(job) if job.done() else None
+        if not (self._stepped and known is not None and self._now < began + known.decode_seconds):
             return super()._begin(decode)
         # Time stands still, so it has heard what it would have had to leave.
         if isinstance(self.recognizer, Following):
@@ -161,3 +161,9 @@ class UtteranceDecoder(DecodeThread):
         utterance.decoding(job, final=final, glance=glance)
         if self._stepped:
             self.wait(job)
+
+
+def _heard(job: Future[Transcript]) -> Transcript | None:
+    """What was heard in a decode that has ended; None: it failed."""
+    found = job.result() if job.exception() is None else None
+    return found if isinstance(found, Transcript) else None
