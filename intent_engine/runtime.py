@@ -30,6 +30,7 @@ from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 from intent_engine.speech.utterance_decoder import UtteranceDecoder
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
+from intent_engine.talk_key import TalkKey, same_voice
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
@@ -134,8 +135,7 @@ class Runtime:
         self._speculate = speculate
         self._running = threading.Lock()
         """Held while it listens."""
-        self._talk = threading.Event()
-        self._push_to_talk = False
+        self._key = TalkKey()
         self._deaf = False
         self._torn = -1.0
         """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
@@ -148,14 +148,11 @@ class Runtime:
 
     def push_to_talk(self, on: bool = True) -> None:
         """Listen only while :meth:`talk` is on."""
-        self._push_to_talk = on
+        self._key.on = on
 
     def talk(self, pressed: bool) -> None:
         """The key of push-to-talk went down or up. From any thread."""
-        if pressed:
-            self._talk.set()
-        else:
-            self._talk.clear()
+        self._key.press(pressed)
 
     def join_sentences(self, on: bool = True) -> None:
         """Whether what is said right after a motion may belong to it, as it may unless ``Settings.wait_continued`` is
@@ -204,6 +201,7 @@ class Runtime:
         self._acting.begin(self._base)
         self._deaf = False
         self._torn = -1.0
+        self._key.reset()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         self._waiting = []
@@ -250,17 +248,20 @@ class Runtime:
             self.executor.clock.advance_to(self._base + time)  # type: ignore[attr-defined]
 
     def _frame(self, frame: Frame, utterance: SpokenUtterance | None) -> SpokenUtterance | None:
-        if self._push_to_talk and not self._talk.is_set():
-            if utterance is not None:
-                self._end(utterance, frame.time)
-                self._endpoint.reset()
-            self._recent.clear()
-            return None
         probability = self._voice.probability(frame.samples)
+        if self._key.up:
+            if utterance is not None:
+                self._key.let_go(frame.time)
+                self._end(utterance, frame.time)
+            self._endpoint.reset()
+            self._recent.clear()
+            self._key.pass_over(frame.samples, frame.time, voice=probability >= self._endpoint.settings.onset)
+            return None
         signal = self._endpoint.frame(probability)
         self._recent.append(frame.samples)
         if signal is Signal.STARTED:
             utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
+            utterance.passed_over = self._key.late(frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
             self._holding.begin(utterance.frames, frame.time)
@@ -338,6 +339,7 @@ class Runtime:
     def _end(self, utterance: SpokenUtterance, time: float) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
+        utterance.torn = utterance.torn or same_voice(utterance.passed_over, utterance.frames)
         if utterance.glance and not utterance.judged:
             self._outdated(utterance, time)
         if utterance.job is None:

@@ -273,3 +273,90 @@ def test_it_hears_one_source_at_a_time(engine, go_forward):
         assert runtime.run(Frames(sound)).utterances == 1
         assert len(refused) == 1
         assert runtime.run(Frames(sound)).seconds > 0, "once it is over it may be called again"
+
+
+def keyed(engine, said: list[str], voiced, downs, sound: np.ndarray):
+    """The key is down at some times, and a voice is heard at some; gives where the robot went, and what was told."""
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    events = []
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            Says(*said),
+            voice=Voiced(*voiced),
+            noise_filter=None,
+            speculate=False,
+            on_event=events.append,
+        )
+        runtime.push_to_talk()
+
+        def frames():
+            for frame in framed(sound):
+                runtime.talk(any(down <= frame.time < up for down, up in downs))
+                yield frame
+
+        runtime.run(Frames(frames()))
+        executor.wait()
+    return robot.pose().x, [event.interpretation for event in events if event.kind is HeardKind.INTERPRETATION]
+
+
+def loud(seconds: float, *times: tuple[float, float, float]) -> np.ndarray:
+    """Noise of some loudness at some times."""
+    sound = np.full(int(seconds * SAMPLE_RATE), 1e-4, np.float32)
+    for begin, end, level in times:
+        sound[int(begin * SAMPLE_RATE) : int(end * SAMPLE_RATE)] = level
+    return sound
+
+
+@pytest.mark.parametrize(
+    ("voice", "down", "why"),
+    [
+        ((0.5, 2.0), 1.0, "in the midst of the sentence"),
+        ((0.5, 2.0), 0.7, "in the midst of its first word"),
+        ((0.5, 0.9, 1.2, 2.0), 1.0, "in a pause of it"),
+    ],
+)
+def test_the_rest_of_a_sentence_that_began_before_the_key_was_pressed_is_not_done(engine, voice, down, why):
+    """Of "don't go forward", what is heard is a command."""
+    spans = list(zip(voice[::2], voice[1::2], strict=True))
+    sound = loud(5, *((begin, end, 0.1) for begin, end in spans))
+    x, (meant,) = keyed(engine, ["go forward two meters"], spans, [(down, 4.0)], sound)
+    assert x == 0.0, why
+    assert "perhaps its beginning; say it again" in meant.reason
+    _, (stop,) = keyed(engine, ["stop"], spans, [(down, 4.0)], sound)
+    assert stop.stops, "a stop is one whatever came before it"
+
+
+@pytest.mark.parametrize(
+    ("voice", "levels", "down", "why"),
+    [
+        ((0.5, 0.9, 2.0, 3.0), (0.1, 0.1), 1.2, "what came before was over"),
+        ((0.5, 1.5, 1.5, 3.0), (0.01, 0.1), 1.4, "others talk farther off"),
+        ((1.1, 2.0), (0.1,), 1.0, "the key was pressed first"),
+    ],
+)
+def test_who_presses_the_key_in_time_is_heard(engine, voice, levels, down, why):
+    spans = list(zip(voice[::2], voice[1::2], strict=True))
+    sound = loud(6, *((begin, end, level) for (begin, end), level in zip(spans, levels, strict=True)))
+    x, _ = keyed(engine, ["go forward two meters"], spans, [(down, 5.0)], sound)
+    assert x == pytest.approx(2.0), why
+
+
+def test_a_key_that_bounces_in_the_midst_of_a_word_does_not_join_the_pieces(engine):
+    """ "Go", a gap, "four meters" may have been "go forward two meters"."""
+    sound = loud(6, (0.5, 2.5, 0.1))
+    x, meant = keyed(engine, ["i", "go four meters"], [(0.5, 2.5)], [(0.3, 1.0), (1.1, 5.0)], sound)
+    assert x == 0.0
+    assert "perhaps its beginning" in meant[-1].reason
+
+
+def test_the_end_of_one_command_does_not_spoil_the_next(engine):
+    """The detector hears a voice for 0.1 s after the key was let go."""
+    said = ["go forward two meters", "go forward one meter"]
+    spans = [(0.5, 1.6), (1.9, 3.0)]
+    sound = loud(6, *((begin, end, 0.1) for begin, end in spans))
+    x, meant = keyed(engine, said, spans, [(0.3, 1.5), (1.8, 5.0)], sound)
+    assert [one.status.value for one in meant] == ["accepted", "accepted"]
+    assert x > 0.9
