@@ -16,7 +16,7 @@ __all__ = ["TalkKey", "same_voice"]
 LATE = 0.5
 """s from the last word that was passed over to an onset, within which begins what may be the rest of its sentence."""
 TAIL = 0.3
-"""s after the key was let go, within which a voice may be the end of what was heard: the detector lets go of it late."""
+"""s after the key was let go, within which a voice may be the end of what was heard: the detector is late to let go."""
 AT_ONCE = 3.5 * FRAME_SECONDS
 """s to the onset of what goes on in the same breath, when the key is down again before the voice has ended."""
 APART = 12.0

@@ -262,7 +262,7 @@ def test_it_hears_one_source_at_a_time(engine, go_forward):
 
     def on_event(event) -> None:
         if event.kind is HeardKind.SPEECH:
-            with pytest.raises(RuntimeError, match="listens already.*or make another Runtime") as caught:
+            with pytest.raises(RuntimeError, match=r"listens already.*or make another Runtime") as caught:
                 runtime.run(Frames([]))
             refused.append(caught)
 
