@@ -35,6 +35,7 @@ class Acting:
         holding: whether a stop word was heard while it was said.
         tell: is told of it.
         states: those in which the robot is besides, which only the program knows.
+        over: whether listening was ended for good: nothing more is done then but a stop.
     """
 
     def __init__(
@@ -45,6 +46,8 @@ class Acting:
         holding: Holding,
         tell: Tell,
         states: Callable[[], Collection[str]] = tuple,
+        *,
+        over: Callable[[], bool] = bool,
     ) -> None:
         self._executor = executor
         self._judgement = judgement
@@ -52,6 +55,7 @@ class Acting:
         self._holding = holding
         self._tell = tell
         self._states = states
+        self._over = over
         self._base = 0.0
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
@@ -115,7 +119,7 @@ class Acting:
             self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, **told)
             return
         self._holding.release(time, "no stop was said")
-        if meaning.status is not Status.ACCEPTED or not meaning.actions:
+        if meaning.status is not Status.ACCEPTED or not meaning.actions or self._over():
             return
         self._last.take(meaning)
         goals = self._submit(understood, utterance)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from intent_engine.execution.executor import Executor
 from intent_engine.heard import HeardKind, Tell
 from intent_engine.speech.audio import Samples
@@ -38,10 +40,17 @@ class Holding:
             self.listen(frames[-1], time)
 
     def listen(self, samples: Samples, time: float) -> None:
-        """Hear one frame of it."""
+        """Hear one frame of it.
+
+        Raises:
+            TypeError: the reflex gave no yes or no. Whoever took None for a no would hear nobody say stop.
+        """
         if self._reflex is None or self.on:
             return
-        if self._reflex.heard(samples):
+        heard = self._reflex.heard(samples)
+        if not isinstance(heard, (bool, np.bool_)):
+            raise TypeError(f"a reflex says of each frame True or False, not {heard!r:.80}")
+        if heard:
             self.on = True
             self._executor.hold()
             self._tell(HeardKind.HOLD, time)

@@ -30,6 +30,7 @@ from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 from intent_engine.speech.utterance_decoder import UtteranceDecoder
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
+from intent_engine.talk_key import TalkKey, same_voice
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 
@@ -119,13 +120,22 @@ class Runtime:
         self._decoding = UtteranceDecoder(recognizer, patience, stepped=self._stepped)
         self._voice = voice if voice is not None else SileroVoice()
         self._holding = Holding(reflex, executor, self._tell)
-        self._acting = Acting(executor, judge, self._continuing, self._holding, self._tell, state or tuple)
+        self._closing = threading.Event()
+        self._acting = Acting(
+            executor,
+            judge,
+            self._continuing,
+            self._holding,
+            self._tell,
+            state or tuple,
+            over=self._closing.is_set,
+        )
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
-        self._closing = threading.Event()
-        self._talk = threading.Event()
-        self._push_to_talk = False
+        self._running = threading.Lock()
+        """Held while it listens."""
+        self._key = TalkKey()
         self._deaf = False
         self._torn = -1.0
         """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
@@ -138,14 +148,11 @@ class Runtime:
 
     def push_to_talk(self, on: bool = True) -> None:
         """Listen only while :meth:`talk` is on."""
-        self._push_to_talk = on
+        self._key.on = on
 
     def talk(self, pressed: bool) -> None:
         """The key of push-to-talk went down or up. From any thread."""
-        if pressed:
-            self._talk.set()
-        else:
-            self._talk.clear()
+        self._key.press(pressed)
 
     def join_sentences(self, on: bool = True) -> None:
         """Whether what is said right after a motion may belong to it, as it may unless ``Settings.wait_continued`` is
@@ -155,6 +162,7 @@ class Runtime:
     def close(self) -> None:
         """End :meth:`run` and stop the robot, for good: a later ``run`` ends at once. Idempotent, from any thread."""
         self._closing.set()
+        self._decoding.close()
         source = self._source
         if source is not None:
             source.close()
@@ -170,9 +178,22 @@ class Runtime:
             DeviceError: the device is missing; the robot is stopped.
             BaseException: whatever ``on_event`` or ``state`` raised; the robot is stopped.
             TypeError: ``source`` is none; a path is not.
+            RuntimeError: it listens already, to another source or in the listener that calls this.
         """
         if not hasattr(source, "frames"):
             raise TypeError(f"run takes a source of sound, not {source!r}: FileSource(path), Microphone() or another")
+        if not self._running.acquire(blocking=False):
+            raise RuntimeError(
+                "this runtime listens already, and hears one source at a time: wait for its run() to end, or make "
+                "another Runtime"
+            )
+        try:
+            return self._listen(source)
+        finally:
+            self._running.release()
+
+    def _listen(self, source: AudioSource) -> Summary:
+        """As :meth:`run`, which sees to it that it is done once at a time."""
         self._source = source
         self._base = self.executor.clock.now()
         self._voice.reset()
@@ -180,6 +201,7 @@ class Runtime:
         self._acting.begin(self._base)
         self._deaf = False
         self._torn = -1.0
+        self._key.reset()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         self._waiting = []
@@ -226,17 +248,20 @@ class Runtime:
             self.executor.clock.advance_to(self._base + time)  # type: ignore[attr-defined]
 
     def _frame(self, frame: Frame, utterance: SpokenUtterance | None) -> SpokenUtterance | None:
-        if self._push_to_talk and not self._talk.is_set():
-            if utterance is not None:
-                self._end(utterance, frame.time)
-                self._endpoint.reset()
-            self._recent.clear()
-            return None
         probability = self._voice.probability(frame.samples)
+        if self._key.up:
+            if utterance is not None:
+                self._key.let_go(frame.time)
+                self._end(utterance, frame.time)
+            self._endpoint.reset()
+            self._recent.clear()
+            self._key.pass_over(frame.samples, frame.time, voice=probability >= self._endpoint.settings.onset)
+            return None
         signal = self._endpoint.frame(probability)
         self._recent.append(frame.samples)
         if signal is Signal.STARTED:
             utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
+            utterance.passed_over = self._key.late(frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
             self._holding.begin(utterance.frames, frame.time)
@@ -314,6 +339,7 @@ class Runtime:
     def _end(self, utterance: SpokenUtterance, time: float) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
+        utterance.torn = utterance.torn or same_voice(utterance.passed_over, utterance.frames)
         if utterance.glance and not utterance.judged:
             self._outdated(utterance, time)
         if utterance.job is None:
@@ -349,19 +375,21 @@ class Runtime:
 
     def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
         over, failure = self._decoding.outcome(utterance)
-        if failure:
+        if failure and not self._closing.is_set():
             self._acting.failed(time, failure)
         return over
 
     def _drain(self) -> None:
         """The source has ended: wait for the decodes that are under way."""
-        while self._waiting:
+        while self._waiting and not self._closing.is_set():
             first = self._waiting[0]
             if first.job is None:
                 self._decoding.settle()
                 self._decoding.decode(first, final=True)
             if first.job is not None:
                 self._decoding.wait(first.job)
+                if self._closing.is_set():
+                    return
                 if not first.job.done():
                     self._decoding.give_up()
                     self._acting.failed(self._acting.summary.seconds, "the recogniser did not answer")

@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 
@@ -207,6 +208,23 @@ def test_ctrl_c_before_anything_was_measured(heard_until_ctrl_c, tmp_path):
     assert (done.exit_code, done.stdout) == (130, "")
     assert done.stderr == "error: interrupted before anything was measured\n"
     assert not (tmp_path / "out.csv").exists()
+
+
+def test_what_was_heard_with_is_let_go_after_ctrl_c(monkeypatch, heard_until_ctrl_c):
+    """The exception's traceback would hold it to the end of the process, where native code complains of it."""
+    alive, held = [], []
+
+    class Resampler: ...
+
+    def hear(source: object) -> Hearing:
+        resampler = Resampler()
+        held.append(weakref.ref(resampler))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("intent_engine.cli.evaluate._show", lambda *_, **__: alive.extend(one() for one in held))
+    monkeypatch.setattr("intent_engine.evaluation.trial.Trial.hear", lambda *_: (hear(source) for source in (1, 2)))
+    assert heard_until_ctrl_c(0).exit_code == 130
+    assert alive == [None]
 
 
 def test_a_run_to_the_end_says_so(heard_until_ctrl_c):

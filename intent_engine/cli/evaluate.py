@@ -192,7 +192,8 @@ def evaluate(
                         if as_json:
                             _tell(found)
         except (KeyboardInterrupt, Terminated) as ending:  # hours of it may be measured already
-            run.ended_by = ending
+            # What it was raised through holds models and resamplers, which complain when they outlive the interpreter.
+            run.ended_by = ending.with_traceback(None)
     results = scores(run.outcomes)
     _show(results, run, as_json, all_in=csv)
     if csv is not None and run.outcomes:

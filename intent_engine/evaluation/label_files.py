@@ -16,6 +16,7 @@ keys are left alone, but for those that are nearly one of these that the row has
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -96,7 +97,23 @@ def read_labels(path: Path, engine: IntentEngine) -> list[Row]:
         raise ConfigError(problems)
     if not rows:
         raise ConfigError(Problem("holds no labels", file=str(path), hint='{"audio": "one.wav", "text": "stop"}'))
-    return rows
+    return _with_doubles(rows, path)
+
+
+def _with_doubles(rows: list[Row], path: Path) -> list[Row]:
+    """The rows, with a doubt about each whose sound another row has already."""
+    known: dict[tuple[Path, float, float | None], Row] = {}
+    found = []
+    for row in rows:
+        first = known.setdefault((row.audio.resolve(), row.start, row.end), row)
+        if first is not row:
+            same = row.expected == first.expected
+            what = "it counts twice" if same else "as something else, and cannot be both"
+            message = f"{row.audio.name} is labelled in line {first.line} already: {what}"
+            hint = "leave one of them out; parts of one file have a 'start' and an 'end'"
+            row = replace(row, doubts=(*row.doubts, Problem(message, str(path), row.line, hint=hint)))
+        found.append(row)
+    return found
 
 
 def _slot_names(engine: IntentEngine, intent: str) -> set[str]:

@@ -25,6 +25,7 @@ __all__ = [
     "clean",
     "in_silence",
     "to_float",
+    "whole_numbers",
 ]
 
 SAMPLE_RATE = 16_000
@@ -34,6 +35,10 @@ FRAME_SAMPLES = 512
 FRAME_SECONDS = FRAME_SAMPLES / SAMPLE_RATE
 MAX_RATE = 768_000
 """Hz, above any converter that is sold; beyond it a rate is a mistake."""
+FEW = 16
+"""Samples that may be whole numbers by chance."""
+LARGEST_INTEGER = 2.0**31
+"""In which sound is recorded."""
 
 Samples = npt.NDArray[np.float32]
 
@@ -119,6 +124,15 @@ def to_float(samples: npt.NDArray[Any]) -> npt.NDArray[np.floating]:
         middle = (float(np.iinfo(samples.dtype).max) + 1) / 2
         return samples.astype(np.float32) / np.float32(middle) - np.float32(1)
     raise TypeError(f"samples must be numbers, not {samples.dtype}")
+
+
+def whole_numbers(samples: npt.NDArray[Any]) -> bool:
+    """Whether floats are the integers in which sound was recorded, as ``astype(float)`` leaves them: whole numbers
+    beyond -1 to 1, which would all be clipped. A few may be it by chance."""
+    if samples.dtype.kind != "f" or samples.size < FEW:
+        return False
+    finite = np.nan_to_num(samples, nan=0.0, posinf=0.0, neginf=0.0)
+    return bool(1.0 < np.abs(finite).max() <= LARGEST_INTEGER and np.array_equal(finite, np.rint(finite)))
 
 
 def clean(samples: npt.NDArray[np.floating]) -> Samples:

@@ -171,7 +171,11 @@ class Endpointer:
         Raises:
             ValueError: it is none. Whoever took it for silence would hear nobody say stop.
         """
-        if not 0 <= probability <= 1:
+        try:
+            given = 0 <= probability <= 1
+        except TypeError:
+            given = False
+        if not given:
             raise ValueError(f"a voice detector gives each frame a probability from 0 to 1, not {probability!r}")
         settings = self.settings
         if not self._speaking:

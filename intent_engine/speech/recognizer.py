@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
@@ -19,8 +20,9 @@ class Transcript:
     """What was heard in one stretch of speech.
 
     Raises:
-        TypeError: the text is none.
-        ValueError: the confidence is no probability. NaN would be less than no threshold, and all would be acted on.
+        TypeError: a text is none, or words are no list of them: one text would be taken letter by letter.
+        ValueError: the confidence is no probability, or the score or gap no number. NaN would be less than no
+            threshold, and all would be acted on.
     """
 
     text: str
@@ -54,10 +56,17 @@ class Transcript:
     over is recognised again, as final."""
 
     def __post_init__(self) -> None:
-        if not isinstance(self.text, str):
-            raise TypeError(f"a transcript's text is a str, not {type(self.text).__name__}")
+        for name in ("text", "free_text"):
+            if not isinstance(text := getattr(self, name), str):
+                raise TypeError(f"a transcript's {name} is a str, not {type(text).__name__}")
+        for name in ("alternatives", "behind", "unclear", "left_out"):
+            if not isinstance(several := getattr(self, name), (tuple, list)):
+                raise TypeError(f"a transcript's {name} are a tuple, not {several!r:.80}")
         if self.confidence is not None and not -SLACK <= self.confidence <= 1.0 + SLACK:  # NaN is in no range
             raise ValueError(f"a transcript's confidence is from 0 to 1 or None, not {self.confidence!r}")
+        for name in ("score", "gap"):
+            if (value := getattr(self, name)) is not None and math.isnan(value):
+                raise ValueError(f"a transcript's {name} is a log probability, not {value!r}")
 
     @property
     def word_by_word(self) -> bool:

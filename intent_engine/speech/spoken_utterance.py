@@ -32,6 +32,8 @@ class SpokenUtterance:
     """s since the source began: the last frame of speech."""
     torn: bool = False
     """Whether it may be the rest of a sentence, of which sound was lost."""
+    passed_over: float = 0.0
+    """Loudness, a mean square, of a voice right before it that was not heard, as the key was up; 0: there was none."""
     silent: int = 0
     """Frames since then."""
     filtered: FilteredSpeech | None = None

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import FIRST_COMPLETED, Future, InvalidStateError
+from concurrent.futures import wait as wait_for
 from dataclasses import replace
 
 from intent_engine.speech.beside import cores
@@ -43,6 +44,8 @@ class UtteranceDecoder(DecodeThread):
         """s since the source began."""
         self._next = 0.0
         """s since the source began: when it is listened along again."""
+        self._closed: Future[None] = Future()
+        """Done when nobody waits for anything any more."""
         self._along: tuple[float, Future[Transcript]] | None = None
         """Since when it is listened along, and what will have been heard."""
 
@@ -72,12 +75,12 @@ class UtteranceDecoder(DecodeThread):
         if self._along is None or not self._along[1].done():
             return None
         began, job = self._along
-        if job.exception() is None and self._stepped and self._now < began + job.result().decode_seconds:
+        heard = _heard(job)
+        if heard is not None and self._stepped and self._now < began + heard.decode_seconds:
             return None
         self._along = None
-        if job.exception() is not None:  # whoever is asked next has the same trouble, and tells it
+        if heard is None:  # whoever is asked next has the same trouble, and tells it
             return None
-        heard = job.result()
         self._next = began + max(OFTEN, REST * heard.decode_seconds)
         return heard if heard.text else None
 
@@ -86,8 +89,8 @@ class UtteranceDecoder(DecodeThread):
             return super()._begin(decode)
         began, job = self._along
         self._along = None
-        known = job.done() and job.exception() is None
-        if not (self._stepped and known and self._now < began + job.result().decode_seconds):
+        known = _heard(job) if job.done() else None
+        if not (self._stepped and known is not None and self._now < began + known.decode_seconds):
             return super()._begin(decode)
         # Time stands still, so it has heard what it would have had to leave.
         if isinstance(self.recognizer, Following):
@@ -124,9 +127,13 @@ class UtteranceDecoder(DecodeThread):
         return job is not None
 
     def wait(self, job: Future[Transcript]) -> None:
-        """Wait for a decode, but no longer than it may take."""
-        with contextlib.suppress(TimeoutError):  # it counts as hung then
-            job.exception(timeout=self.patience)
+        """Wait for a decode, but no longer than it may take, after which it counts as hung, nor after ``close``."""
+        wait_for((job, self._closed), timeout=self.patience, return_when=FIRST_COMPLETED)
+
+    def close(self) -> None:
+        """Let whoever waits for a decode wait no longer. Idempotent, from any thread."""
+        with contextlib.suppress(InvalidStateError):
+            self._closed.set_result(None)
 
     def outcome(self, utterance: SpokenUtterance) -> tuple[bool, str]:
         """Whether the decode of an utterance is over, and why it failed, if it did. One that hangs is given up."""
@@ -154,3 +161,9 @@ class UtteranceDecoder(DecodeThread):
         utterance.decoding(job, final=final, glance=glance)
         if self._stepped:
             self.wait(job)
+
+
+def _heard(job: Future[Transcript]) -> Transcript | None:
+    """What was heard in a decode that has ended; None: it failed."""
+    found = job.result() if job.exception() is None else None
+    return found if isinstance(found, Transcript) else None

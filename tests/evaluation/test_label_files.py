@@ -299,3 +299,13 @@ def test_which_file_holds_the_labels(tmp_path):
     assert find_labels(tmp_path / "mine.jsonl") == tmp_path / "mine.jsonl"
     (tmp_path / "labels.jsonl").touch()
     assert find_labels(tmp_path) == tmp_path / "labels.jsonl"
+
+
+def test_a_recording_that_is_labelled_twice_is_doubted(engine, write):
+    stop, left = {"audio": "a.wav", "text": "stop"}, {"audio": "./a.wav", "text": "turn left"}
+    part = {"audio": "a.wav", "text": "stop", "start": 1.0}
+    rows = read_labels(write(stop, part, stop, left), engine)
+    assert [bool(row.doubts) for row in rows] == [False, False, True, True]
+    same, other = (str(row.doubts[0]) for row in rows[2:])
+    assert "labels.jsonl:3: a.wav is labelled in line 1 already: it counts twice\n    leave one of them out" in same
+    assert "labels.jsonl:4: a.wav is labelled in line 1 already: as something else, and cannot be both" in other

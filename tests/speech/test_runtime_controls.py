@@ -15,6 +15,7 @@ from intent_engine.runtime import HeardKind
 from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, Frame
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.sources.stream import StreamSource
+from intent_engine.speech.utterance_decoder import UtteranceDecoder
 
 
 def held_down(engine, whisper, sound: np.ndarray, down: float, up: float):
@@ -187,3 +188,175 @@ def test_what_is_decoded_is_done_though_no_more_sound_comes(engine):
         runtime.close()
         thread.join(timeout=60)
         assert not thread.is_alive()
+
+
+def test_what_is_decoded_when_it_is_closed_is_not_done_and_not_waited_for(engine, monkeypatch):
+    """The sound is over, and its last words are waited for: the recogniser does not answer before it is closed."""
+    waits, never = threading.Event(), threading.Event()
+    wait = UtteranceDecoder.wait
+
+    def told(decoder: UtteranceDecoder, job) -> None:
+        waits.set()
+        wait(decoder, job)
+
+    monkeypatch.setattr(UtteranceDecoder, "wait", told)
+    monkeypatch.setattr("intent_engine.runtime.LAST_DECODE", 0.0)
+
+    class Hangs(Says):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            never.wait(60)
+            return super().transcribe(samples, final=final)
+
+    events, summaries = [], []
+    with Executor(SimulatedRobot()) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            Hangs("turn left"),
+            voice=Voiced((0.5, 1.5)),
+            noise_filter=None,
+            speculate=False,
+            on_event=events.append,
+            patience=60,
+        )
+        source = Frames(framed(np.zeros(2 * SAMPLE_RATE, np.float32)))
+        thread = threading.Thread(target=lambda: summaries.append(runtime.run(source)))
+        thread.start()
+        assert waits.wait(60)
+        runtime.close()
+        thread.join(timeout=10)
+        waited = thread.is_alive()
+        never.set()
+        thread.join(timeout=30)
+        assert not waited
+        assert executor.idle
+    assert [event.kind for event in events] == [HeardKind.SPEECH]
+    assert (summaries[0].utterances, summaries[0].errors) == (0, 0)
+
+
+@pytest.mark.parametrize("kind", [HeardKind.SPEECH, HeardKind.PARTIAL, HeardKind.TRANSCRIPT, HeardKind.INTERPRETATION])
+def test_nothing_is_begun_after_a_listener_has_closed_it(engine, kind):
+    clock = VirtualClock()
+    events = []
+
+    def on_event(event) -> None:
+        events.append(event.kind)
+        if event.kind is kind:
+            runtime.close()
+
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        voice = Voiced((0.5, 1.5))
+        said = Says("turn left", "turn left")
+        runtime = Runtime(engine, executor, said, voice=voice, noise_filter=None, on_event=on_event)
+        summary = runtime.run(Frames(framed(np.zeros(4 * SAMPLE_RATE, np.float32))))
+        assert executor.idle
+    assert kind in events
+    assert HeardKind.SUBMITTED not in events
+    assert summary.accepted == 0
+
+
+def test_it_hears_one_source_at_a_time(engine, go_forward):
+    """Two would share one endpoint, and close() would end the second alone."""
+    clock = VirtualClock()
+    refused = []
+
+    def on_event(event) -> None:
+        if event.kind is HeardKind.SPEECH:
+            with pytest.raises(RuntimeError, match=r"listens already.*or make another Runtime") as caught:
+                runtime.run(Frames([]))
+            refused.append(caught)
+
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        voice = Voiced((0.5, 1.5))
+        runtime = Runtime(engine, executor, Says("turn left"), voice=voice, noise_filter=None, on_event=on_event)
+        sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
+        assert runtime.run(Frames(sound)).utterances == 1
+        assert len(refused) == 1
+        assert runtime.run(Frames(sound)).seconds > 0, "once it is over it may be called again"
+
+
+def keyed(engine, said: list[str], voiced, downs, sound: np.ndarray):
+    """The key is down at some times, and a voice is heard at some; gives where the robot went, and what was told."""
+    clock = VirtualClock()
+    robot = SimulatedRobot(clock)
+    events = []
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            Says(*said),
+            voice=Voiced(*voiced),
+            noise_filter=None,
+            speculate=False,
+            on_event=events.append,
+        )
+        runtime.push_to_talk()
+
+        def frames():
+            for frame in framed(sound):
+                runtime.talk(any(down <= frame.time < up for down, up in downs))
+                yield frame
+
+        runtime.run(Frames(frames()))
+        executor.wait()
+    return robot.pose().x, [event.interpretation for event in events if event.kind is HeardKind.INTERPRETATION]
+
+
+def loud(seconds: float, *times: tuple[float, float, float]) -> np.ndarray:
+    """Noise of some loudness at some times."""
+    sound = np.full(int(seconds * SAMPLE_RATE), 1e-4, np.float32)
+    for begin, end, level in times:
+        sound[int(begin * SAMPLE_RATE) : int(end * SAMPLE_RATE)] = level
+    return sound
+
+
+@pytest.mark.parametrize(
+    ("voice", "down", "why"),
+    [
+        ((0.5, 2.0), 1.0, "in the midst of the sentence"),
+        ((0.5, 2.0), 0.7, "in the midst of its first word"),
+        ((0.5, 0.9, 1.2, 2.0), 1.0, "in a pause of it"),
+    ],
+)
+def test_the_rest_of_a_sentence_that_began_before_the_key_was_pressed_is_not_done(engine, voice, down, why):
+    """Of "don't go forward", what is heard is a command."""
+    spans = list(zip(voice[::2], voice[1::2], strict=True))
+    sound = loud(5, *((begin, end, 0.1) for begin, end in spans))
+    x, (meant,) = keyed(engine, ["go forward two meters"], spans, [(down, 4.0)], sound)
+    assert x == 0.0, why
+    assert "perhaps its beginning; say it again" in meant.reason
+    _, (stop,) = keyed(engine, ["stop"], spans, [(down, 4.0)], sound)
+    assert stop.stops, "a stop is one whatever came before it"
+
+
+@pytest.mark.parametrize(
+    ("voice", "levels", "down", "why"),
+    [
+        ((0.5, 0.9, 2.0, 3.0), (0.1, 0.1), 1.2, "what came before was over"),
+        ((0.5, 1.5, 1.5, 3.0), (0.01, 0.1), 1.4, "others talk farther off"),
+        ((1.1, 2.0), (0.1,), 1.0, "the key was pressed first"),
+    ],
+)
+def test_who_presses_the_key_in_time_is_heard(engine, voice, levels, down, why):
+    spans = list(zip(voice[::2], voice[1::2], strict=True))
+    sound = loud(6, *((begin, end, level) for (begin, end), level in zip(spans, levels, strict=True)))
+    x, _ = keyed(engine, ["go forward two meters"], spans, [(down, 5.0)], sound)
+    assert x == pytest.approx(2.0), why
+
+
+def test_a_key_that_bounces_in_the_midst_of_a_word_does_not_join_the_pieces(engine):
+    """ "Go", a gap, "four meters" may have been "go forward two meters"."""
+    sound = loud(6, (0.5, 2.5, 0.1))
+    x, meant = keyed(engine, ["i", "go four meters"], [(0.5, 2.5)], [(0.3, 1.0), (1.1, 5.0)], sound)
+    assert x == 0.0
+    assert "perhaps its beginning" in meant[-1].reason
+
+
+def test_the_end_of_one_command_does_not_spoil_the_next(engine):
+    """The detector hears a voice for 0.1 s after the key was let go."""
+    said = ["go forward two meters", "go forward one meter"]
+    spans = [(0.5, 1.6), (1.9, 3.0)]
+    sound = loud(6, *((begin, end, 0.1) for begin, end in spans))
+    x, meant = keyed(engine, said, spans, [(0.3, 1.5), (1.8, 5.0)], sound)
+    assert [one.status.value for one in meant] == ["accepted", "accepted"]
+    assert x > 0.9

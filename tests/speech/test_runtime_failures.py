@@ -284,7 +284,7 @@ def test_after_a_listener_that_raised_all_is_let_go_and_it_listens_as_before(eng
         assert summary.utterances == 1
 
 
-@pytest.mark.parametrize("gives", [float("nan"), 1.5, -0.1])
+@pytest.mark.parametrize("gives", [float("nan"), 1.5, -0.1, None, "0.9"])
 def test_a_voice_detector_that_gives_no_probability_is_a_failure_and_no_silence(engine, gives):
     class Broken(Voiced):
         def probability(self, samples: np.ndarray) -> float:
@@ -296,7 +296,7 @@ def test_a_voice_detector_that_gives_no_probability_is_a_failure_and_no_silence(
     with Executor(robot, clock=clock) as executor:
         executor.submit(Move(0.5, 5.0, 10.0))
         runtime = Runtime(engine, executor, Says("stop"), voice=Broken((0.5, 2.5)), noise_filter=None)
-        with pytest.raises(ValueError, match=f"a probability from 0 to 1, not {gives}"):
+        with pytest.raises(ValueError, match=f"a probability from 0 to 1, not {gives!r}"):
             runtime.run(Frames(framed(np.zeros(3 * SAMPLE_RATE, np.float32))))
         assert executor.idle
         assert executor.snapshot().velocity == (0.0, 0.0)
@@ -342,3 +342,53 @@ def test_in_real_time_utterances_queue_for_a_slow_recogniser(engine, whisper, go
     texts = [event.transcript.text for event in events if event.kind is HeardKind.TRANSCRIPT]
     assert len(texts) == 2
     assert slow.most == 1
+
+
+@pytest.mark.parametrize("gives", [None, "no", float("nan"), np.array([False, True])])
+def test_a_reflex_that_gives_no_yes_or_no_is_a_failure(engine, gives):
+    class Strange(Jumpy):
+        def heard(self, samples):
+            return gives
+
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        executor.submit(Move(0.5, 5.0, 10.0))
+        runtime = Runtime(engine, executor, Says(), voice=Voiced((0.5, 1.5)), noise_filter=None, reflex=Strange())
+        with pytest.raises(TypeError, match="a reflex says of each frame True or False, not"):
+            runtime.run(Frames(framed(np.zeros(2 * SAMPLE_RATE, np.float32))))
+        assert executor.idle
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"gap": float("nan")}, "gap is a log probability, not nan"),
+        ({"score": float("nan")}, "score is a log probability, not nan"),
+        ({"free_text": None}, "free_text is a str, not NoneType"),
+        ({"unclear": None}, "unclear are a tuple, not None"),
+        ({"left_out": "do you"}, "left_out are a tuple, not 'do you'"),
+        ({"alternatives": "turn right"}, "alternatives are a tuple, not 'turn right'"),
+    ],
+)
+def test_a_transcript_that_holds_what_it_cannot_moves_nothing(listen, go_forward, wrong, told):
+    class Strange(Says):
+        def transcribe(self, samples, *, final=True):
+            return Transcript("go forward two meters", **wrong)
+
+    found = listen(framed(go_forward), Strange())
+    assert found.moved == 0.0
+    assert told in found.of(HeardKind.ERROR)[0].detail
+
+
+def test_what_is_heard_along_and_is_no_transcript_is_left_alone(listen):
+    """The decode at the end has the same trouble, if it has, and tells it."""
+
+    class Strange(Says):
+        def follow(self, samples):
+            return None
+
+        def lose(self): ...
+
+    sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
+    found = listen(sound, Strange("go forward two meters"), voice=Voiced((0.5, 2.0)), noise_filter=None)
+    assert found.robot.pose().x == pytest.approx(2.0)

@@ -194,3 +194,15 @@ def test_close_ends_it(tmp_path):
     source.close()
     source.close()
     assert list(frames) == []
+
+
+@pytest.mark.parametrize("subtype", ["FLOAT", "DOUBLE"])
+def test_integers_that_are_called_floats_are_refused(tmp_path, subtype):
+    path = tmp_path / "array.wav"
+    tone = np.round(8_000 * np.sin(np.arange(80_000) / 5))
+    tone[:40_000] = 0.0
+    soundfile.write(path, tone, 16_000, subtype=subtype)
+    with pytest.raises(AudioError, match=r"array.wav: holds floats that are whole numbers.*\n.*divide them by 32768"):
+        FileSource(path)
+    soundfile.write(path, tone / 32_768, 16_000, subtype=subtype)
+    assert FileSource(path).seconds == 5.0

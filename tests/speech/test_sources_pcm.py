@@ -277,3 +277,9 @@ def loud(source: PcmSource) -> int:
     """How many samples of it are sound."""
     sound = np.concatenate([frame.samples for frame in source.frames()])
     return int(np.count_nonzero(sound > 0.4))
+
+
+def test_integers_that_are_called_floats_are_refused():
+    data = np.round(SOUND * 32_768).astype("<f4").tobytes()
+    with pytest.raises(AudioError, match=r"the pipe holds floats that are whole numbers.*\n.*--format s16le"):
+        list(PcmSource(io.BytesIO(data), PcmFormat.of(encoding="f32le"), name="the pipe").frames())

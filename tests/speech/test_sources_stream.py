@@ -212,3 +212,32 @@ def test_close_from_another_thread_ends_both_sides():
     thread.join(timeout=10)
     assert results == ["the pusher was told"]
     assert source.push(np.zeros(10)) is False
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_integers_that_are_called_floats_are_refused(dtype):
+    """All of them would be clipped, and no word of it told."""
+    samples = (8_000 * np.sin(np.arange(1_600) / 5)).astype(np.int16)
+    source = StreamSource(16_000)
+    with pytest.raises(AudioError, match=r"whole numbers, where sound is from -1 to 1\n.*divide"):
+        source.push(samples.astype(dtype))
+    assert source.push(samples)
+    assert source.push(samples.astype(dtype) / 32_768)
+    assert source.push(1.5 * np.sin(np.arange(1_600, dtype=dtype) / 5)), "somewhat too loud is clipped"
+    assert source.push(np.sign(samples).astype(dtype))
+
+
+TONE = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
+
+
+@pytest.mark.parametrize("live", [True, False])
+@pytest.mark.parametrize(
+    ("fade", "cut", "is_cut"), [(False, None, True), (True, None, False), (False, False, False), (True, True, True)]
+)
+def test_an_end_in_the_midst_of_a_sound_is_told(live, fade, cut, is_cut):
+    """As of a pipe: the connection broke, and who pushed from it ends the stream."""
+    source = StreamSource(SAMPLE_RATE, live=live)
+    source.push(TONE * np.linspace(1, 0, TONE.size) ** 4 if fade else TONE)
+    source.push(np.stack([TONE[:0], TONE[:0]], axis=1))
+    source.end(cut=cut)
+    assert any(frame.cut for frame in source.frames()) is is_cut

@@ -88,7 +88,7 @@ def test_push_to_talk_hears_nothing_from_before_the_key_went_up(engine):
                 yield frame
 
     with Executor(SimulatedRobot(clock), clock=clock) as executor:
-        runtime = Runtime(engine, executor, recognizer, voice=Voiced((0.5, 0.96), (0.96, 1.6)), noise_filter=None)
+        runtime = Runtime(engine, executor, recognizer, voice=Voiced((0.5, 0.96), (1.92, 2.6)), noise_filter=None)
         runtime.push_to_talk(True)
         runtime.run(Pressed(framed(numbered(120))))
     second = list(recognizer.utterances)[1]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, Resampler
+from intent_engine.speech.audio import Frame, Resampler, whole_numbers
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
 from intent_engine.speech.sources.whole import check_mp3, check_whole
 
@@ -49,7 +49,8 @@ class FileSource:
         form: how raw samples lie in it, which no header tells; None: it has a header.
 
     Raises:
-        AudioError: the file is missing, empty, cut off, no sound file, or longer than four hours.
+        AudioError: the file is missing, empty, cut off, no sound file, longer than four hours, or floats
+            that are integers.
     """
 
     def __init__(self, path: str | Path, *, realtime: bool = False, form: PcmFormat | None = None) -> None:
@@ -97,6 +98,24 @@ class FileSource:
             )
         if form is None:
             check_whole(self.path)
+        self._check_scale()
+
+    def _check_scale(self) -> None:
+        """See that floats are a sound's. What tools write of arrays may be integers that are called floats."""
+        import soundfile
+
+        with soundfile.SoundFile(str(self.path), **self._form) as file:
+            if file.subtype not in ("FLOAT", "DOUBLE"):
+                return
+            for block in file.blocks(BLOCK, dtype="float64"):
+                if np.abs(block).max() <= 1.0:
+                    continue
+                if whole_numbers(block):
+                    raise AudioError(
+                        f"{self.path}: holds floats that are whole numbers, where sound is from -1 to 1\n"
+                        "    write the samples as 16-bit integers, or divide them by 32768"
+                    )
+                return
 
     def frames(self) -> Iterator[Frame]:
         began = time.monotonic()

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, to_float
+from intent_engine.speech.audio import Frame, to_float, whole_numbers
 from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import Clock, Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
@@ -267,7 +267,12 @@ class PcmSource:
             rest += data
             whole = len(rest) - len(rest) % form.frame_bytes
             if whole:
-                ending.take(form.decode(rest[:whole]))
+                ending.take(sound := form.decode(rest[:whole]))
+                if whole_numbers(sound):
+                    raise AudioError(
+                        f"{self._name} holds floats that are whole numbers, where sound is from -1 to 1\n"
+                        "    write the integers as they are (--format s16le), or divide them by 32768"
+                    )
                 if not self._bring(rest[:whole], form):
                     return
                 rest = rest[whole:]

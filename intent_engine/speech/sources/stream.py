@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import MAX_RATE, Frame, to_float
+from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float, whole_numbers
+from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
 
 __all__ = ["StreamSource"]
@@ -55,6 +56,7 @@ class StreamSource:
             _check_seconds("patience", patience)
         self._channels: set[int] = set()
         """Numbers of channels that came."""
+        self._ending = Ending(self.rate)
         self._live = live
         self._inbox = Inbox("the stream", patience=patience, capacity=capacity, on_report=on_report, clock=clock)
 
@@ -76,6 +78,12 @@ class StreamSource:
             sound = np.array(to_float(given))
         except TypeError as error:
             raise AudioError(f"the stream was given no sound: {error}") from None
+        if whole_numbers(sound):
+            raise AudioError(
+                "the stream was given floats that are whole numbers, where sound is from -1 to 1\n"
+                "    push the integers as they are: samples.astype(np.int16), or divide them: samples / 32768"
+            )
+        self._ending.take(clean(sound[-self.rate :]).reshape(-1, 1))
         step = self.rate  # a second at a time, so that the box never holds one block larger than itself
         return all(
             self._inbox.put(sound[start : start + step], self.rate, wait=not self._live)
@@ -114,9 +122,14 @@ class StreamSource:
     def frames(self) -> Iterator[Frame]:
         return self._inbox.frames(counted=not self._live)
 
-    def end(self) -> None:
-        """Nothing more will be pushed."""
-        self._inbox.end()
+    def end(self, *, cut: bool | None = None) -> None:
+        """Nothing more will be pushed.
+
+        Args:
+            cut: it ended in the midst of what was being said, as when a connection broke, and that is not acted on.
+                None: it did if it is as loud at its end as in the midst of a word.
+        """
+        self._inbox.end(cut=self._ending.abrupt if cut is None else cut)
 
     def close(self) -> None:
         self._inbox.close()
