@@ -37,7 +37,6 @@ MISTAKES: dict[str, str | bytes] = {
     "a part of one where numbers are percent": slot("{type: percent, max: 1, unit: percent}"),
     "a unit of a number that has none": slot("{type: number, unit: degrees}"),
     "units with their sizes behind them": slot("{type: number, units: {euro: 1, cent: 0.01}}"),
-    "a type by the name of another program": slot("{type: enum, values: [one]}"),
     "a speed as a plain number that is none": move("defaults: {speed: 50}"),
     "a turning speed in degrees": (
         "language: en\nintents:\n  spin:\n    action: {type: turn, direction: left, speed: 90}\n    sentences: [spin]\n"
@@ -156,7 +155,6 @@ MISTAKES: dict[str, str | bytes] = {
     "a usual step for words": slot("{type: text, usual_step: 5}"),
     "a usual step in the wrong unit": slot("{type: angle, usual_step: 5 m}"),
     "a unit of something else": slot("{type: angle, unit: m}"),
-    "a unit of a number": slot("{type: number, unit: kg}"),
     "a type as programs call it": slot("{type: float, max: 5}"),
     "a type that is a list": slot("{type: enum, values: [a, b]}"),
     "keys of a slot as programs call them": slot(

@@ -230,9 +230,16 @@ def test_integers_that_are_called_floats_are_refused(dtype):
 TONE = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
 
 
-@pytest.mark.parametrize("live", [True, False])
 @pytest.mark.parametrize(
-    ("fade", "cut", "is_cut"), [(False, None, True), (True, None, False), (False, False, False), (True, True, True)]
+    ("live", "fade", "cut", "is_cut"),
+    [
+        (True, False, None, True),
+        (True, True, None, False),
+        (True, False, False, False),
+        (True, True, True, True),
+        (False, False, None, False),  # a recording is whole, as a file is
+        (False, True, True, True),
+    ],
 )
 def test_an_end_in_the_midst_of_a_sound_is_told(live, fade, cut, is_cut):
     """As of a pipe: the connection broke, and who pushed from it ends the stream."""

@@ -127,9 +127,9 @@ class StreamSource:
 
         Args:
             cut: it ended in the midst of what was being said, as when a connection broke, and that is not acted on.
-                None: it did if it is as loud at its end as in the midst of a word.
+                None: a live one did if it is as loud at its end as in the midst of a word; a recording is whole.
         """
-        self._inbox.end(cut=self._ending.abrupt if cut is None else cut)
+        self._inbox.end(cut=(self._live and self._ending.abrupt) if cut is None else cut)
 
     def close(self) -> None:
         self._inbox.close()
