@@ -93,11 +93,14 @@ def templates(language: str) -> Mapping[str, str]:
     after = f" [{after}]" if after else ""
     base["and_part"] = f"{joint} {{fraction}}"
     for kind in ("distance", "duration", "angle", "percent"):
-        base[f"{kind}_unit"] = table.spoken(kind, *(["m"] if kind == "duration" else []))
+        base[f"{kind}_unit"] = table.spoken(kind)
+        unit = f"({{{kind}_unit}}|m)" if kind == "duration" else f"{{{kind}_unit}}"  # a minute only beside another unit
         base[kind] = (
-            f"{{count}} {{{kind}_unit}} [{joint} {part}|[{joint}] {{count}} {{{kind}_unit}} "
-            f"[[{joint}] {{count}} {{{kind}_unit}}]|[{joint}] {{below_hundred}}|{{#}}]{after}"
+            f"{{count}} {{{kind}_unit}} [{joint} {part}|[{joint}] {{count}} {unit} "
+            f"[[{joint}] {{count}} {unit}]|[{joint}] {{below_hundred}}|{{#}}]{after}"
         )
+        if kind == "duration":
+            base[kind] += f"|{{count}} m [{joint}] {{count}} {{duration_unit}}"
         if language in WITHOUT_ONE:
             base[kind] += f"|{{{kind}_unit}} {joint} {part}"
     if language == "en":
