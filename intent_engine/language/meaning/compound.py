@@ -15,6 +15,7 @@ from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.numbers.units import units
 from intent_engine.language.template_tree import first_words
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import PhraseSet, Utterance
@@ -260,15 +261,22 @@ class Compounds:
     def _boundaries(self, core: Utterance, start: int) -> Iterator[tuple[int, int]]:
         """(end of this part, start of the next), the longest part first."""
         words = core.words
-        is_number = self._commands.matcher.is_number
         yield len(words), len(words)
         for end in range(len(words) - 1, start, -1):
             ends = [end + length for length in self._sequence.lengths_at(words, end)]
             ends += [more for after in ends for more in self._ends_of_clauses(words, after)]
             for after in (*ends, end) if core.breaks[end] else ends:
-                # "turn 15 and 20 degrees", "turn 100, 80 degrees": one number or two, nobody can know.
-                if after < len(words) and not (is_number(words[end - 1]) and is_number(words[after])):
+                if after < len(words) and not self._may_be_one_number(words, end, after):
                     yield end, after
+
+    def _may_be_one_number(self, words: Sequence[str], end: int, after: int) -> bool:
+        """Whether a number before a pause or an "and", and one behind it, may be one: "turn 15 and 20 degrees", "turn
+        100, 80 degrees". Behind a "then" it is another, and no number ends with a "point"."""
+        is_number, said = self._commands.matcher.is_number, units(self._commands.matcher.grammar.language)
+        joins, points = (said.words["and"], said.words.get("point", ("point",))) if said is not None else (None, ())
+        if joins is not None and not set(words[end:after]).issubset(joins):
+            return False
+        return is_number(words[end - 1]) and is_number(words[after]) and words[end - 1] not in points
 
     def _ends_of_clauses(self, words: list[str], start: int) -> Iterator[int]:
         """Where words of sequence end that are more than one, behind others: "and *once you are there*"."""

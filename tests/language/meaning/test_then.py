@@ -285,3 +285,18 @@ def test_what_is_never_understood_is_told(tmp_path):
         "this sentence is never understood: 'on to the market' is one of 'sail' (line 13)"
     ]
     assert not [one for one in check_grammar(shipped().grammar, shipped().locations).findings if one.level == "warning"]
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("go to bay 3 and then 2 meters back", True),
+        ("go to bay three, then two meters back", True),
+        ("go to the exit point and one meter back", True),  # no number ends with a "point"
+        ("go to bay 3 and 2 meters back", False),
+        ("go to bay 3, 2 meters back", False),
+    ],
+)
+def test_numbers_before_and_behind_a_joint_are_two_unless_they_may_be_one(engine_of, said, done):
+    engine = engine_of("include: en", locations={"bay 3": (0.0, 3.0, 0.0), "exit point": (1.0, 1.0, 0.0)})
+    assert len(engine.parse(said).actions) == (2 if done else 0)
