@@ -7,6 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, Future, InvalidStateError
 from concurrent.futures import wait as wait_for
 from dataclasses import replace
+from typing import Any
 
 from intent_engine.speech.beside import cores
 from intent_engine.speech.decoding import DecodeThread
@@ -128,7 +129,8 @@ class UtteranceDecoder(DecodeThread):
 
     def wait(self, job: Future[Transcript]) -> None:
         """Wait for a decode, but no longer than it may take, after which it counts as hung, nor after ``close``."""
-        wait_for((job, self._closed), timeout=self.patience, return_when=FIRST_COMPLETED)
+        either: list[Future[Any]] = [job, self._closed]
+        wait_for(either, timeout=self.patience, return_when=FIRST_COMPLETED)
 
     def close(self) -> None:
         """Let whoever waits for a decode wait no longer. Idempotent, from any thread."""
