@@ -164,10 +164,11 @@ class Continuing:
         if said is not None:
             exact = self._follow_up.together(said.command.meaning.text, alone, state)
             done = said.command.meaning
+            another = by_itself.status is Status.ACCEPTED or self._lacks_wake_word(said, utterance, alone, state)
             together = begun_alike(lambda text: self._follow_up.text(text, heard, state), done, meaning)
             for transcript, whole in ((heard, together), (alone, exact)):
                 step = said.command.step_to(whole) if whole is not None else None
-                if whole is not None and step is not None and self._belongs(said, step, whole, alone, by_itself):
+                if whole is not None and step is not None and self._belongs(said, step, whole, alone, another=another):
                     return Understood(transcript, whole, step)
                 too_late = too_late or (whole is not None and step is None and said.command.says_more(whole))
         meaning = by_itself
@@ -213,14 +214,21 @@ class Continuing:
         )
         return next((whole for whole in ways if whole is not None and whole.actions == done.actions), None)
 
-    def _belongs(
-        self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, by_itself: Interpretation
-    ) -> bool:
-        """Whether what was heard together with the command before is what was meant: not if what is more of it is a
-        command by itself, nor if the words began with a "no", or came after one, and take nothing back."""
-        if by_itself.status is Status.ACCEPTED and step.amends is None:
+    def _belongs(self, said: _Said, step: Step, whole: Interpretation, alone: Transcript, *, another: bool) -> bool:
+        """Whether what was heard together with the command before is what was meant: not if what is more of it is
+        another command by itself, nor if the words began with a "no", or came after one, and take nothing back."""
+        if another and step.amends is None:
             return False
         return whole.corrected or not (said.withdrawn or self._follow_up.corrects(alone))
+
+    def _lacks_wake_word(
+        self, said: _Said, utterance: SpokenUtterance, alone: Transcript, state: Collection[str]
+    ) -> bool:
+        """Whether an utterance is a command without its wake word, and that of the command before is not meant for it
+        too, as in one breath or with an "and then" it is."""
+        if utterance.began - said.ended <= ONE_BREATH or self._follow_up.comes_after(alone):
+            return False
+        return self._follow_up.lacks_wake_word(alone, state)
 
     def _by_itself(
         self,

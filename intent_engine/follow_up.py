@@ -72,6 +72,14 @@ class FollowUp:
         sequence = PhraseSet(grammar_of(self._engine, transcript).operators.sequence)
         return sequence.at(plain(transcript.free_text), 0) > 0
 
+    def lacks_wake_word(self, transcript: Transcript, state: Collection[str]) -> bool:
+        """Whether its words are a command that lacks only the wake word, and may be said to somebody else."""
+        if not grammar_of(self._engine, transcript).wake:
+            return False
+        language = language_of(self._engine, transcript)
+        typed = self._engine.parse(transcript.free_text, state=state, language=language)
+        return typed.status is Status.ACCEPTED
+
     def comes_later(self, transcript: Transcript) -> bool:
         """Whether it says by itself that something else is done first: "then", "when you get there", not "and"."""
         return self._engine.comes_later(transcript.free_text, language=language_of(self._engine, transcript))

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import soundfile
 
+from intent_engine.cli import listening
 from intent_engine.cli.keys import keys
 from intent_engine.errors import ConfigError
 
@@ -58,6 +59,41 @@ def test_the_terminal_is_as_it_was_after_an_error(terminal):
     with pytest.raises(ZeroDivisionError), keys(print):
         raise ZeroDivisionError
     assert termios.tcgetattr(sys.stdin.fileno()) == before
+
+
+def test_a_terminal_that_goes_away_is_told_once_and_ends_in_peace(monkeypatch):
+    typed, screen = pty.openpty()
+    told: list[bool] = []
+    gone = threading.Event()
+
+    def on_gone() -> None:
+        told.append(True)
+        gone.set()
+
+    with os.fdopen(screen, "r+b", buffering=0) as file:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(file))
+        with keys(print, on_gone):
+            os.close(typed)
+            assert gone.wait(10)
+    assert told == [True]
+
+
+def test_nobody_stays_at_a_robot_whose_keys_are_gone(monkeypatch):
+    """While the key is up nothing is heard, and nobody could press it, nor the one that stops the robot."""
+    typed, screen = pty.openpty()
+    closed = threading.Event()
+
+    class Listening:
+        def push_to_talk(self) -> None: ...
+
+        def close(self) -> None:
+            closed.set()
+
+    with os.fdopen(screen, "r+b", buffering=0) as file:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(file))
+        with listening._controls("a microphone", True, None, Listening(), None):
+            os.close(typed)
+            assert closed.wait(10)
 
 
 def test_without_a_terminal(monkeypatch):

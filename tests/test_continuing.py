@@ -411,3 +411,24 @@ def test_it_stands_before_anybody_is_told_what_was_said(second):
     Watched(Script("go forward ten meters", second, f"go forward ten meters {second}"))
     told = [stands for kind, stands in standing if kind is HeardKind.TRANSCRIPT]
     assert told == [True, True], "before it moved, and at the stop"
+
+
+@pytest.mark.parametrize(
+    ("second", "pause", "done"),
+    [
+        ("go forward", 0.8, False),
+        ("go forward", 0.3, True),
+        ("and then go forward", 0.8, True),
+        ("ninety degrees", 0.8, True),
+        ("no right", 0.8, True),
+    ],
+)
+def test_another_command_needs_the_wake_word_again(second, pause, done):
+    """What is said to somebody else, right after a command, is none for the robot; what goes on from that is."""
+    engine = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", wake=["robot"])
+    script = Script("robot turn left", second, f"robot, turn left, {second}")
+    said = Said(script, pause, engine)
+    assert len(said.done) == 1 + done
+    if not done:
+        assert said.pose.x == 0.0
+        assert said.goals == [GoalState.SUCCEEDED]

@@ -19,20 +19,20 @@ _NO_TERMINAL = Problem(
 
 
 @contextlib.contextmanager
-def keys(on_key: Callable[[str], object]) -> Iterator[None]:
+def keys(on_key: Callable[[str], object], on_gone: Callable[[], object] = bool) -> Iterator[None]:
     """Call ``on_key`` with each key, in a thread of its own; the terminal is as before afterwards.
 
-    Ctrl-C stays what it is.
+    Ctrl-C stays what it is. ``on_gone`` is called there when the terminal is no more, and no key will be pressed.
 
     Raises:
         ConfigError: there is no terminal.
     """
-    with _windows(on_key) if sys.platform == "win32" else _unix(on_key):
+    with _windows(on_key) if sys.platform == "win32" else _unix(on_key, on_gone):
         yield
 
 
 @contextlib.contextmanager
-def _unix(on_key: Callable[[str], object]) -> Iterator[None]:
+def _unix(on_key: Callable[[str], object], on_gone: Callable[[], object]) -> Iterator[None]:
     import select
     import termios
     import tty
@@ -46,8 +46,12 @@ def _unix(on_key: Callable[[str], object]) -> Iterator[None]:
             ready, _, _ = select.select([terminal, ending], [], [])
             if ending in ready:
                 return
-            pressed = os.read(terminal, 32)
+            try:
+                pressed = os.read(terminal, 32)
+            except OSError:
+                pressed = b""
             if not pressed:
+                on_gone()
                 return
             for key in pressed.decode("utf-8", errors="replace"):
                 on_key(key)
@@ -60,7 +64,8 @@ def _unix(on_key: Callable[[str], object]) -> Iterator[None]:
     finally:
         os.close(end)
         thread.join(timeout=1.0)
-        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
+        with contextlib.suppress(termios.error):  # it is gone
+            termios.tcsetattr(terminal, termios.TCSADRAIN, before)
         os.close(ending)
         os.close(terminal)
 

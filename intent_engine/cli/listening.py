@@ -182,8 +182,13 @@ def _controls(
         elif key in "qQ":
             runtime.close()
 
+    def gone() -> None:
+        """Nobody could press a key any more, to be heard or to stop the robot."""
+        runtime.close()
+        note("the terminal is gone, and with it the keys: the robot is stopped")
+
     runtime.push_to_talk()
-    with keys(pressed):
+    with keys(pressed, gone):
         note(f"space: begin and end talking to {name}, s: stop the robot, q: quit")
         yield
 

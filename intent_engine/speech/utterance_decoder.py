@@ -129,7 +129,7 @@ class UtteranceDecoder(DecodeThread):
 
     def wait(self, job: Future[Transcript]) -> None:
         """Wait for a decode, but no longer than it may take, after which it counts as hung, nor after ``close``."""
-        either: tuple[Future[Any], ...] = (job, self._closed)
+        either: list[Future[Any]] = [job, self._closed]
         wait_for(either, timeout=self.patience, return_when=FIRST_COMPLETED)
 
     def close(self) -> None:
