@@ -137,6 +137,8 @@ class Runtime:
         """Held while it listens."""
         self._key = TalkKey()
         self._deaf = False
+        self._called: SpokenUtterance | None = None
+        """In which nothing but the wake word was said, right before what is said now."""
         self._torn = -1.0
         """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
         self._source: AudioSource | None = None
@@ -201,6 +203,7 @@ class Runtime:
         self._acting.begin(self._base)
         self._deaf = False
         self._torn = -1.0
+        self._called = None
         self._key.reset()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
@@ -260,11 +263,11 @@ class Runtime:
         signal = self._endpoint.frame(probability)
         self._recent.append(frame.samples)
         if signal is Signal.STARTED:
-            utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
+            utterance = SpokenUtterance(self._begun(frame.time), frame.time, frame.time, torn=frame.time <= self._torn)
             utterance.passed_over = self._key.late(frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
-            self._holding.begin(utterance.frames, frame.time)
+            self._holding.begin(list(self._recent), frame.time)
             self._tell(HeardKind.SPEECH, frame.time)
             return utterance
         if utterance is None:
@@ -290,6 +293,14 @@ class Runtime:
                 self._decoding.rest()
             self._tell(HeardKind.PARTIAL, frame.time, transcript=heard)
         return utterance
+
+    def _begun(self, time: float) -> list[Samples]:
+        """The sound with which an utterance begins: a little from before it, and the wake word, if that was all that
+        was said right before."""
+        called, self._called = self._called, None
+        if called is None or time - called.last_voice > self._endpoint.settings.wait_called:
+            return list(self._recent)
+        return [*called.voice(), *self._recent]
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
         """End an utterance, if the signal says so. What was said already is no part of what follows: "turn left" would
@@ -339,6 +350,7 @@ class Runtime:
     def _end(self, utterance: SpokenUtterance, time: float) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
+        self._called = utterance if utterance.called and not utterance.torn else None
         utterance.torn = utterance.torn or same_voice(utterance.passed_over, utterance.frames)
         if utterance.glance and not utterance.judged:
             self._outdated(utterance, time)
@@ -413,6 +425,7 @@ class Runtime:
             meaning, outlook = self._expectation.outlook(
                 utterance.result, self._acting.state(), self._acting.last, amendable=self._continuing.on
             )
+        utterance.called = outlook is Outlook.CALLED
         taken = not utterance.glance or outlook is Outlook.COMPLETE
         if taken:
             self._endpoint.judge(outlook, self._expectation.wait(utterance.result, meaning))
