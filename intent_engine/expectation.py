@@ -8,11 +8,12 @@ from intent_engine.amending import can_be_amended
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
+from intent_engine.language.utterance import PhraseSet, plain
 from intent_engine.prefix import PrefixStatus
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY
-from intent_engine.transcript_grammar import intents_of, language_of
+from intent_engine.transcript_grammar import grammar_of, intents_of, language_of
 
 __all__ = ["Expectation"]
 
@@ -41,6 +42,8 @@ class Expectation:
         """
         if not transcript.text:
             return None, Outlook.OTHER
+        if self._only_called(transcript):
+            return self._judge.meaning(transcript, state, last), Outlook.CALLED
         meaning, language = self._judge.meaning(transcript, state, last), language_of(self._engine, transcript)
         if meaning.status is Status.REJECTED and self._judge.unsure(transcript):
             begun = self._engine.prefix(transcript.free_text, language=language)
@@ -57,6 +60,14 @@ class Expectation:
             over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
             return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+
+    def _only_called(self, transcript: Transcript) -> bool:
+        """Whether nothing was heard but the wake word: "robot", "hey robot"."""
+        grammar = grammar_of(self._engine, transcript)
+        if not grammar.wake:
+            return False
+        words, wake = plain(transcript.free_text), PhraseSet(grammar.wake)
+        return wake.find(words) is not None and PhraseSet((*grammar.wake, *grammar.fillers)).cover(words)
 
     def begins_nothing(self, transcript: Transcript) -> bool:
         """Whether no command begins with what was heard so far of words under way, of which the last may be half a

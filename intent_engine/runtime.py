@@ -8,7 +8,6 @@ end it is understood and carried out. Whatever fails on the way stops the robot 
 from __future__ import annotations
 
 import threading
-from collections import deque
 from collections.abc import Callable, Collection, Generator
 from typing import Any, Literal
 
@@ -21,8 +20,9 @@ from intent_engine.expectation import Expectation
 from intent_engine.heard import Heard, HeardKind, Summary
 from intent_engine.holding import Holding
 from intent_engine.judgement import Judge
+from intent_engine.onset import Onset
 from intent_engine.runtime_parts import check_parts
-from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Samples, Wakeable
+from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Wakeable
 from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer
 from intent_engine.speech.reflex import Reflex
@@ -38,9 +38,6 @@ SECOND_LOOK = 0.1
 """s of silence after which a draft is decoded again with all care: three of four sentences have no such pause."""
 LAST_DECODE = 2.0
 """s that are given to a decode which is under way when listening ends, before it is left behind."""
-
-TORN = 0.5
-"""s after a gap in the sound, within which begins what may be the rest of a sentence."""
 
 
 class Runtime:
@@ -137,11 +134,9 @@ class Runtime:
         """Held while it listens."""
         self._key = TalkKey()
         self._deaf = False
-        self._torn = -1.0
-        """s since the source began: until when what begins may be the rest of a sentence of which sound was lost."""
+        self._onset = Onset(self._endpoint.settings, self._key)
         self._source: AudioSource | None = None
         self._base = 0.0
-        self._recent: deque[Samples] = deque()  # the last sounds, with which an utterance may have begun
         self._waiting: list[SpokenUtterance] = []  # over, and not done yet
 
     # -- controls ----------------------------------------------------------------------------------
@@ -200,10 +195,9 @@ class Runtime:
         self._endpoint.reset()
         self._acting.begin(self._base)
         self._deaf = False
-        self._torn = -1.0
+        self._onset.reset()
         self._key.reset()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
-        self._recent = deque(maxlen=int(self._endpoint.settings.pre_roll / FRAME_SECONDS) + 2)
         self._waiting = []
         utterance: SpokenUtterance | None = None
         finished = False
@@ -254,17 +248,16 @@ class Runtime:
                 self._key.let_go(frame.time)
                 self._end(utterance, frame.time)
             self._endpoint.reset()
-            self._recent.clear()
+            self._onset.pass_over()
             self._key.pass_over(frame.samples, frame.time, voice=probability >= self._endpoint.settings.onset)
             return None
         signal = self._endpoint.frame(probability)
-        self._recent.append(frame.samples)
+        self._onset.take(frame.samples)
         if signal is Signal.STARTED:
-            utterance = SpokenUtterance(list(self._recent), frame.time, frame.time, torn=frame.time <= self._torn)
-            utterance.passed_over = self._key.late(frame.time)
+            utterance = self._onset.begin(frame.time)
             if self._noise_filter is not None:
                 utterance.filtered = self._noise_filter.begin(utterance.frames)
-            self._holding.begin(utterance.frames, frame.time)
+            self._holding.begin(self._onset.recent, frame.time)
             self._tell(HeardKind.SPEECH, frame.time)
             return utterance
         if utterance is None:
@@ -292,14 +285,11 @@ class Runtime:
         return utterance
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
-        """End an utterance, if the signal says so. What was said already is no part of what follows: "turn left" would
-        be done, and then "left"."""
+        """End an utterance, if the signal says so."""
         if signal not in (Signal.ENDED, Signal.SHORT):
             return False
         utterance.short = signal is Signal.SHORT
-        silent = round((time - utterance.last_voice) / FRAME_SECONDS)
-        for _ in range(0 if utterance.short else len(self._recent) - silent):
-            self._recent.popleft()
+        self._onset.over(utterance, time)
         self._end(utterance, time)
         return True
 
@@ -308,11 +298,10 @@ class Runtime:
 
         While no sound comes at all, nobody could stop the robot, so it is stopped.
         """
-        self._recent.clear()
+        self._onset.lost(frame.time)
         self._endpoint.reset()
         self._voice.reset()
         self._continuing.forget()
-        self._torn = frame.time + TORN
         if utterance is not None:
             self._decoding.forget(utterance)
         missing = f"{frame.lost:.2f} s of sound were lost" if frame.lost else "the sound ended in the midst of a word"
@@ -339,6 +328,7 @@ class Runtime:
     def _end(self, utterance: SpokenUtterance, time: float) -> None:
         """The utterance is over; what was decoded at its last pause is good enough, if it was."""
         utterance.ended = True
+        self._onset.keep(utterance)
         utterance.torn = utterance.torn or same_voice(utterance.passed_over, utterance.frames)
         if utterance.glance and not utterance.judged:
             self._outdated(utterance, time)
@@ -413,6 +403,7 @@ class Runtime:
             meaning, outlook = self._expectation.outlook(
                 utterance.result, self._acting.state(), self._acting.last, amendable=self._continuing.on
             )
+        utterance.called = outlook is Outlook.CALLED
         taken = not utterance.glance or outlook is Outlook.COMPLETE
         if taken:
             self._endpoint.judge(outlook, self._expectation.wait(utterance.result, meaning))

@@ -267,6 +267,8 @@ class Operators:
     stop: tuple[tuple[str, ...], ...] = ()
     stop_by_sound: tuple[tuple[str, ...], ...] = ()
     """The same as they may be written by their sound: "break". They stop where nothing else was said."""
+    hold: tuple[tuple[str, ...], ...] = ()
+    """They stop a robot that moves where nothing else is said: "wait", "don't move"."""
     closed: frozenset[str] = frozenset()
     """Words that a text slot never swallows: they would change what is meant."""
     pronoun: tuple[tuple[str, ...], ...] = ()

@@ -46,19 +46,23 @@ class Keyboards:
 
     @cached_property
     def _known(self) -> frozenset[str]:
-        return frozenset(_words(self._matcher))
+        return frozenset((*_words(self._matcher), *_words_of_places(self._matcher)))
 
     @cached_property
     def _meant(self) -> Mapping[str, str]:
         """The words of the grammar, by what they are typed as."""
         grammar = self._matcher.grammar
         language = grammar.language
+        places = _words_of_places(self._matcher, marked=True)  # of ten thousand names few are
+        marked = {word for word in (*_words(self._matcher), *places) if not word.isascii()}
+        typed = [(plain, word) for word in marked if len(plain := _typed(word, language)) >= SHORTEST and plain != word]
+        if not typed:
+            return {}
         others = self._known | _others(thing_words(language)) | grammar.operators.closed
         found: dict[str, set[str]] = {}
-        for word in self._known:
-            plain = _typed(word, language)
+        for plain, word in typed:
             number = language != "en" and foreign.is_number_word(plain, language)
-            if plain != word and len(plain) >= SHORTEST and plain not in others and not number:
+            if plain not in others and not number:
                 found.setdefault(plain, set()).add(word)
         return {plain: next(iter(words)) for plain, words in found.items() if len(words) == 1}  # "pâte" is no "pâté"
 
@@ -70,7 +74,7 @@ def _typed(word: str, language: str) -> str:
 
 
 def _words(matcher: Matcher) -> Iterator[str]:
-    """Every word that sentences, values, units, places and what changes them are written in."""
+    """Every word that sentences, values, units and what changes them are written in."""
     grammar, operators = matcher.grammar, matcher.grammar.operators
     yield from vocabulary(grammar)
     for slot in grammar.slots.values():
@@ -81,8 +85,16 @@ def _words(matcher: Matcher) -> Iterator[str]:
     table = units(grammar.language)
     for name in table.names if table is not None else ():
         yield from name
+
+
+def _words_of_places(matcher: Matcher, *, marked: bool = False) -> Iterator[str]:
+    """The words of the names of places; ``marked``: of those that have more than plain letters."""
+    language = matcher.grammar.language
     for place in matcher.locations.written() if matcher.locations is not None else ():
-        yield from place.lower().split() if place.isascii() else Utterance.of(place, grammar.language).words
+        if not place.isascii():
+            yield from Utterance.of(place, language).words
+        elif not marked:
+            yield from place.lower().split()
 
 
 def _others(things: ThingWords) -> frozenset[str]:

@@ -37,6 +37,8 @@ class Outlook(StrEnum):
     """The same, hardly heard: in noise a pause seems longer than it is, since the quiet words beside it are lost."""
     INCOMPLETE = "incomplete"
     """The beginning of a command."""
+    CALLED = "called"
+    """The wake word, and nothing else."""
     OTHER = "other"
     """No command."""
 
@@ -81,6 +83,8 @@ class Settings:
     wait_extendable: float = 0.35
     wait_doubtful: float = 0.45
     wait_incomplete: float = 0.7
+    wait_called: float = 3.0
+    """After the wake word alone, within which a command may begin that is for the robot."""
     wait_other: float = 0.5
     wait_unknown: float = 0.5
     wait_continued: float = 1.5
@@ -120,6 +124,7 @@ class Settings:
             Outlook.EXTENDABLE: self.wait_extendable,
             Outlook.DOUBTFUL: self.wait_doubtful,
             Outlook.INCOMPLETE: self.wait_incomplete,
+            Outlook.CALLED: self.wait_incomplete,
             Outlook.OTHER: self.wait_other,
             Outlook.UNKNOWN: self.wait_unknown,
         }[outlook]

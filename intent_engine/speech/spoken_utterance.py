@@ -47,6 +47,8 @@ class SpokenUtterance:
     """Whether it was so short that it can be nothing but a stop."""
     judged: bool = False
     result: Transcript | None = None
+    called: bool = False
+    """Whether nothing was said but the wake word."""
     before: Samples | None = None
     """The sound of the command that it may go on from, when it is heard together with that."""
     alone: Transcript | None = None
@@ -84,6 +86,10 @@ class SpokenUtterance:
         sound = self.sound()
         return sound[: sound.size - silence]
 
+    def voice(self) -> list[Samples]:
+        """Its frames, without most of the silence after it."""
+        return self.frames[: len(self.frames) - max(self.silent - KEPT_SILENCE, 0)]
+
     def decoding(self, job: Future[Transcript], *, final: bool, glance: bool = False) -> None:
         """It is being decoded."""
         self.job, self.result, self.judged = job, None, False
@@ -92,6 +98,7 @@ class SpokenUtterance:
     def speaks_on(self) -> None:
         """What was decoded is out of date."""
         self.job, self.result, self.judged, self.glance = None, None, False, False
+        self.called = False
         self.before, self.alone = None, None
 
     def together_with(self, before: Samples) -> None:

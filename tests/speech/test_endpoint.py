@@ -19,6 +19,7 @@ WAITS = {
     Outlook.EXTENDABLE: 0.35,
     Outlook.DOUBTFUL: 0.45,
     Outlook.INCOMPLETE: 0.7,
+    Outlook.CALLED: 0.7,
     Outlook.OTHER: 0.5,
     Outlook.UNKNOWN: 0.5,
 }

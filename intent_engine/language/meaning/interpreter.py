@@ -284,6 +284,11 @@ class Interpreter:
             return self._stopped(text)
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
+        if self.phrases.only_hold(words):
+            if MOVING in state:
+                return self._stopped(text)
+            if self.matcher.prefix(words)[1] is None:
+                return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
         if self._stops.in_a_sentence(core):

@@ -77,6 +77,8 @@ class Phrases:
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)
         self.contrast = PhraseSet(operators.contrast)
+        self.hold = PhraseSet(operators.hold)
+        self._held = PhraseSet((*operators.hold, *operators.correction))
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
@@ -266,6 +268,10 @@ class Phrases:
     def requests(self, words: list[str]) -> bool:
         """Whether an utterance begins with words that ask for what follows: "kannst du links abbiegen?"."""
         return not self._requests.isdisjoint(words[: self.after_opening(words)])
+
+    def only_hold(self, words: list[str]) -> bool:
+        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on"."""
+        return self.hold.find(words) is not None and self._held.cover(words)
 
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""
