@@ -25,7 +25,7 @@ class Onset:
 
     def __init__(self, settings: Settings, key: TalkKey) -> None:
         self._key = key
-        self._wait_called = settings.wait_called
+        self._wake_lasts = settings.wake_lasts
         self._recent: deque[Samples] = deque(maxlen=int(settings.pre_roll / FRAME_SECONDS) + 2)
         self._called: SpokenUtterance | None = None
         """In which nothing but the wake word was said, right before what is said now."""
@@ -61,7 +61,7 @@ class Onset:
         """The utterance that begins: with a little of the sound before it, and with the wake word, if that was all that
         was said just before."""
         called, self._called = self._called, None
-        late = called is None or time - called.last_voice > self._wait_called
+        late = called is None or time - called.last_voice > self._wake_lasts
         frames = self.recent if called is None or late else [*called.voice(), *self._recent]
         utterance = SpokenUtterance(frames, time, time, torn=time <= self._torn)
         utterance.passed_over = self._key.late(time)

@@ -83,13 +83,15 @@ class Settings:
     wait_extendable: float = 0.35
     wait_doubtful: float = 0.45
     wait_incomplete: float = 0.7
-    wait_called: float = 3.0
-    """After the wake word alone, within which a command may begin that is for the robot."""
+    wait_called: float = 0.7
+    """After the wake word alone."""
     wait_other: float = 0.5
     wait_unknown: float = 0.5
     wait_continued: float = 1.5
     """After the last words of a motion, within which words begin that may belong to it ("ninety degrees"); 0: none do,
     and motions wait as long as other commands."""
+    wake_lasts: float = 3.0
+    """After the wake word alone, within which a command may begin that is for the robot; 0: none may."""
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
@@ -124,7 +126,7 @@ class Settings:
             Outlook.EXTENDABLE: self.wait_extendable,
             Outlook.DOUBTFUL: self.wait_doubtful,
             Outlook.INCOMPLETE: self.wait_incomplete,
-            Outlook.CALLED: self.wait_incomplete,
+            Outlook.CALLED: self.wait_called,
             Outlook.OTHER: self.wait_other,
             Outlook.UNKNOWN: self.wait_unknown,
         }[outlook]

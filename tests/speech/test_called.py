@@ -64,8 +64,8 @@ def test_it_calls_for_one_sentence(woken):
 
 
 def test_how_long_is_a_setting(woken):
-    assert not turned(woken, (1.0, 0.1), (3.0, 0.2), waits=Settings(wait_called=0.8))
-    assert turned(woken, (1.0, 0.1), (6.0, 0.2), waits=Settings(wait_called=6.0))
+    assert not turned(woken, (1.0, 0.1), (3.0, 0.2), waits=Settings(wake_lasts=0.8))
+    assert turned(woken, (1.0, 0.1), (6.0, 0.2), waits=Settings(wake_lasts=6.0))
 
 
 def test_where_no_wake_word_is_asked_for_nothing_is_kept(engine):

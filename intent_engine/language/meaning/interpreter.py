@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
@@ -284,11 +284,8 @@ class Interpreter:
             return self._stopped(text)
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
-        if self.phrases.only_hold(words):
-            if MOVING in state:
-                return self._stopped(text)
-            if self.matcher.prefix(words)[1] is None:
-                return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")
+        if MOVING in state and self.phrases.only_hold(words):
+            return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
             return self._rejected(text, "cancelled in the same breath")
         if self._stops.in_a_sentence(core):
@@ -304,6 +301,8 @@ class Interpreter:
         if taken_back := self._corrections.taken_back(words):
             if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
+            if self.phrases.only_hold(words):
+                return self._held_at_rest(text, words)
             return self._rejected(text, f"taken back: {' '.join(words[-taken_back:])!r}")
         negated = self._negations.stands_in(core)
         if negated:
@@ -336,6 +335,8 @@ class Interpreter:
         written = self._otherwise.understood(text, core, state)
         if written is not None:
             return written
+        if self.phrases.only_hold(words) and self.matcher.prefix(words)[1] is None:
+            return self._held_at_rest(text, words)
         vague = self._vague(text, core, state)
         return vague if vague is not None else self._no_command.told(text, core, state, more_telling(clause, single))
 
@@ -393,6 +394,9 @@ class Interpreter:
         if len(parts) > 1 and any(isinstance(part.action, Stop) for part in parts):
             return self._stopped(text)[0], tuple(parts)
         return as_told_together(text, parts)
+
+    def _held_at_rest(self, text: str, words: Sequence[str]) -> Understood:
+        return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")
 
     @step(Kind.REFUSAL)
     def _rejected(self, text: str, reason: str) -> Understood:
