@@ -395,6 +395,7 @@ RUN_ON = {
     # No words are the name of a thing and a command, nor a name that nobody can be sure of.
     "pick up the go forward button": NOTHING,
     "take the box back go to the kitchen": NOTHING,
+    "take the box drive go to the kitchen": NOTHING,
     "pick up the cup slowly go to the kitchen": NOTHING,
     "pick up the thing you know go forward": NOTHING,
     "pick up the cup it is red go to the kitchen": NOTHING,
