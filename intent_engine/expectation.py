@@ -8,9 +8,10 @@ from intent_engine.amending import can_be_amended
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
-from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.language.utterance import plain
 from intent_engine.prefix import PrefixStatus
 from intent_engine.speech.endpoint import Outlook
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY
 from intent_engine.transcript_grammar import grammar_of, intents_of, language_of
@@ -28,6 +29,7 @@ class Expectation:
     def __init__(self, judge: Judge) -> None:
         self._judge = judge
         self._engine = judge.engine
+        self._spoken = SpokenGrammar(judge.engine)
 
     def outlook(
         self, transcript: Transcript, state: Collection[str], last: Before, *, amendable: bool
@@ -63,11 +65,10 @@ class Expectation:
 
     def _only_called(self, transcript: Transcript) -> bool:
         """Whether nothing was heard but the wake word: "robot", "hey robot"."""
-        grammar = grammar_of(self._engine, transcript)
-        if not grammar.wake:
+        if not grammar_of(self._engine, transcript).wake:
             return False
-        words, wake = plain(transcript.free_text), PhraseSet(grammar.wake)
-        return wake.find(words) is not None and PhraseSet((*grammar.wake, *grammar.fillers)).cover(words)
+        words, language = plain(transcript.free_text), language_of(self._engine, transcript)
+        return len(words) == self._spoken.wake(language).after(words)
 
     def begins_nothing(self, transcript: Transcript) -> bool:
         """Whether no command begins with what was heard so far of words under way, of which the last may be half a

@@ -10,6 +10,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
+from intent_engine.errors import AudioError
+
 __all__ = [
     "FRAME_SAMPLES",
     "FRAME_SECONDS",
@@ -25,6 +27,7 @@ __all__ = [
     "clean",
     "in_silence",
     "to_float",
+    "told_of_whole_numbers",
     "whole_numbers",
 ]
 
@@ -133,6 +136,11 @@ def whole_numbers(samples: npt.NDArray[Any]) -> bool:
         return False
     finite = np.nan_to_num(samples, nan=0.0, posinf=0.0, neginf=0.0)
     return bool(1.0 < np.abs(finite).max() <= LARGEST_INTEGER and np.array_equal(finite, np.rint(finite)))
+
+
+def told_of_whole_numbers(what: str, hint: str) -> AudioError:
+    """What somebody is told whose sound is such: of ``what``, and what to do."""
+    return AudioError(f"{what} floats that are whole numbers, where sound is from -1 to 1\n    {hint}")
 
 
 def clean(samples: npt.NDArray[np.floating]) -> Samples:

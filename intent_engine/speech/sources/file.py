@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, Resampler, whole_numbers
+from intent_engine.speech.audio import Frame, Resampler, told_of_whole_numbers, whole_numbers
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
 from intent_engine.speech.sources.whole import check_mp3, check_whole
 
@@ -111,10 +111,8 @@ class FileSource:
                 if np.abs(block).max() <= 1.0:
                     continue
                 if whole_numbers(block):
-                    raise AudioError(
-                        f"{self.path}: holds floats that are whole numbers, where sound is from -1 to 1\n"
-                        "    write the samples as 16-bit integers, or divide them by 32768"
-                    )
+                    hint = "write the samples as 16-bit integers, or divide them by 32768"
+                    raise told_of_whole_numbers(f"{self.path}: holds", hint)
                 return
 
     def frames(self) -> Iterator[Frame]:

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, to_float, whole_numbers
+from intent_engine.speech.audio import Frame, to_float, told_of_whole_numbers, whole_numbers
 from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import Clock, Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
@@ -269,10 +269,8 @@ class PcmSource:
             if whole:
                 ending.take(sound := form.decode(rest[:whole]))
                 if whole_numbers(sound):
-                    raise AudioError(
-                        f"{self._name} holds floats that are whole numbers, where sound is from -1 to 1\n"
-                        "    write the integers as they are (--format s16le), or divide them by 32768"
-                    )
+                    hint = "write the integers as they are (--format s16le), or divide them by 32768"
+                    raise told_of_whole_numbers(f"{self._name} holds", hint)
                 if not self._bring(rest[:whole], form):
                     return
                 rest = rest[whole:]

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float, whole_numbers
+from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float, told_of_whole_numbers, whole_numbers
 from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
 
@@ -79,10 +79,8 @@ class StreamSource:
         except TypeError as error:
             raise AudioError(f"the stream was given no sound: {error}") from None
         if whole_numbers(sound):
-            raise AudioError(
-                "the stream was given floats that are whole numbers, where sound is from -1 to 1\n"
-                "    push the integers as they are: samples.astype(np.int16), or divide them: samples / 32768"
-            )
+            hint = "push the integers as they are: samples.astype(np.int16), or divide them: samples / 32768"
+            raise told_of_whole_numbers("the stream was given", hint)
         self._ending.take(clean(sound[-self.rate :]).reshape(-1, 1))
         step = self.rate  # a second at a time, so that the box never holds one block larger than itself
         return all(
