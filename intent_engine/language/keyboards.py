@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from intent_engine.language.matcher import Matcher
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.units import units
 from intent_engine.language.thing_words import ThingWords, thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
+
+if TYPE_CHECKING:
+    from intent_engine.language.matcher import Matcher
 
 __all__ = ["Keyboards"]
 

@@ -14,6 +14,7 @@ from intent_engine.language.automaton import Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
+from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
@@ -111,6 +112,11 @@ class Matcher:
     def spacing(self) -> Spacing:
         """What the grammar writes together and apart."""
         return Spacing(self.grammar)
+
+    @cached_property
+    def keyboards(self) -> Keyboards:
+        """How its words are typed."""
+        return Keyboards(self)
 
     @cached_property
     def spoken(self) -> Automaton:
@@ -222,7 +228,7 @@ class Matcher:
         lettered = Utterance.with_letters(text, language)
         if lettered is not None and self.prefix(lettered.words)[1] is not None:
             return lettered
-        return Utterance.of(text, language)
+        return self.keyboards.read(Utterance.of(text, language))
 
     def _reading(self, trace: Trace, words: list[str]) -> Reading:
         intent, sentence = self.sentences[trace[0][1][1][1]]

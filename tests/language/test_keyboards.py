@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from meanings import done, german
 
-from intent_engine.engine import IntentEngine
+from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Status
 
 GRAMMAR = """
@@ -86,3 +86,9 @@ def test_a_word_that_may_be_two_is_neither(engine_of) -> None:
 def test_an_umlaut_is_no_plain_letter(engine_of) -> None:
     engine = of(engine_of, "de", "drücken", "nimm", "knopf")
     assert not engine.parse("drucken knopf").actions
+
+
+def test_the_beginning_of_a_command_is_known_so_too(engine_of):
+    engine = engine_of("language: de\nintents:\n  weg: {action: custom, sentences: [zurück in die küche]}\n")
+    assert engine.prefix("zurueck in die").status is PrefixStatus.INCOMPLETE
+    assert engine.prefix("zurueck in die kueche").status is PrefixStatus.COMPLETE

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -52,7 +51,6 @@ class Interpreter:
         commands = Commands(matcher)
         self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
-        self._keyboards = Keyboards(matcher)
         self._language = grammar.language
         self._stop_intent = next(
             (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
@@ -135,7 +133,7 @@ class Interpreter:
         return meant
 
     def _said(self, text: str) -> Utterance:
-        return self._keyboards.read(Utterance.of(text, self._language))
+        return self.matcher.keyboards.read(Utterance.of(text, self._language))
 
     def _by_letters(
         self,
