@@ -12,7 +12,7 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Slot
 from intent_engine.language.loading.grammar_intents import all_slots_by_label
 from intent_engine.language.locations import LocationMap
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 
 __all__ = ["SlotValueError", "SlotValues"]
 
@@ -121,7 +121,7 @@ def _nearest(value: str, names: Collection[str]) -> str | None:
 def _quantity(slot: Slot, label: str, language: str, value: Any) -> float:
     number = value
     if isinstance(value, str):
-        words = [token.word for token in tokenize(value)]
+        words = [*words_of(value)]
         # Units are written alike in all languages; words are those of the grammar.
         number = quantities.evaluate(words, slot.type, language, slot.unit)
         if not isinstance(number, float):

@@ -11,6 +11,7 @@ from intent_engine.language.normalize import ELISION
 __all__ = ["as_written", "texts_in"]
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’][^\W\d_]+)*")
+_APOSTROPHES = frozenset("'’")
 _REFERENCE = re.compile(r"{[^{}]*}")
 """Phrase or slot in a template."""
 
@@ -24,6 +25,8 @@ def as_written(texts: Iterable[str], *, sentences: bool = False) -> dict[str, st
     """
     found: dict[str, str] = {}
     for text in texts:
+        if text.islower() and _APOSTROPHES.isdisjoint(text):
+            continue  # as most are
         for match in _WORD.finditer(ELISION.sub(" ", _REFERENCE.sub(" ", text))):
             word = match[0].replace("’", "'")
             if sentences and match.start() == 0:

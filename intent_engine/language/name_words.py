@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from intent_engine.language.homophones import LETTERS_BY_SOUND
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers import english, english_ordinals
 
 __all__ = [
@@ -67,7 +67,7 @@ def raw_words(text: str) -> tuple[str, ...]:
     if _PLAIN.fullmatch(text) is not None:
         return tuple(text.split(" "))
     text = _ABBREVIATED.sub(" number ", text.replace("_", " "))
-    return tuple(token.word for token in tokenize(text))
+    return words_of(text)
 
 
 def compared_as_written(name: str) -> bool:

@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents"]
+__all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents", "words_of"]
 
 
 class Token(NamedTuple):
@@ -62,7 +62,8 @@ _VOWEL = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
 ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’ʼ`](?={_VOWEL})", re.IGNORECASE)
 """Such a word and its apostrophe. "D'Angelo" is one word."""
 _APART = re.compile(rf"(?<!\S)({_ELIDED}) (?={_VOWEL})")
-_PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*")
+_PLAIN = re.compile(r"([a-z]+(?: (?:[a-z]+|\d{1,3}(?! ?\d|[^ .!?]|\.\d)))*)[.!?]?")
+"""Words, with numbers of few digits between them that are nothing but that, as most texts of recognisers are."""
 _MINUS = "-−‐‑‒–"
 """What stands straight before a number below zero: hyphens, dashes, and the sign, which may stand apart from it."""
 _TOKEN = re.compile(
@@ -102,14 +103,22 @@ UNCLEAR = "?"
 
 
 def plain_words(text: str) -> list[str] | None:
-    """The words of a text that is nothing but lower-case ASCII words and single spaces; None for any other text.
+    """The words of a text that is nothing but ASCII words and numerals, single spaces and a sign that ends a sentence;
+    None for any other text.
 
     The short way for what a recogniser or another program hands over; the same as :func:`tokenize` where it answers.
     """
-    if _PLAIN.fullmatch(text) is None:
+    plain = _PLAIN.fullmatch(text.lower()) if text.isascii() else None
+    if plain is None:
         return None
-    words = text.split(" ")
+    words = plain[1].split(" ")
     return words if CONTRACTIONS.keys().isdisjoint(words) and TITLES.keys().isdisjoint(words) else None
+
+
+def words_of(text: str, language: str = "en") -> tuple[str, ...]:
+    """The normalised words of any text, without their places; ``language`` as for :func:`tokenize`."""
+    plain = plain_words(text)
+    return tuple(token.word for token in tokenize(text, language)) if plain is None else tuple(plain)
 
 
 def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:

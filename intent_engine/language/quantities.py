@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from intent_engine.language.numbers import english, english_ordinals, foreign
 from intent_engine.language.numbers.numerals import is_numeral
@@ -34,6 +35,10 @@ __all__ = [
     "templates",
     "tidy",
 ]
+
+KEPT = 2048
+"""Quantities whose values are remembered: people say the same few over and over, and reading one takes as long as all
+else that is done with a plain sentence."""
 
 
 def is_number_word(word: str, language: str = "en") -> bool:
@@ -75,6 +80,11 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
     """
     if not words or len(words) > MAX_WORDS:
         return None
+    return _evaluated(tuple(words), kind, language, unit)
+
+
+@lru_cache(maxsize=KEPT)
+def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | None) -> float | Relative | None:
     if kind == "number":
         return _whole(parser_of(language).numbers_at(words, 0), len(words))
     if kind == "ordinal":

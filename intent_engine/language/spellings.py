@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
@@ -51,10 +51,10 @@ def _sequences(items: tuple[Node, ...], phrases: Mapping[str, Node]) -> Iterator
 
 def own_words(grammar: Grammar) -> frozenset[str]:
     """The words that the grammar's sentences, phrases and choices are written in."""
-    nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
+    nodes: list[Node] = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
     nodes.extend(grammar.phrases.values())
     nodes.extend(node for slot in grammar.slots.values() for _, node in (*slot.values, *slot.units))
-    return frozenset(word for node in nodes for word in _literal(node))
+    return frozenset(_literal(nodes))
 
 
 def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
@@ -101,12 +101,14 @@ def stops_by_sound(grammar: Grammar) -> tuple[tuple[str, ...], ...]:
     )
 
 
-def _literal(node: Node) -> Iterator[str]:
-    match node:
-        case Word(text):
-            yield text
-        case Choice(items) | Sequence(items) | AnyOrder(items):
-            for item in items:
-                yield from _literal(item)
-        case Optional(item):
-            yield from _literal(item)
+def _literal(nodes: Iterable[Node]) -> Iterator[str]:
+    """The words that templates are written in, in any order."""
+    waiting = list(nodes)
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Word):
+            yield node.text
+        elif isinstance(node, (Sequence, Choice, AnyOrder)):
+            waiting.extend(node.items)
+        elif isinstance(node, Optional):
+            waiting.append(node.item)

@@ -11,7 +11,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language.template_reader import MAX_ANY_ORDER, read_template
 from intent_engine.language.template_tree import (
     AnyOrder,
@@ -156,7 +156,7 @@ def _build(tree: Any) -> Node:
     kind = tree.data
     if kind == "word":
         written = tree.children[0]
-        items = tuple(Word(token.word) for token in tokenize(str(written)))
+        items = tuple(map(Word, words_of(str(written))))
         if not items:
             raise TemplateError(f"{str(written)!r} is no word", written.start_pos, "write letters or digits")
         return items[0] if len(items) == 1 else Sequence(items)

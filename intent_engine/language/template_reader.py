@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 __all__ = ["MAX_ANY_ORDER", "read_template"]
@@ -61,7 +61,7 @@ def read_template(text: str) -> Node | None:
 @lru_cache(maxsize=4096)
 def _word(written: str) -> Node | None:
     """What is written between spaces, as one word or more; None if it is none."""
-    items = tuple(Word(token.word) for token in tokenize(written))
+    items = tuple(map(Word, words_of(written)))
     if len(items) == 1:
         return items[0]
     return Sequence(items) if items else None

@@ -72,10 +72,12 @@ def references(node: Node) -> Iterator[Reference]:
     waiting = [node]
     while waiting:
         node = waiting.pop()
+        if isinstance(node, Word):
+            continue  # as most are
         if isinstance(node, Reference):
             yield node
         elif isinstance(node, (Sequence, Choice, AnyOrder)):
-            waiting.extend(reversed(node.items))
+            waiting.extend(node.items[::-1])
         elif isinstance(node, Optional):
             waiting.append(node.item)
 

@@ -25,7 +25,7 @@ _ANNOTATION = re.compile(
 
 
 _ENUMERATION = re.compile(r"^\s*\d\d?\.\s+(?=[A-Z]\w*\s)")
-_STUTTER = re.compile(r"\b[^aio] ")
+_STUTTER = re.compile(r"\b[^aio\d] ", re.IGNORECASE)
 """A letter by itself, which may be a sound said twice,"""
 _SAID_TWICE = re.compile(r"\b([^\W\d_aio])\W+\1", re.IGNORECASE)
 """if a word that begins with it follows."""
@@ -80,8 +80,7 @@ class PhraseSet:
         if not self.may_stand_in(words):
             return None
         for position in range(start, len(words)):
-            length = self.at(words, position)
-            if length:
+            if words[position] in self._by_first and (length := self.at(words, position)):
                 return position, length
         return None
 
@@ -279,7 +278,7 @@ class Utterance:
         """The utterance less every such phrase, but where it is part of a longer one of ``but`` ("oh" of "oh no"), or
         one of the ``openers`` and opens nothing, or a digit.
 
-        A pause before or after a removed phrase is kept.
+        A pause before or after a removed phrase is kept. The same utterance if there is nothing to remove.
         """
         if not phrases.may_stand_in(self.words):
             return self
@@ -315,7 +314,7 @@ class Utterance:
             words.append(self.words[position])
             pause = removed = False
             position += 1
-        return Utterance(words, breaks, frozenset(joined))
+        return Utterance(words, breaks, frozenset(joined)) if len(words) < len(self) else self
 
 
 def _stutter(tokens: Sequence[Token], place: int) -> bool:

@@ -23,7 +23,7 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language.template_tree import references
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, differences
@@ -143,7 +143,7 @@ def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, A
     for label, value in expected.items():
         got = found.get(label)
         if isinstance(value, str) and isinstance(got, (int, float)) and not isinstance(got, bool):
-            words = [token.word for token in tokenize(value)]
+            words = [*words_of(value)]
             for kind in QUANTITY_KINDS:
                 number = quantities.evaluate(words, kind)
                 if isinstance(number, float) and (kind != "ordinal" or math.isclose(number, got)):

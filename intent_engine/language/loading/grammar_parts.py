@@ -12,7 +12,7 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot, problem_at
 from intent_engine.language.loading.other_words import TYPES, meant
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.template_tree import Choice, Node
 
@@ -55,7 +55,7 @@ _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False,
 
 def plain_phrase(text: str) -> tuple[str, ...]:
     """The normalised words of a plain phrase."""
-    return tuple(token.word for token in tokenize(text))
+    return words_of(text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -327,6 +327,6 @@ class PartReader:
 
     def si(self, text: str, kind: str, unit: str | None) -> float | None:
         """The value of a text in SI units; grammar files write numbers and units in English."""
-        words = [token.word for token in tokenize(text)]
+        words = [*words_of(text)]
         found = quantities.evaluate(words, kind, "en", unit)
         return float(found) if isinstance(found, (int, float)) else None

@@ -14,7 +14,7 @@ from intent_engine.language.loading.other_words import ACTIONS, FIELDS_OF_A_PLAC
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.several_names import as_list
 from intent_engine.language.loading.yaml_source import YamlSource
-from intent_engine.language.normalize import tokenize
+from intent_engine.language.normalize import words_of
 from intent_engine.language_tag import code_of
 
 if TYPE_CHECKING:
@@ -235,7 +235,7 @@ def _in_si(text: str) -> str:
     """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708."""
     from intent_engine.language.quantities import evaluate
 
-    words = tuple(token.word for token in tokenize(text))
+    words = words_of(text)
     for kind in ("angular_speed", "angle", "speed", "distance", "duration"):
         value = evaluate(words, kind, "en")
         if isinstance(value, float):

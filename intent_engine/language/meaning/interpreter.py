@@ -199,7 +199,7 @@ class Interpreter:
         listed = phrases.as_a_list(said)
         if listed is not None and (either := self._listed(text, *listed, state)) is not None:
             return either
-        if core is not said and not self._number_restarted(core):
+        if phrases.fillers.may_stand_in(said.words) and not self._number_restarted(core):
             again = self._without_fillers(said, core, state)
             if again is not None and (again.accepted or clause is None or again.no_name):
                 clause = again  # "take your time please" takes no "time please"
