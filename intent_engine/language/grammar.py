@@ -281,6 +281,30 @@ class Operators:
 
 
 @dataclass(frozen=True, slots=True)
+class Wording:
+    """How people of a language put what they want: no operators, but what tells how a sentence with them is meant."""
+
+    greetings: tuple[tuple[str, ...], ...] = ()
+    """What may be dictated though it is nothing but fillers: "say hello"."""
+    hesitations: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which something may be said anew: "left, uh, right"."""
+    ways_back: tuple[tuple[str, ...], ...] = ()
+    """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
+    asked: frozenset[str] = frozenset()
+    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
+    requests: frozenset[str] = frozenset()
+    """Verbs with which people ask for something, and whose own verb may stand last: "*kannst* du links abbiegen?"."""
+    agrees: frozenset[str] = frozenset()
+    """Commands that say nothing where a pause and another command follow: "right, go forward"."""
+    agreeing: tuple[tuple[str, ...], ...] = ()
+    """Fillers beside which one of those says nothing either: "yeah right", "right okay"."""
+    compares: frozenset[str] = frozenset()
+    """Words of negations that compare ("in place of"), which join what a sentence has them between."""
+    before_verbs: frozenset[str] = frozenset()
+    """Words between a negation and the verb that it is of: "sans s'arrêter", "ohne zu bremsen"."""
+
+
+@dataclass(frozen=True, slots=True)
 class Grammar:
     """One language's grammar, from one or more files."""
 
@@ -298,16 +322,7 @@ class Grammar:
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()
     """Fillers before a number, and nowhere else: "about ten seconds"."""
-    greetings: tuple[tuple[str, ...], ...] = ()
-    """What may be dictated though it is nothing but fillers: "say hello"."""
-    hesitations: tuple[tuple[str, ...], ...] = ()
-    """Fillers behind which something may be said anew: "left, uh, right"."""
-    ways_back: tuple[tuple[str, ...], ...] = ()
-    """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
-    asked: frozenset[str] = frozenset()
-    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
-    requests: frozenset[str] = frozenset()
-    """Verbs with which people ask for something, and whose own verb may stand last: "*kannst* du links abbiegen?"."""
+    wording: Wording = field(default_factory=Wording)
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -307,7 +307,8 @@ def _schema() -> dict[str, Any]:
 
 def _doubts(places: LocationMap) -> Iterator[tuple[str, Problem]]:
     """Names that will hardly ever be understood as a place, each with the place."""
-    from intent_engine.language.loading.grammar_file import default_operators, phrase
+    from intent_engine.language.loading.grammar_file import phrase
+    from intent_engine.language.loading.language_words import default_operators
 
     operators = default_operators("en")
     meaning = {phrase(text): why for kind, why in OTHER_MEANINGS.items() for text in operators.get(kind, ())}

@@ -18,6 +18,12 @@ from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
+from intent_engine.language.loading.language_words import (
+    default_around,
+    default_fillers,
+    default_operators,
+    default_wording,
+)
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
@@ -25,7 +31,7 @@ from intent_engine.language.spellings import own_homophones, own_words, stops_by
 from intent_engine.language.template_tree import Choice, Node, Word
 from intent_engine.language_tag import language_of
 
-__all__ = ["default_operators", "load_grammars", "phrase", "schema"]
+__all__ = ["load_grammars", "phrase", "schema"]
 
 phrase = plain_phrase
 
@@ -50,69 +56,12 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
-ASKED = "asked"
-REQUEST = "request"
-"""Keys of the words that are no operators, in the files of operators."""
-
-
 @cache
 def schema() -> dict[str, Any]:
     """The JSON Schema of a grammar file."""
     text = (_ROOM / "grammar.schema.json").read_text("utf-8")
     loaded: dict[str, Any] = json.loads(text)
     return loaded
-
-
-def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
-    """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST)
-    return {key: words for key, words in _language_words(language).items() if key not in others}
-
-
-@cache
-def _language_words(language: str) -> Mapping[str, tuple[str, ...]]:
-    """``operators/<language>.yaml``; empty if there is none."""
-    file = _ROOM / "operators" / f"{language}.yaml"
-    if not file.is_file():
-        return {}
-    source = read_yaml(str(file))
-    return {key: tuple(str(item) for item in items) for key, items in source.data.items()}
-
-
-def default_fillers(language: str) -> tuple[str, ...]:
-    """What people put around any sentence of a language ("please"), for grammars that say nothing of fillers."""
-    return _language_words(language).get(FILLER, ())
-
-
-def default_around(language: str) -> tuple[str, ...]:
-    """What people put before a number ("about"), for the same grammars."""
-    return _language_words(language).get(AROUND, ())
-
-
-def default_greetings(language: str) -> tuple[str, ...]:
-    """What people say to each other, and have said ("say hello"), though around a command it says nothing."""
-    return _language_words(language).get(GREETING, ())
-
-
-def default_hesitations(language: str) -> tuple[str, ...]:
-    """Sounds that people make while they think what to say: "uh"."""
-    return _language_words(language).get(HESITATION, ())
-
-
-def default_ways_back(language: str) -> tuple[str, ...]:
-    """Words that are backward, or the way back to where one came from: "back"."""
-    return _language_words(language).get(WAY_BACK, ())
-
-
-def default_asked(language: str) -> tuple[str, ...]:
-    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
-    return _language_words(language).get(ASKED, ())
-
-
-def default_requests(language: str) -> tuple[str, ...]:
-    """Verbs with which people ask for something ("*kannst* du links abbiegen?"), whose own verb may stand last."""
-    return _language_words(language).get(REQUEST, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -322,11 +271,7 @@ class _Builder:
             language=self.language,
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
-            greetings=self._said(default_greetings(self.language)),
-            hesitations=self._said(default_hesitations(self.language)),
-            ways_back=self._said(default_ways_back(self.language)),
-            asked=frozenset(default_asked(self.language)),
-            requests=frozenset(default_requests(self.language)),
+            wording=default_wording(self.language, self._said),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

@@ -38,7 +38,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
-        self._ways_back = PhraseSet(commands.matcher.grammar.ways_back)
+        self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
         known = thing_words(commands.matcher.grammar.language)
         self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
 

@@ -51,7 +51,7 @@ class Dictation:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         self._phrases = phrases
         self._commands = commands
-        self._greetings = PhraseSet(commands.matcher.grammar.greetings)
+        self._greetings = PhraseSet(commands.matcher.grammar.wording.greetings)
         self._language = commands.matcher.grammar.language
         self._possible = commands.matcher.grammar.dictates
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -12,31 +12,6 @@ from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
 
 __all__ = ["Phrases"]
-
-_AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
-"""Commands that say nothing where a pause and another command follow: "right, go forward"."""
-
-_AGREEING: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("yes", "yeah", "ok", "okay", "kay", "alright", "all right", "oh", "so", "well", "sure", "good",
-                     "very good", "great", "perfect", "excellent", "cool", "nice", "awesome"))
-}  # fmt: skip
-"""Words beside which one of those says nothing either: "yeah right", "right okay"."""
-
-_COMPARES: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("rather", "place", "other", "apart", "aside")),
-    "fr": frozenset(("lieu", "plutôt")),
-    "es": frozenset(("vez", "lugar", "mejor")),
-    "it": frozenset(("invece", "piuttosto")),
-}
-"""Words of negations that compare ("in place of"), which join what a sentence of the grammar has them between."""
-
-_BEFORE_VERBS: Mapping[str, frozenset[str]] = {
-    "de": frozenset(("zu", "dich", "euch", "sich")),
-    "fr": frozenset(("m", "s", "t", "me", "nous", "se", "te", "vous")),
-    "es": frozenset(("me", "nos", "os", "se", "te")),
-    "it": frozenset(("ci", "mi", "si", "ti", "vi")),
-}
-"""Words between a negation and the verb that it is of: "sans s'arrêter", "non ti fermare", "ohne zu bremsen"."""
 
 
 class Phrases:
@@ -48,7 +23,7 @@ class Phrases:
     """
 
     def __init__(self, grammar: Grammar, lists: Callable[[list[str]], bool] | None = None) -> None:
-        operators = grammar.operators
+        operators, wording = grammar.operators, grammar.wording
         fillers = (*grammar.fillers, *grammar.around)
         self.fillers = PhraseSet(fillers)
         own = own_words(grammar)
@@ -57,10 +32,9 @@ class Phrases:
         self.whole = PhraseSet(words for words in fillers if not _may_be_cut(words, self.fillers, own))
         """Fillers of which no word belongs to a sentence: "go right now" may be "go right", now."""
         says_nothing = (*fillers, *operators.opener)
-        self.hesitation = PhraseSet(words for words in grammar.hesitations if words in says_nothing)
-        compares = _COMPARES.get(grammar.language, frozenset())
-        joins = (words for words in operators.negation if not compares.isdisjoint(words) and own.issuperset(words))
-        compared = frozenset(words for words in joins if in_a_row(grammar, words))
+        self.hesitation = PhraseSet(words for words in wording.hesitations if words in says_nothing)
+        comparing = (words for words in operators.negation if not wording.compares.isdisjoint(words))
+        compared = frozenset(words for words in comparing if own.issuperset(words) and in_a_row(grammar, words))
         negation = [words for words in operators.negation if words not in compared]
         self.kept = PhraseSet((*operators.correction, *operators.cancel, *negation))
         """Operators, of which no filler takes a part."""
@@ -89,21 +63,20 @@ class Phrases:
         several = (words for words in grammar.fillers if len(words) > 1 and words not in joining)
         self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
-        self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
-        agreeing = _AGREEING.get(grammar.language, frozenset())
-        self._agreeing = PhraseSet(words for words in grammar.fillers if " ".join(words) in agreeing)
+        self._agrees = frozenset(filter(self._alone, wording.agrees))
+        self._agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
         around = PhraseSet(grammar.around)
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
         named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
-        greetings = PhraseSet(words for words in grammar.greetings if named and words in grammar.fillers)
+        greetings = PhraseSet(words for words in wording.greetings if named and words in grammar.fillers)
         self._openers = Openers(
             PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers, grammar.language,
             digits,
         )  # fmt: skip
         self._closed = operators.closed
-        self._requests = grammar.requests
-        self._before_verbs = _BEFORE_VERBS.get(grammar.language, frozenset())
+        self._requests = wording.requests
+        self._before_verbs = wording.before_verbs
 
     def without_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.fillers, self.kept, self._openers)

@@ -52,7 +52,7 @@ class Questions:
         if part.reading is None or isinstance(part.action, Stop):
             return False
         grammar, words = self._commands.matcher.grammar, part.reading.words
-        asked = not grammar.asked.isdisjoint(words[1:2]) and words[0] not in grammar.requests
+        asked = not grammar.wording.asked.isdisjoint(words[1:2]) and words[0] not in grammar.wording.requests
         return asked and all(slot.start > 1 for slot in part.reading.slots)  # "nimm sie?" is none
 
     def _asks_at_last(self, said: Utterance, parts: Sequence[Clause]) -> bool:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Stop
 from intent_engine.language.loading.contracted import with_contractions
-from intent_engine.language.loading.grammar_file import default_operators
+from intent_engine.language.loading.language_words import default_operators
 
 GRAMMAR = """
 language: en

@@ -15,7 +15,8 @@ from jsonschema import Draft202012Validator
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.loading.grammar_file import default_operators, load_grammars, schema
+from intent_engine.language.loading.grammar_file import load_grammars, schema
+from intent_engine.language.loading.language_words import default_operators
 from intent_engine.language.loading.yaml_source import YamlSource, parse_yaml
 
 STOP = "  halt: {action: stop, sentences: [halt]}\n"

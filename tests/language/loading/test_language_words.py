@@ -1,0 +1,44 @@
+"""The words that every grammar of a language has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import astuple
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+import intent_engine.language as language_room
+from intent_engine.language.loading.language_words import (
+    default_around,
+    default_fillers,
+    default_operators,
+    default_wording,
+)
+
+FILES = sorted((Path(language_room.__file__).parent / "operators").glob("*.yaml"))
+
+
+def as_they_are(texts: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+    return tuple((text,) for text in texts)
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_every_word_of_a_file_is_of_use(file: Path) -> None:
+    """A key with a slip in it would be a list that nobody reads."""
+    language = file.stem
+    used = {word for words in default_operators(language).values() for word in words}
+    used.update(default_fillers(language), default_around(language))
+    for held in astuple(default_wording(language, as_they_are)):
+        used.update(word if isinstance(word, str) else word[0] for word in held)
+    written: dict[str, list[Any]] = yaml.safe_load(file.read_text("utf-8"))
+    unused = {key: set(map(str, words)) - used for key, words in written.items()}
+    assert not {key: words for key, words in unused.items() if words}
+
+
+def test_a_language_that_has_no_file() -> None:
+    assert default_operators("nl") == {}
+    assert default_fillers("nl") == default_around("nl") == ()
+    assert not any(astuple(default_wording("nl", as_they_are)))
