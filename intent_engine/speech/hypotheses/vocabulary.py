@@ -40,6 +40,9 @@ def known_in_slots(matcher: Matcher) -> frozenset[str]:
     for slot in grammar.slots.values():
         found |= slot.known
         found.update(word for value, _ in slot.values for word in str(value).split())
+    for intent in grammar.intents.values():
+        for sentence in intent.all_sentences:
+            found.update(said_in_slots(sentence.fixed))  # nobody says it: "down" of "lower the arm"
     for name in matcher.locations or ():
         found.update(Utterance.of(name, grammar.language).words)
         found.update(name.split())  # a slot has the place as the map writes it: "Bay B12", "X-ray"

@@ -246,6 +246,21 @@ def test_the_words_of_a_slot_that_no_list_has_there(engine, text, unlisted):
     assert SpokenGrammar(engine).unlisted(engine.parse(text)) == unlisted
 
 
+def test_what_a_sentence_says_by_itself_is_listed(engine_of) -> None:
+    """Nobody says "up" with "lift the arm", so no model has to hear it."""
+    engine = engine_of("""
+language: en
+slots: {thing: {type: text}}
+intents:
+  lift:
+    action: custom
+    sentences: [{say: "lift the arm", slots: {way: up}}, {say: "lower the {thing}", slots: {way: all down}}]
+""")
+    grammar = SpokenGrammar(engine)
+    assert grammar.unlisted(engine.parse("lift the arm")) == []
+    assert grammar.unlisted(engine.parse("lower the flurb")) == ["flurb"]
+
+
 @pytest.mark.parametrize(
     ("name", "said"),
     [
