@@ -76,7 +76,7 @@ def read_labels(path: Path, engine: IntentEngine) -> list[Row]:
         raise ConfigError(not_utf8(str(path), error, f"give the folder with it and {FILE}")) from None
     except OSError as error:
         raise ConfigError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
-    intents = {name for grammar in engine.grammars for name in grammar.intents}
+    intents = {name for grammar in engine.grammars for name in (*grammar.intents, grammar.stop_intent)}
     slots = {name: _slot_names(engine, name) for name in intents}
     values = SlotValues(engine)
     other_form = file_in_other_form(text)
@@ -124,7 +124,7 @@ def _slot_names(engine: IntentEngine, intent: str) -> set[str]:
             continue
         if found.regex or found.lark:
             return set()  # named in another language; anything may come out
-        for sentence in found.sentences:
+        for sentence in found.all_sentences:
             names |= set(sentence.fixed)
             names |= _labels(sentence.template, grammar.phrases, set())
     return names

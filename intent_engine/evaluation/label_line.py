@@ -145,7 +145,9 @@ class LabelLine:
         return Expected(steps, actions, types, by_text=actions is not None and not labelled, stops=stops)
 
     def _kind(self, engine: IntentEngine) -> Callable[[Step], str]:
-        kinds = {name: intent.action.type for grammar in engine.grammars for name, intent in grammar.intents.items()}
+        kinds = {grammar.stop_intent: "stop" for grammar in engine.grammars}
+        for grammar in engine.grammars:
+            kinds |= {name: intent.action.type for name, intent in grammar.intents.items()}
         return lambda step: kinds.get(step.intent, "")
 
     def _steps(self, data: Mapping[str, Any]) -> tuple[Step, ...]:

@@ -331,6 +331,11 @@ class Grammar:
     """What is doubtful though it can be used."""
 
     @property
+    def stop_intent(self) -> str:
+        """The name under which a stop is told: every grammar has one, also without an intent for it."""
+        return next((intent.name for intent in self.intents.values() if intent.action.type == "stop"), "stop")
+
+    @property
     def dictates(self) -> bool:
         """Whether anything can be dictated."""
         return any(slot.dictation for slot in self.slots.values())

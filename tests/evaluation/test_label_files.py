@@ -11,6 +11,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.label_files import find_labels, read_labels
+from intent_engine.evaluation.labels import Step
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.language.sampler import sample
 
@@ -75,6 +76,29 @@ def test_a_label_is_believed_before_the_grammar(engine, write):
     assert not nothing.command
     assert action.actions == (Stop(),)
     assert types.types == ("move", "turn")
+
+
+def test_every_grammar_has_a_stop_to_label(engine_of, write):
+    """A stop is told under a name also where the file has no intent for it."""
+    engine = engine_of("language: en\nintents: {wave: {action: custom, sentences: [wave]}}\n")
+    (row,) = read_labels(write({"audio": "a.wav", "text": "stop", "intent": engine.parse("stop").intent}), engine)
+    assert row.expected.stops
+    hearing = Hearing(meanings=[engine.parse("stop")], acts=[Act(engine.parse("stop"), 1.0, 0.5)])
+    assert judge(row, Condition("tiny.en"), hearing).verdict is Verdict.RIGHT
+    with pytest.raises(ConfigError, match="intent 'halt' is not in the grammar"):
+        read_labels(write({"audio": "a.wav", "text": "halt", "intent": "halt"}), engine)
+
+
+def test_what_goes_on_from_a_command_has_its_slots(engine_of, write):
+    engine = engine_of("""
+language: en
+slots: {side: [left, right]}
+intents:
+  look: {action: custom, sentences: [look], then: ["to the {side}"]}
+""")
+    label = {"audio": "a.wav", "text": "look to the left", "intent": "look", "slots": {"side": "left"}}
+    (row,) = read_labels(write(label), engine)
+    assert row.expected.steps == (Step("look", {"side": "left"}),)
 
 
 def test_compound_commands_have_steps(engine, write):

@@ -52,9 +52,7 @@ class Interpreter:
         self.phrases = Phrases(grammar, commands.lists)
         self._nearest = nearest
         self._language = grammar.language
-        self._stop_intent = next(
-            (intent.name for intent in grammar.intents.values() if intent.action.type == "stop"), "stop"
-        )
+        self._stop_intent = grammar.stop_intent
         self._arrange(commands, None)
 
     def _arrange(self, commands: Commands, watch: Watch | None) -> None:
