@@ -308,6 +308,10 @@ class Grammar:
     """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
     requests: frozenset[str] = frozenset()
     """Verbs with which people ask for something, and whose own verb may stand last: "*kannst* du links abbiegen?"."""
+    denying: frozenset[str] = frozenset()
+    """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
+    forbidden: tuple[tuple[str, ...], ...] = ()
+    """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -53,6 +53,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
 ASKED = "asked"
 REQUEST = "request"
+DENYING, FORBIDDEN = "denying", "forbidden"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -66,7 +67,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST)
+    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST, DENYING, FORBIDDEN)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -113,6 +114,16 @@ def default_asked(language: str) -> tuple[str, ...]:
 def default_requests(language: str) -> tuple[str, ...]:
     """Verbs with which people ask for something ("*kannst* du links abbiegen?"), whose own verb may stand last."""
     return _language_words(language).get(REQUEST, ())
+
+
+def default_denying(language: str) -> tuple[str, ...]:
+    """Words behind a verb that only complete the negation before it: "ne va *pas*"."""
+    return _language_words(language).get(DENYING, ())
+
+
+def default_forbidden(language: str) -> tuple[tuple[str, ...], ...]:
+    """How verbs are forbidden, each form before the verb as it is told: "andare", "vai"; "-are", "-a" of any."""
+    return tuple(tuple(plain.split()) for plain in _language_words(language).get(FORBIDDEN, ()))
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -327,6 +338,8 @@ class _Builder:
             ways_back=self._said(default_ways_back(self.language)),
             asked=frozenset(default_asked(self.language)),
             requests=frozenset(default_requests(self.language)),
+            denying=frozenset(default_denying(self.language)),
+            forbidden=default_forbidden(self.language),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,

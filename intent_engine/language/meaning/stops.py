@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.doing import verbs
+from intent_engine.language.meaning.forbidden_verbs import verbs_told
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
@@ -149,10 +150,11 @@ class Stops:
         matcher = self._commands.matcher
         while lengths := self._stop.lengths_at(words, start):
             for length in lengths:
-                doing, *rest = words[start + length :] or [""]
-                for verb in verbs(doing, matcher.grammar.language):
-                    if verb in self._commands.first_words and matcher.prefix([verb, *rest])[1] is not None:
-                        return True
+                doing, *rest = after = words[start + length :] or [""]
+                told = [[verb, *rest] for verb in verbs(doing, matcher.grammar.language)]
+                told += [[verb, *after[said:]] for said, verb in verbs_told(after, matcher.grammar)]
+                if any(one[0] in self._commands.first_words and matcher.prefix(one)[1] is not None for one in told):
+                    return True
             start += lengths[0]
         return False
 
