@@ -110,6 +110,8 @@ class Negations:
         position, length = found
         if position and (said := self._not_the_other(core, position, length, state)) is not None:
             return said, ""
+        if (other := self._no_not_that(core, state)) is not None:
+            return other, ""
         refused = f"negated: {' '.join(words[position : position + length])!r}"
         start = position if words[:position] in _BEFORE else 0
         pauses = start == position or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
@@ -130,6 +132,39 @@ class Negations:
             if contrast and (instead := self._corrections.instead(denied, wanted, state)) is not None:
                 return instead, ""
         return None, refused
+
+    def _no_not_that(self, core: Utterance, state: Collection[str]) -> Utterance | None:
+        """An utterance without what a correction says not to have been meant: "turn left, no, not left, right" is "turn
+        left, no, right", and "no, not left, right" is "right". None: it is not clear, or more is denied.
+
+        Pauses part what is denied from the rest, and it is what was said before, or a command by itself.
+        """
+        words, breaks = core.words, core.breaks
+        for at in range(1, len(core)):
+            length = self._negation.at(words, at) if breaks[at] else 0
+            corrects = self._phrases.correction.ends(words[:at]) if length else 0
+            begin = at - corrects
+            if not corrects or (begin and not breaks[begin]) or self._negation.find(words[:begin]) is not None:
+                continue
+            for end in range(at + length + 1, len(core)):
+                contrast = self._phrases.contrast.at(words, end)
+                if contrast or breaks[end]:
+                    denied, wanted = core.part(at + length, end), core.part(end + contrast, len(core))
+                    return self._without_denied(core.part(0, at), begin, denied, wanted, state)
+        return None
+
+    def _without_denied(
+        self, before: Utterance, begin: int, denied: Utterance, wanted: Utterance, state: Collection[str]
+    ) -> Utterance | None:
+        """What was said before a denial and what is wanted behind it. A correction begins at ``begin``."""
+        if not wanted.words or self._negation.find(wanted.words) is not None:
+            return None
+        if not begin:
+            whole = all(self._commands.accepts(part.words, state) for part in (denied, wanted))
+            return wanted if whole else None
+        if not self._corrections.is_said(before.part(0, begin), denied, state):
+            return None
+        return Utterance([*before.words, *wanted.words], [*before.breaks, True, *wanted.breaks[1:]])
 
     def _denied(self, part: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command that a part with a negation forbids; None: it forbids none."""
