@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import verbs_told
 
-__all__ = ["as_told", "verbs_told"]
+__all__ = ["as_told"]
 
-_LEAST_LETTERS = 2
-"""Of a stem: "era" is no form of an "a"."""
 _MOST_BETWEEN = 3
 """Words of a verb before what completes its negation: "ne te déplace pas"."""
 
@@ -31,20 +30,3 @@ def as_told(denied: Utterance, grammar: Grammar) -> Iterator[Utterance]:
         yield way
         for length, verb in verbs_told(way.words, grammar):
             yield way.with_other(0, length, Utterance([verb], [False]))
-
-
-def verbs_told(words: Sequence[str], grammar: Grammar) -> Iterator[tuple[int, str]]:
-    """Of how many of the words, from the first on, a verb is a form, and that verb as it is told: of "girare" it is
-    "gira". Some of them are none."""
-    for *form, verb in grammar.forbidden:
-        *before, ending = form
-        if len(words) < len(form) or list(words[: len(before)]) != before:
-            continue
-        said = words[len(before)]
-        if not ending.startswith("-"):
-            if said == ending:
-                yield len(form), verb
-            continue
-        stem = said.removesuffix(ending[1:])
-        if stem != said and len(stem) >= _LEAST_LETTERS:
-            yield len(form), stem + verb.removeprefix("-")
