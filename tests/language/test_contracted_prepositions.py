@@ -108,3 +108,23 @@ def test_a_value_may_hold_the_word_itself(engine_of) -> None:
     engine = engine_of(text, locations={"bar": (1.0, 2.0)})
     assert engine.parse("gira al norte").slots == {"side": "north"}
     assert engine.parse("gira al bar").slots == {"place": "bar"}
+
+
+@pytest.mark.parametrize(
+    ("language", "take", "said", "thing"),
+    [
+        ("fr", "prends (le|la|un)", "prends le au bar", None),
+        ("fr", "prends (le|la|un)", "prends-le au bar", None),
+        ("fr", "prends (le|la|un)", "prends le jus du bar", "jus du bar"),
+        ("de", "nimm", "nimm zum Tor", None),
+        ("es", "coge", "coge al bar", None),
+        ("it", "prendi", "prendi al bar", None),
+        ("it", "prendi", "prendi del pane", "del pane"),
+    ],
+)
+def test_no_thing_begins_with_it(engine_of, language: str, take: str, said: str, thing: str | None) -> None:
+    engine = engine_of(
+        f"language: {language}\nslots: {{thing: object}}\n"
+        f'intents: {{take: {{action: {{type: pick, object: "{{thing}}"}}, sentences: ["{take} {{thing}}"]}}}}\n'
+    )
+    assert [action.object for action in engine.parse(said).actions] == ([thing] if thing else [])
