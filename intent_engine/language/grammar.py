@@ -312,6 +312,8 @@ class Grammar:
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
+    parted: tuple[str, ...] = ()
+    """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with
     both."""

@@ -24,6 +24,8 @@ class ThingWords:
     """Before the name of a thing or a place, and no part of it."""
     owning: frozenset[str] = frozenset()
     """Those of them that say whose it is, or which."""
+    done_to: frozenset[str] = frozenset()
+    """Those of them of what something is done to, and not only of who does it."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

@@ -53,7 +53,7 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 FILLER, AROUND, GREETING, HESITATION, WAY_BACK = "filler", "around", "greeting", "hesitation", "way_back"
 ASKED = "asked"
 REQUEST = "request"
-DENYING, FORBIDDEN = "denying", "forbidden"
+DENYING, FORBIDDEN, PARTED = "denying", "forbidden", "parted"
 """Keys of the words that are no operators, in the files of operators."""
 
 
@@ -67,7 +67,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST, DENYING, FORBIDDEN)
+    others = (FILLER, AROUND, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST, DENYING, FORBIDDEN, PARTED)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -124,6 +124,11 @@ def default_denying(language: str) -> tuple[str, ...]:
 def default_forbidden(language: str) -> tuple[tuple[str, ...], ...]:
     """How verbs are forbidden, each form before the verb as it is told: "andare", "vai"; "-are", "-a" of any."""
     return tuple(tuple(plain.split()) for plain in _language_words(language).get(FORBIDDEN, ()))
+
+
+def default_parted(language: str) -> tuple[str, ...]:
+    """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
+    return _language_words(language).get(PARTED, ())
 
 
 def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ...]:
@@ -340,6 +345,7 @@ class _Builder:
             requests=frozenset(default_requests(self.language)),
             denying=frozenset(default_denying(self.language)),
             forbidden=default_forbidden(self.language),
+            parted=default_parted(self.language),
             phrases=self.phrases,
             slots=self.slots,
             intents=self.intents,
