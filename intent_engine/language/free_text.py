@@ -46,6 +46,8 @@ class FreeText:
         self._going_on = words.joining - words.may_begin
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
+        self._whither = words.joining.intersection(words.contracted)
+        """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
         self._binding = words.joining | self.articles | words.binding
         self.unfinished = words.unfinished
@@ -78,6 +80,10 @@ class FreeText:
         """Whether a slot holds the name of a thing: it lists some, is of type ``object``, or is picked up or put."""
         return slot.type in FREE_KINDS and (bool(slot.known) or slot.name in self._taken)
 
+    def _names_a_thing(self, slot: Slot) -> bool:
+        """The same, but not of what is dictated, unless it is one of a list."""
+        return self.is_thing(slot) and bool(slot.known or not slot.dictation)
+
     def unfinished_in(self, slot: Slot) -> frozenset[str]:
         """Words that are never the last in a slot."""
         return self._unfinished_things - slot.known if slot.known else self.unfinished
@@ -92,11 +98,12 @@ class FreeText:
             return f"{word!r} leaves open which is meant in {' '.join(said)!r}; say one of them"
         if said and not slot.dictation:  # a title may begin with "and", no thing does
             wrong |= self._joints.intersection((said[0], said[-1]) if slot.known else (said[-1],))
-        if said and slot.known and said[0] in self.no_beginning and not _meant(slot, said[0]):
+        begun = self.no_beginning if slot.known else self._whither if self._names_a_thing(slot) else frozenset[str]()
+        if said and said[0] in begun and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
         if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
-        if said and not wrong and self.is_thing(slot) and (slot.known or not slot.dictation):
+        if said and not wrong and self._names_a_thing(slot):
             wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
         if self._operators.may_stand_in(said):

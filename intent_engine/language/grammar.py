@@ -302,6 +302,12 @@ class Wording:
     """Words of negations that compare ("in place of"), which join what a sentence has them between."""
     before_verbs: frozenset[str] = frozenset()
     """Words between a negation and the verb that it is of: "sans s'arrêter", "ohne zu bremsen"."""
+    denying: frozenset[str] = frozenset()
+    """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
+    forbidden: tuple[tuple[str, ...], ...] = ()
+    """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
+    parted: tuple[str, ...] = ()
+    """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,8 +48,13 @@ class Keyboards:
         return word
 
     @cached_property
+    def words_of_places(self) -> frozenset[str]:
+        """Those of the names on the map."""
+        return frozenset(_words_of_places(self._matcher))
+
+    @cached_property
     def _known(self) -> frozenset[str]:
-        return frozenset((*_words(self._matcher), *_words_of_places(self._matcher)))
+        return self.words_of_places.union(_words(self._matcher))
 
     @cached_property
     def _meant(self) -> Mapping[str, str]:

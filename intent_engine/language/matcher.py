@@ -228,7 +228,12 @@ class Matcher:
         lettered = Utterance.with_letters(text, language)
         if lettered is not None and self.prefix(lettered.words)[1] is not None:
             return lettered
-        return self.keyboards.read(Utterance.of(text, language))
+        return self.as_written(Utterance.of(text, language))
+
+    def as_written(self, said: Utterance) -> Utterance:
+        """An utterance with such words as the grammar has: with their accents, and two for one ("zu dem" for "zum")."""
+        read = self.keyboards.read(said)
+        return self.spacing.uncontracted(read, self.keyboards.words_of_places) if self.spacing.contracts(read) else read
 
     def _reading(self, trace: Trace, words: list[str]) -> Reading:
         intent, sentence = self.sentences[trace[0][1][1][1]]

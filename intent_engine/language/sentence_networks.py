@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING
 
 from intent_engine.language import quantities
@@ -14,7 +14,7 @@ from intent_engine.language.led_names import led
 from intent_engine.language.network import NAMED, NEVER, Call, Networks
 from intent_engine.language.numbered import numbers_either_way
 from intent_engine.language.numbers.digit_by_digit import template_of
-from intent_engine.language.numbers.spelled import number_otherwise
+from intent_engine.language.numbers.spelled import figures_otherwise, number_otherwise
 from intent_engine.language.numbers.units import units
 from intent_engine.language.own_units import hundredth
 from intent_engine.language.slot_values import NamesOf
@@ -179,8 +179,9 @@ class SentenceNetworks:
                 scope.update(self._scope(node))
             self._networks.add_choice(key, [(value, self._spoken(node)) for value, node in slot.values], scope)
         elif slot.type == "location":
-            respell = number_otherwise if self._grammar.language == "en" else None
-            self._networks.add_names(key, NamesOf(self._locations, slot.tags, self._grammar.language), respell)
+            language = self._grammar.language
+            respell = number_otherwise if language == "en" else partial(figures_otherwise, language=language)
+            self._networks.add_names(key, NamesOf(self._locations, slot.tags, language), respell)
 
     def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
         """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one

@@ -15,6 +15,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import verbs_told
 from intent_engine.language.vocabulary import vocabulary
 
 __all__ = ["Spacing", "in_a_row"]
@@ -32,6 +33,8 @@ _Words: TypeAlias = frozenset[str]
 _Ends: TypeAlias = tuple[_Words, _Words, bool]
 """The words that a template may begin and end with, and whether it may be left out."""
 _NONE: _Words = frozenset()
+_SLOT = "\0slot"
+"""What stands for whatever a slot holds."""
 
 
 class Spacing:
@@ -46,7 +49,8 @@ class Spacing:
         A word that the grammar does not have is parted where two of its words follow each other, and two words become
         one that it has. None that changes what is meant ("not") is part of it.
         """
-        words, breaks = self._unelided(said.words), list(said.breaks)
+        parted = self.uncontracted(said)
+        words, breaks = self._unelided(parted.words), list(parted.breaks)
         for place in range(len(words) - 1, -1, -1):
             if place and self._grammar.language in _JOINS_SLOTS and words[place - 1] in self._articles:
                 continue  # "die Vorfahren": a noun
@@ -69,6 +73,48 @@ class Spacing:
             if known and words[place + 1][0] in _VOWELS:
                 full[place] = (follows or known)[0]
         return full
+
+    def uncontracted(self, said: Utterance, places: frozenset[str] | None = None) -> Utterance:
+        """The utterance with words that are one for two as these, where the grammar has only the first and it follows
+        there: "fahr zum Tor" as "fahr zu dem Tor" for "fahr zu {place}". The same one if there are none.
+
+        Behind what says nothing there, or negates ("fahr bitte nicht zum"), what is before that counts; and what takes
+        the place of something else ("nein, zur Tür") is said as that was.
+
+        Args:
+            said: the utterance.
+            places: the words of the names of places, within which none is parted, nor is any that the grammar has
+                elsewhere; None: these do not matter.
+        """
+        if not self.contracts(said):
+            return said
+        words: list[str] = []
+        breaks: list[bool | None] = []
+        for place, (word, pause) in enumerate(zip(said.words, said.breaks, strict=True)):
+            parts = self._contracted.get(word, (word,))
+            within = places is not None and places.issuperset((word, *said.words[max(0, place - 1) : place]))
+            own = within or (places is not None and word in self._words)
+            named = not (places or _NONE).isdisjoint(said.words[place + 1 : place + 2])
+            if own or (len(parts) > 1 and not self._may_follow(words, parts[0], word, named=named)):
+                parts = (word,)
+            words += parts
+            breaks += (pause, *[False] * (len(parts) - 1))
+        return Utterance(words, breaks) if len(words) > len(said) else said
+
+    def contracts(self, said: Utterance) -> bool:
+        """A quick look: whether any word may be one for two that the grammar has."""
+        return not self._contracted.keys().isdisjoint(said.words)
+
+    def _may_follow(self, before: list[str], first: str, contracted: str, *, named: bool) -> bool:
+        """Whether a word of the grammar follows some words there, and one that it begins does not. ``named``: whether
+        the name of a place may come next, before which there may be that of a thing: "stell die Kiste zum Tor"."""
+        led = next((word for word in reversed(before) if word not in self._passed), "")
+        told = (verb for _, verb in verbs_told([led], self._grammar))
+        if any(self.follow(verb, first) and not self.follow(verb, contracted) for verb in (led, *told)):
+            return True
+        if named and led not in self._words and first in self._behind_slots:
+            return True
+        return bool(before) and before[-1] in self._turning and first in before
 
     def _parted(self, word: str, after: list[str]) -> tuple[str, str] | None:
         """The two words that a word is in the grammar."""
@@ -117,6 +163,35 @@ class Spacing:
     def _longest(self) -> int:
         """Letters of two words of the grammar, at most."""
         return 2 * max(map(len, self._words), default=0)
+
+    @cached_property
+    def _contracted(self) -> Mapping[str, tuple[str, ...]]:
+        """Words that are one for two, and these, of which the grammar has the first."""
+        contracted = thing_words(self._grammar.language).contracted
+        return {word: parts for word, parts in contracted.items() if parts[0] in self._words}
+
+    @cached_property
+    def _passed(self) -> _Words:
+        """Single words that say nothing, or negate."""
+        grammar = self._grammar
+        rows = (*grammar.fillers, *grammar.around, *grammar.operators.negation)
+        return frozenset(words[0] for words in rows if len(words) == 1).difference(vocabulary(grammar))
+
+    @cached_property
+    def _turning(self) -> _Words:
+        """Words with which what corrects, contrasts or joins may end."""
+        operators = self._grammar.operators
+        rows = (*operators.correction, *operators.contrast, *operators.sequence)
+        return frozenset(words[-1] for words in rows)
+
+    @cached_property
+    def _behind_slots(self) -> _Words:
+        """Words that stand behind slots in sentences."""
+        slots = {name: Word(_SLOT) for name in self._grammar.slots}
+        intents = self._grammar.intents.values()
+        templates = (sentence.template for intent in intents for sentence in intent.all_sentences)
+        following = _Neighbours({**slots, **self._grammar.phrases}).of(templates)
+        return _NONE.union(*(begins for ends, begins in following if _SLOT in ends))
 
     @cached_property
     def _articles(self) -> Collection[str]:

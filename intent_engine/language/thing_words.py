@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,8 @@ class ThingWords:
     """Before the name of a thing or a place, and no part of it."""
     owning: frozenset[str] = frozenset()
     """Those of them that say whose it is, or which."""
+    done_to: frozenset[str] = frozenset()
+    """Those of them of what something is done to, and not only of who does it."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()
@@ -75,6 +78,8 @@ class ThingWords:
     """Endings of words that say how something is done."""
     sayings: tuple[str, ...] = ()
     """What is said of an "it" that is no thing."""
+    contracted: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    """One word for two -> the two, of which the second is an article: "zum", "zu dem"."""
     examples: tuple[str, ...] = ()
     """Things, for sampled sentences."""
 
@@ -101,8 +106,9 @@ def thing_words(language: str) -> ThingWords:
         return ThingWords()
     data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
+    contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, sayings=sayings, examples=examples)
+    return ThingWords(**words, sayings=sayings, contracted=contracted, examples=examples)
 
 
 @cache

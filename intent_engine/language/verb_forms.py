@@ -1,10 +1,13 @@
-"""Verbs as they tell of something: "opens", "activated", "pausing". A command says "open"."""
+"""Verbs as they tell of something ("opens", "activated", "pausing"), where a command says "open", and as they are
+forbidden and ended ("non *girare*"), where a command says "gira"."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-__all__ = ["told_forms_of"]
+from intent_engine.language.grammar import Grammar
+
+__all__ = ["told_forms_of", "verbs_told"]
 
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
@@ -21,3 +24,20 @@ def told_forms_of(word: str, language: str) -> Iterator[str]:
         yield stem + own
         if ending in ("ed", "ing") and not own and stem[-1] == stem[-2]:
             yield stem[:-1]
+
+
+def verbs_told(words: Sequence[str], grammar: Grammar) -> Iterator[tuple[int, str]]:
+    """Of how many of the words, from the first on, a verb is a form, and that verb as it is told: of "girare" it is
+    "gira". Some of them are none."""
+    for *form, verb in grammar.wording.forbidden:
+        *before, ending = form
+        if len(words) < len(form) or list(words[: len(before)]) != before:
+            continue
+        said = words[len(before)]
+        if not ending.startswith("-"):
+            if said == ending:
+                yield len(form), verb
+            continue
+        stem = said.removesuffix(ending[1:])
+        if stem != said and len(stem) >= LEAST_LETTERS:
+            yield len(form), stem + verb.removeprefix("-")

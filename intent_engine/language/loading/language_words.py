@@ -62,4 +62,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         agreeing=phrases("agreeing"),
         compares=words("compares"),
         before_verbs=words("before_verb"),
+        denying=words("denying"),
+        forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
+        parted=lists.get("parted", ()),
     )

@@ -149,6 +149,15 @@ class Corrections:
             return []  # "clear table three, wait two minutes and ...": what is wrong is in what follows
         return pieces[1]
 
+    def is_said(self, said: Utterance, again: Utterance, state: Collection[str]) -> bool:
+        """Whether words are a part of a command as it was said: "left" of "turn left"."""
+        one = self._commands.exact(said.words, state)
+        replaced = self._replacements.replaced(said, again, state, "")
+        other = self._commands.exact(replaced.words, state) if replaced is not None else None
+        if one is None or other is None or not one.accepted:
+            return False
+        return one.action == other.action
+
     def instead(self, denied: Utterance, meant: Utterance, state: Collection[str]) -> Utterance | None:
         """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""

@@ -131,7 +131,7 @@ class Interpreter:
         return meant
 
     def _said(self, text: str) -> Utterance:
-        return self.matcher.keyboards.read(Utterance.of(text, self._language))
+        return self.matcher.as_written(Utterance.of(text, self._language))
 
     def _by_letters(
         self,

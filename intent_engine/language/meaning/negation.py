@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from functools import cached_property
 
 from intent_engine.actions import Custom
 from intent_engine.language.grammar import MOTIONS
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.forbidden_verbs import as_told
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.template_tree import first_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Negations"]
@@ -69,13 +72,28 @@ class Negations:
         if before in _BEFORE or self._phrases.fillers.cover([word for word in before if [word] not in _BEFORE]):
             before = []
         after = core.part(position + length, len(core))
-        rest = [*before, *after.words]
-        said = bool(rest) and self._first(after) is None
-        clause = (self._commands.exact(rest, state) or self._commands.misheard(rest, state)) if said else None
+        ways = as_told(after, self._commands.matcher.grammar)
+        return any(self._is_motion([*before, *way.words], state) for way in ways if self._first(way) is None)
+
+    def _is_motion(self, words: list[str], state: Collection[str]) -> bool:
+        """Whether words are a motion, exactly or nearly, or begin one with a verb of nothing else: "don't turn"."""
+        if words and words[0] in self._motion_verbs and self._commands.matcher.prefix(words)[1] is not None:
+            return True
+        clause = (self._commands.exact(words, state) or self._commands.misheard(words, state)) if words else None
         if clause is None or clause.reading is None:
             return False
         person = isinstance(clause.action, Custom) and not clause.action.slots  # "don't follow me", "don't come here"
         return person or clause.reading.intent.action.type in MOTIONS  # also one that cannot be: "don't go there"
+
+    @cached_property
+    def _motion_verbs(self) -> frozenset[str]:
+        """Words with which sentences of motions begin, and no others."""
+        grammar = self._commands.matcher.grammar
+        begun: dict[bool, set[str]] = {True: set(), False: set()}
+        for intent in grammar.intents.values():
+            for sentence in intent.sentences:
+                begun[intent.action.type in MOTIONS] |= first_words(sentence.template, grammar.phrases)[0]
+        return frozenset(begun[True] - begun[False])
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:
@@ -92,20 +110,20 @@ class Negations:
         position, length = found
         if position and (said := self._not_the_other(core, position, length, state)) is not None:
             return said, ""
+        if (other := self._no_not_that(core, state)) is not None:
+            return other, ""
         refused = f"negated: {' '.join(words[position : position + length])!r}"
         start = position if words[:position] in _BEFORE else 0
-        told = core.with_other(position, position + length, Utterance([], []))
         pauses = start == position or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
         for end in range(position + length + 1, len(words)):
             contrast = self._phrases.contrast.at(words, end)
             if not contrast and not (core.breaks[end] and pauses):
                 continue
-            denied = told.part(start, end - length)
-            forbidden = self._commands.exact(denied.words, state)
-            if forbidden is None:
+            denied = self._denied(core.part(start, end), position - start, length, state)
+            if denied is None:
                 continue
             wanted = core.part(end + contrast, len(core))
-            if not wanted.words or self._negation.may_stand_in(wanted.words):
+            if not wanted.words or self._negation.find(wanted.words) is not None:
                 continue
             if self._phrases.sequence.at(wanted.words, 0):
                 continue
@@ -115,6 +133,48 @@ class Negations:
                 return instead, ""
         return None, refused
 
+    def _no_not_that(self, core: Utterance, state: Collection[str]) -> Utterance | None:
+        """An utterance without what a correction says not to have been meant: "turn left, no, not left, right" is "turn
+        left, no, right", and "no, not left, right" is "right". None: it is not clear, or more is denied.
+
+        Pauses part what is denied from the rest, and it is what was said before, or a command by itself.
+        """
+        words, breaks = core.words, core.breaks
+        for at in range(1, len(core)):
+            length = self._negation.at(words, at) if breaks[at] else 0
+            corrects = self._phrases.correction.ends(words[:at]) if length else 0
+            begin = at - corrects
+            if not corrects or (begin and not breaks[begin]) or self._negation.find(words[:begin]) is not None:
+                continue
+            for end in range(at + length + 1, len(core)):
+                contrast = self._phrases.contrast.at(words, end)
+                if contrast or breaks[end]:
+                    denied, wanted = core.part(at + length, end), core.part(end + contrast, len(core))
+                    return self._without_denied(core.part(0, at), begin, denied, wanted, state)
+        return None
+
+    def _without_denied(
+        self, before: Utterance, begin: int, denied: Utterance, wanted: Utterance, state: Collection[str]
+    ) -> Utterance | None:
+        """What was said before a denial and what is wanted behind it. A correction begins at ``begin``."""
+        if not wanted.words or self._negation.find(wanted.words) is not None:
+            return None
+        if not begin:
+            whole = all(self._commands.accepts(part.words, state) for part in (denied, wanted))
+            return wanted if whole else None
+        if not self._corrections.is_said(before.part(0, begin), denied, state):
+            return None
+        return Utterance([*before.words, *wanted.words], [*before.breaks, True, *wanted.breaks[1:]])
+
+    def _denied(self, part: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
+        """The command that a part with a negation forbids; None: it forbids none."""
+        before, after = part.part(0, position), part.part(position + length, len(part))
+        for way in as_told(after, self._commands.matcher.grammar):
+            told = Utterance([*before.words, *way.words], [*before.breaks, *way.breaks])
+            if self._commands.exact(told.words, state) is not None:
+                return told
+        return None
+
     def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command before a negation behind which stands only another value of one of its slots: "turn left, not
         right", "forward and not back". None: there is more, or less, or it is no other ("turn left not now")."""
@@ -122,7 +182,7 @@ class Negations:
         if tuple(words[position : position + length]) not in _EXCLUDES.get(self._commands.matcher.grammar.language, ()):
             return None
         other = core.part(position + length, len(core))
-        if not other.words or self._negation.may_stand_in(other.words):
+        if not other.words or self._negation.find(other.words) is not None:
             return None
         said = core.part(0, position)
         joint = max(self._phrases.sequence.ends(said.words), self._phrases.contrast.ends(said.words))

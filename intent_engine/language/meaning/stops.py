@@ -11,6 +11,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import verbs_told
 from intent_engine.needs import MOVING
 
 __all__ = ["Stops"]
@@ -149,10 +150,11 @@ class Stops:
         matcher = self._commands.matcher
         while lengths := self._stop.lengths_at(words, start):
             for length in lengths:
-                doing, *rest = words[start + length :] or [""]
-                for verb in verbs(doing, matcher.grammar.language):
-                    if verb in self._commands.first_words and matcher.prefix([verb, *rest])[1] is not None:
-                        return True
+                doing, *rest = after = words[start + length :] or [""]
+                told = [[verb, *rest] for verb in verbs(doing, matcher.grammar.language)]
+                told += [[verb, *after[said:]] for said, verb in verbs_told(after, matcher.grammar)]
+                if any(one[0] in self._commands.first_words and matcher.prefix(one)[1] is not None for one in told):
+                    return True
             start += lengths[0]
         return False
 

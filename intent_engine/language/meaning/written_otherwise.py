@@ -10,9 +10,10 @@ from intent_engine.language.figures_apart import are_apart, figures_apart, figur
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_twice import SaidTwice
-from intent_engine.language.meaning.told import Understood
+from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.plurals import Plurals
 from intent_engine.language.reading import Reading
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["WrittenOtherwise"]
@@ -33,6 +34,7 @@ class WrittenOtherwise:
         phrases: Phrases,
         meant: Callable[[str, Utterance, Collection[str]], Understood],
     ) -> None:
+        self._commands = commands
         self._matcher = commands.matcher
         self._meant = meant
         self._said_twice = SaidTwice(commands, phrases)
@@ -49,6 +51,8 @@ class WrittenOtherwise:
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
         if written is None:
+            written = self._in_the_infinitive(text, core, state)
+        if written is None:
             written = self._begun_twice(text, core, state)
         if written is None:
             written = self._understood_as(text, core, figures_apart(core, language), state)
@@ -57,6 +61,21 @@ class WrittenOtherwise:
         if written is None:
             written = self._understood_as(text, core, figures_joined(core, language), state)
         return written if written is not None else self._counted_otherwise(text, core, state)
+
+    def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Den Ball aufheben": "kannst du den Ball aufheben" without what asks for it. The verb is one that would be
+        parted, were it told of somebody, and a question asks whether."""
+        grammar = self._matcher.grammar
+        first, last = core.words[0], core.words[-1]
+        begun = any(last.startswith(begin) and len(last) > len(begin) + 3 for begin in grammar.wording.parted)
+        if not begun or not last.endswith("n") or "?" in text or first not in thing_words(grammar.language).done_to:
+            return None
+        for asking in (words for words in grammar.fillers if len(words) == 2 and words[0] in grammar.wording.requests):
+            breaks = [False] * len(asking) + [*core.breaks]
+            clause = self._commands.exact([*asking, *core.words], state, breaks=breaks)
+            if clause is not None and clause.accepted:
+                return as_told(text, clause)
+        return None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""

@@ -22,6 +22,7 @@ __all__ = [
     "numbers_at",
     "ordinal",
     "point_word",
+    "said_apart",
 ]
 
 LANGUAGES = frozenset(("de", "es", "fr", "it", "nl", "pt", "ca"))
@@ -213,7 +214,7 @@ def _whole(words: Sequence[str], language: str) -> float | None:
     """A whole number in words: as text2num has it, and millions, whose plurals it does not know everywhere."""
     if not NO_NUMBERS.get(language, frozenset()).isdisjoint(words):
         return None
-    known = [_respelled(word, language) for word in words]
+    known = [_respelled(word, language) for word in _joined(words, language)]
     value = _text2num(" ".join(known), language)
     if value is not None:
         return value
@@ -221,10 +222,32 @@ def _whole(words: Sequence[str], language: str) -> float | None:
         scale = _scale(word, language)
         if scale is None or scale < 1e6:
             continue
-        before = _text2num(" ".join(known[:place]), language) if place else 1.0
+        before = _whole(words[:place], language) if place else 1.0
         after = _whole(words[place + 1 :], language) if place + 1 < len(words) else 0.0
         return before * scale + after if before is not None and after is not None and after < scale else None
     return None
+
+
+def _joined(words: Sequence[str], language: str) -> Sequence[str]:
+    """Words with those as one that are said apart: "veinte y tres" as "veintitres"."""
+    table = units(language)
+    for apart, begin in table.joined.items() if table is not None else ():
+        for at in range(len(words) - len(apart)):
+            if tuple(words[at : at + len(apart)]) == apart:
+                end = at + len(apart)
+                return [*words[:at], begin + words[end], *words[end + 1 :]]
+    return words
+
+
+def said_apart(number: int, spelled: tuple[str, ...], language: str) -> Iterator[tuple[str, ...]]:
+    """A whole number, as it is spelled in words, with its last word as several: "veinte y tres" of "veintitrés"."""
+    from intent_engine.language.numbers import said
+
+    table = units(language)
+    for apart, begin in table.joined.items() if table is not None else ():
+        tens = _whole(apart[:-1], language)
+        if tens is not None and spelled[-1].startswith(begin) and 0 < number % 100 - tens < 10:
+            yield (*spelled[:-1], *apart, *said.spell(int(number % 100 - tens), language))
 
 
 def _respelled(word: str, language: str) -> str:
@@ -276,7 +299,7 @@ def is_article(words: Sequence[str], language: str) -> bool:
 def point_word(language: str) -> str:
     """What is said for the point of a number: "komma"; nothing where that is not known."""
     table = units(language)
-    return min(table.words.get("point", ()), default="") if table is not None else ""
+    return table.point if table is not None else ""
 
 
 def _part(word: str, words: Mapping[str, frozenset[str]]) -> float | None:

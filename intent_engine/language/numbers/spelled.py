@@ -7,8 +7,9 @@ from functools import cache, lru_cache
 
 from intent_engine.language.numbers import english, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.units import units
 
-__all__ = ["in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
+__all__ = ["figures_otherwise", "in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
 
 _ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
 _TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
@@ -113,6 +114,28 @@ def number_otherwise(words: Sequence[str]) -> tuple[int, tuple[tuple[str, ...], 
         return end, ()
     ways = dict.fromkeys((digits, spelled, *_said(digits[0], spelled)))
     return end, tuple(way for way in ways if way != own)
+
+
+def figures_otherwise(words: Sequence[str], language: str) -> tuple[int, tuple[tuple[str, ...], ...]]:
+    """The whole number in digits with which some words begin: how many words it has (0: there is none), and how it is
+    said in another language than English: "21" is "vingt et un" and "vingt et une". Of "1" nothing is told, it may be
+    an article."""
+    if not words[0].isdecimal() or str(int(words[0])) != words[0] or words[0] == "1":
+        return 0, ()
+    return 1, _ways_to_say(words[0], language)
+
+
+@lru_cache(maxsize=65536)
+def _ways_to_say(digits: str, language: str) -> tuple[tuple[str, ...], ...]:
+    spelled = said.spell(int(digits), language)
+    table = units(language)
+    one = table.words.get("one", frozenset()) if table is not None else frozenset[str]()
+    if not spelled:
+        return ()
+    ways = [spelled, *foreign.said_apart(int(digits), spelled, language)]
+    if spelled[-1] in one:
+        ways += [(*spelled[:-1], other) for other in sorted(one) if other != spelled[-1]]
+    return tuple(ways)
 
 
 def _said(digits: str, spelled: tuple[str, ...]) -> Iterator[tuple[str, ...]]:

@@ -54,6 +54,10 @@ class Units:
     words: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Function words: ``one`` (a, an), ``half``, ``quarter``, ``and``, ``of``, ``per``, ``point``."""
 
+    point: str = ""
+    """What is mostly said for the point of a number, of several words for it."""
+    joined: Mapping[tuple[str, ...], str] = field(default_factory=dict)
+    """What is said apart, and how a number begins that has it in one word: "veinte y", "veinti"."""
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
 
@@ -97,4 +101,6 @@ def units(language: str) -> Units | None:
         for number, forms in data.get("parts", {}).items()
         for place, word in enumerate((forms[0], forms[-1]))
     }
-    return Units(by_kind, names, function_words, parts)
+    joined = {tuple(apart.split()): begin for apart, begin in data.get("joined", {}).items()}
+    point = next(iter(data.get("words", {}).get("point", ())), "")
+    return Units(by_kind, names, function_words, point, joined, parts)

@@ -32,7 +32,7 @@ def test_every_word_of_a_file_is_of_use(file: Path) -> None:
     used = {word for words in default_operators(language).values() for word in words}
     used.update(default_fillers(language), default_around(language))
     for held in astuple(default_wording(language, as_they_are)):
-        used.update(word if isinstance(word, str) else word[0] for word in held)
+        used.update(word if isinstance(word, str) else " ".join(word) for word in held)
     written: dict[str, list[Any]] = yaml.safe_load(file.read_text("utf-8"))
     unused = {key: set(map(str, words)) - used for key, words in written.items()}
     assert not {key: words for key, words in unused.items() if words}

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers import foreign
+from intent_engine.language.numbers.spelled import figures_otherwise
 from intent_engine.language.numbers.units import units
 from intent_engine.language.quantities import evaluate, is_number_word, templates
 from intent_engine.language.template import parse_template
@@ -85,6 +86,12 @@ SAID = {
         ("minuto y cuarto", "duration", 75),
         ("veintitres", "number", 23),
         ("treinta y cinco", "number", 35),
+        ("veinte y tres", "number", 23),
+        ("ciento veinte y un", "number", 121),
+        ("diez y seis", "number", 16),
+        ("veinte y dos millones", "number", 22e6),
+        ("veinte y tres coma cinco metros", "distance", 23.5),
+        ("veinte metros y tres centímetros", "distance", 20.03),
         ("mil doscientos", "number", 1200),
         ("2 mil", "number", 2000),
         ("3 mil millones", "number", 3e9),
@@ -113,6 +120,7 @@ SAID = {
         ("due metri e mezzo", "distance", 2.5),
         ("mezzo metro", "distance", 0.5),
         ("due virgola cinque metri", "distance", 2.5),
+        ("due punto cinque metri", "distance", 2.5),
         ("novanta gradi", "angle", 90 * DEGREE),
         ("un quarto di giro", "angle", math.pi / 2),
         ("un minuto e mezzo", "duration", 90),
@@ -210,3 +218,67 @@ def test_number_words_are_told_from_others() -> None:
 @pytest.mark.parametrize(("said", "value"), [("-3 Komma 2", -3.2), ("8 k", 8000), ("-2,5 k", -2500)])
 def test_figures_go_on_in_words(said: str, value: float) -> None:
     assert evaluate(words(said), "number", "de") == pytest.approx(value)
+
+
+@pytest.mark.parametrize("said", ["veinte y", "diez y tres", "veinte y diez", "y tres", "dos y tres"])
+def test_what_no_number_is_said_as(said: str) -> None:
+    assert evaluate(words(said), "number", "es") is None
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("de", "zwei Punkt fünf Meter"), ("fr", "deux point cinq mètres"), ("es", "dos punto cinco metros"),
+     ("it", "due punto cinque metri")],
+)  # fmt: skip
+def test_a_point_is_said_beside_a_comma(language: str, said: str) -> None:
+    assert evaluate(words(said), "distance", language) == 2.5
+
+
+@pytest.mark.parametrize(
+    ("language", "figures", "said"),
+    [
+        ("fr", "21", ("vingt", "et", "un")), ("fr", "21", ("vingt", "et", "une")),
+        ("fr", "71", ("soixante", "et", "onze")), ("es", "35", ("treinta", "y", "cinco")),
+        ("es", "23", ("veintitrés",)), ("es", "23", ("veinte", "y", "tres")), ("it", "21", ("ventuno",)),
+        ("de", "21", ("einundzwanzig",)),
+    ],
+)  # fmt: skip
+def test_figures_as_they_are_said(language: str, figures: str, said: tuple[str, ...]) -> None:
+    length, ways = figures_otherwise((figures, "b"), language)
+    assert length == 1
+    assert said in ways
+
+
+@pytest.mark.parametrize("words", [("1",), ("021",), ("2.5",), ("table",)])
+def test_what_is_no_whole_number_is_not_said_otherwise(words: tuple[str, ...]) -> None:
+    assert figures_otherwise(words, "fr") == (0, ())
+
+
+NUMBERED = """
+language: {language}
+slots: {{place: location}}
+intents:
+  go: {{action: {{type: navigate, location: "{{place}}"}}, sentences: ["{go} {{place}}"]}}
+  come: {{action: custom, sentences: ["{come}"]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "go", "come", "said", "place"),
+    [
+        ("fr", "va à la", "viens", "va à la table vingt et un", "table 21"),
+        ("fr", "va à la", "viens", "va à la table soixante et onze", "table 71"),
+        ("fr", "va à la", "viens", "va à la table vingt", "table 20"),
+        ("es", "ve a la", "ven", "ve a la fila treinta y cinco", "fila 35"),
+        ("es", "ve a la", "ven", "ve a la fila veinte y tres", "fila 23"),
+    ],
+)
+def test_a_place_has_its_number_in_words_that_join(engine_of, language, go, come, said, place) -> None:
+    name = place.split()[0]
+    places = {f"{name} {number}": (float(number), 0.0) for number in (1, 5, 20, 21, 23, 35, 71)}
+    engine = engine_of(NUMBERED.format(language=language, go=go, come=come), locations=places)
+    assert engine.parse(said).slots == {"place": place}
+    joint = "et" if language == "fr" else "y"
+    both = engine.parse(f"{said} {joint} {come}")
+    assert [step["intent"] for step in both.slots["steps"]] == ["go", "come"]
+    assert not engine.parse(f"{go} {name} vingt et douze" if language == "fr" else f"{go} {name} veinte y doce").actions
