@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from intent_engine.evaluation.hearing import Listener
 from intent_engine.execution.clock import MonotonicClock
-from intent_engine.heard import Heard
+from intent_engine.runtime.heard import Heard
 from intent_engine.speech.audio import FRAME_SAMPLES, SAMPLE_RATE, Samples
 from intent_engine.speech.sources.stream import StreamSource
 

@@ -31,8 +31,8 @@ from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Outcome, Verdict, quantile
 from intent_engine.evaluation.sound import load, read_whole
 from intent_engine.evaluation.trial import Trial
-from intent_engine.heard import HeardKind
 from intent_engine.resources import default_grammar, default_locations
+from intent_engine.runtime.heard import HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 
 _COMMAND = "python -m benchmarks --only speech"

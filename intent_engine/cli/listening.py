@@ -23,7 +23,8 @@ from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
 if TYPE_CHECKING:
     from intent_engine.cli.session import Session
     from intent_engine.execution.executor import Executor
-    from intent_engine.runtime import Runtime, Summary
+    from intent_engine.runtime.heard import Summary
+    from intent_engine.runtime.runtime import Runtime
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.sources.pcm import PcmFormat, PcmSource
 

@@ -17,7 +17,7 @@ from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.runtime import Heard, HeardKind, Summary
+from intent_engine.runtime.heard import Heard, HeardKind, Summary
 from intent_engine.speech.audio import Report
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import WORTH_ASKING

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from intent_engine.execution.robots.robot import Robot
     from intent_engine.execution.robots.robot_file import RobotFile
     from intent_engine.execution.robots.simulated import SimulatedRobot
-    from intent_engine.runtime import Runtime, Summary
+    from intent_engine.runtime.heard import Summary
+    from intent_engine.runtime.runtime import Runtime
     from intent_engine.speech.audio import AudioSource, Report
     from intent_engine.speech.endpoint import Settings
     from intent_engine.speech.recognizer import Recognizer
@@ -113,7 +114,7 @@ class Session:
         from intent_engine.execution.executor import Executor
         from intent_engine.execution.robots.robot import Pose
         from intent_engine.execution.showing import show_own_actions
-        from intent_engine.runtime import Runtime
+        from intent_engine.runtime.runtime import Runtime
 
         with contextlib.ExitStack() as stack:
             stack.enter_context(contextlib.closing(source))

@@ -16,7 +16,8 @@ from intent_engine.execution.robots.robot import Pose
 from intent_engine.execution.robots.robot_file import RobotFile
 from intent_engine.execution.showing import show_own_actions
 from intent_engine.interpretation import Interpretation
-from intent_engine.runtime import Heard, HeardKind, Runtime
+from intent_engine.runtime.heard import Heard, HeardKind
+from intent_engine.runtime.runtime import Runtime
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.leaving import Leavable

@@ -16,7 +16,6 @@ from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 from intent_engine.actions import Action, to_json
-from intent_engine.amending import CarriedOut
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.admission import Policy
@@ -28,7 +27,6 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.last_said import LastSaid
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
@@ -37,6 +35,8 @@ from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import leave, run_node
 from intent_engine.ros2.robot_states import States
 from intent_engine.ros2.state_keeper import StateKeeper
+from intent_engine.runtime.amending import CarriedOut
+from intent_engine.runtime.last_said import LastSaid
 
 __all__ = ["VoiceCommands", "main"]
 

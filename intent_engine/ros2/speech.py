@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.amending import in_a_row
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError, IntentEngineError
 from intent_engine.execution.events import Event, EventKind
@@ -24,18 +23,19 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
 from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
 from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
 from intent_engine.ros2.robot_states import in_one_line, state_names
+from intent_engine.runtime.amending import in_a_row
+from intent_engine.runtime.judgement import Judge
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action
     from intent_engine.execution.handlers import HandlerContext
-    from intent_engine.runtime import Heard
+    from intent_engine.runtime.heard import Heard
     from intent_engine.speech.audio import AudioSource
     from intent_engine.speech.recognizer import Recognizer, Transcript
     from intent_engine.speech.reflex import Reflex
@@ -166,7 +166,7 @@ class Speech:
     def __init__(self, node: Any, end: Callable[[int], None]) -> None:
         from std_msgs.msg import Bool, Empty, String
 
-        from intent_engine.runtime import Runtime
+        from intent_engine.runtime.runtime import Runtime
 
         self._node, self._log, self._end = node, node.get_logger(), end
         self._messages = {"hold": Bool, "stop": Empty, "text": String, "amended_text": String}
@@ -225,7 +225,7 @@ class Speech:
             self._log.info(f"the sound has ended: {summary.utterances} sentences, {summary.accepted} understood")
 
     def _heard(self, event: Heard) -> None:
-        from intent_engine.runtime import HeardKind
+        from intent_engine.runtime.heard import HeardKind
 
         if event.kind is HeardKind.SPEECH:
             # Who takes texts alone, as a parser of somebody's own does, could not put right what was begun too early.

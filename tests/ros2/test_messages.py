@@ -7,15 +7,15 @@ import json
 import pytest
 
 from intent_engine.actions import Move
-from intent_engine.amending import in_a_row
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
 from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
 from intent_engine.ros2.speech import worth_saying
+from intent_engine.runtime.amending import in_a_row
+from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.recognizer import Transcript
 
 

@@ -200,7 +200,7 @@ def test_what_is_decoded_when_it_is_closed_is_not_done_and_not_waited_for(engine
         wait(decoder, job)
 
     monkeypatch.setattr(UtteranceDecoder, "wait", told)
-    monkeypatch.setattr("intent_engine.runtime.LAST_DECODE", 0.0)
+    monkeypatch.setattr("intent_engine.runtime.runtime.LAST_DECODE", 0.0)
 
     class Hangs(Says):
         def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from two_models import FORWARD, LEFT, LIKELY, UNSURE, Thinks, heard, two
 
-from intent_engine.runtime import SECOND_LOOK, HeardKind
+from intent_engine.runtime.heard import HeardKind
+from intent_engine.runtime.runtime import SECOND_LOOK
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 

@@ -1,4 +1,4 @@
-"""Sound files: whole or not at all, streamed, at any rate. What people are told of bad ones: test_cli_bad_input."""
+"""Sound files: whole or not at all, streamed, at any rate. What people are told of bad ones: tests/cli."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from speech_stage import Says, Voiced
 
-from intent_engine.heard import HeardKind
+from intent_engine.runtime.heard import HeardKind
 from intent_engine.speech import utterance_decoder
 from intent_engine.speech.acoustic.drafts import LEAST, NOTHING_DRAFTED, UNSETTLED, Draft, Drafts
 from intent_engine.speech.acoustic.prefix_tree import PrefixTree

@@ -8,9 +8,9 @@ import pytest
 from two_models import LIKELY, SOUND, Thinks, heard, two
 
 from intent_engine.engine import IntentEngine
-from intent_engine.expectation import Expectation
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
+from intent_engine.runtime.expectation import Expectation
+from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.hypotheses.dictating import DICTATED
 from intent_engine.speech.recognizer import Transcript

@@ -11,17 +11,18 @@ import threading
 from collections.abc import Callable, Collection, Generator
 from typing import Any, Literal
 
-from intent_engine.acting import Acting
-from intent_engine.continuing import Continuing
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import SteppedClock
 from intent_engine.execution.executor import Executor
-from intent_engine.expectation import Expectation
-from intent_engine.heard import Heard, HeardKind, Summary
-from intent_engine.holding import Holding
-from intent_engine.judgement import Judge
-from intent_engine.onset import Onset
-from intent_engine.runtime_parts import check_parts
+from intent_engine.runtime.acting import Acting
+from intent_engine.runtime.continuing import Continuing
+from intent_engine.runtime.expectation import Expectation
+from intent_engine.runtime.heard import Heard, HeardKind, Summary
+from intent_engine.runtime.holding import Holding
+from intent_engine.runtime.judgement import Judge
+from intent_engine.runtime.onset import Onset
+from intent_engine.runtime.parts import check_parts
+from intent_engine.runtime.talk_key import TalkKey, same_voice
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Wakeable
 from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer
@@ -30,7 +31,6 @@ from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 from intent_engine.speech.utterance_decoder import UtteranceDecoder
 from intent_engine.speech.voice import SileroVoice, VoiceDetector
-from intent_engine.talk_key import TalkKey, same_voice
 
 __all__ = ["Heard", "HeardKind", "Runtime", "Summary"]
 

@@ -10,11 +10,12 @@ import itertools
 from collections.abc import Collection, Iterable
 from dataclasses import replace
 
-from intent_engine.asking_back import other_way, run_together
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.references import Before
+from intent_engine.runtime.asking_back import other_way, run_together
+from intent_engine.runtime.transcript_grammar import grammar_of, intents_of, language_of
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import (
     CLEARLY,
@@ -26,7 +27,6 @@ from intent_engine.speech.thresholds import (
     WORTH_ASKING,
     enough_to_stop,
 )
-from intent_engine.transcript_grammar import grammar_of, intents_of, language_of
 
 __all__ = ["Judge"]
 

@@ -1,6 +1,7 @@
 """What words right after a command have to do with it: they go on from it, take it back, or end its sentence.
 
-It is asked of the words alone. Which command was before, and how long ago, :mod:`~intent_engine.continuing` knows.
+It is asked of the words alone. Which command was before, and how long ago, is known by
+:mod:`~intent_engine.runtime.continuing`.
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, HARDLY_A_WORD
-from intent_engine.transcript_grammar import grammar_of, language_of
 
 __all__ = ["FollowUp"]
 

@@ -17,12 +17,12 @@ from intent_engine import Executor, IntentEngine, Runtime
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.limits import Limits
-from intent_engine.heard import Heard, HeardKind
 from intent_engine.interpretation import Status
+from intent_engine.runtime.heard import Heard, HeardKind
 from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame
 from intent_engine.speech.recognizer import Transcript
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "execution"))
 
 from execution_stage import MAP, FailingRobot  # noqa: E402

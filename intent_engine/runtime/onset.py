@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 
+from intent_engine.runtime.talk_key import TalkKey
 from intent_engine.speech.audio import FRAME_SECONDS, Samples
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.spoken_utterance import SpokenUtterance
-from intent_engine.talk_key import TalkKey
 
 __all__ = ["Onset"]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import soundfile
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 PLAYED = str(ROOT / "tests" / "speech" / "played_microphone")
 
 

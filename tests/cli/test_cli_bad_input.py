@@ -15,7 +15,7 @@ import pytest
 import soundfile
 
 RATE = 16_000
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def _speech(seconds: float) -> np.ndarray:

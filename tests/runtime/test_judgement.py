@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Status
-from intent_engine.judgement import CLEARLY, HARDLY_A_WORD, SURE_BESIDE_A_STOP, SURE_THOUGH_HELD, Judge
 from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
+from intent_engine.runtime.judgement import CLEARLY, HARDLY_A_WORD, SURE_BESIDE_A_STOP, SURE_THOUGH_HELD, Judge
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import (
     ANOTHER_WORD,
@@ -20,7 +20,7 @@ from intent_engine.speech.thresholds import (
     SURE_ENOUGH_TO_STOP,
 )
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 ONE, SEVERAL, STOP = "go forward two meters", "go forward two meters and turn left", "stop"
 
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from intent_engine.actions import Move, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.last_said import LastSaid
+from intent_engine.runtime.last_said import LastSaid
 
 UTTERANCES = st.builds(
     lambda actions, status: Interpretation("", status, actions=actions if status is Status.ACCEPTED else ()),

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from intent_engine.asking_back import OTHER_WAY
 from intent_engine.engine import IntentEngine
-from intent_engine.judgement import Judge
+from intent_engine.runtime.asking_back import OTHER_WAY
+from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.recognizer import Transcript
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from intent_engine.execution.executor import Executor
-from intent_engine.heard import HeardKind, Tell
+from intent_engine.runtime.heard import HeardKind, Tell
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.reflex import Reflex
 

@@ -8,16 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from typing import Any
 
-from intent_engine.continuing import Continuing, Understood
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
-from intent_engine.heard import HeardKind, Summary, Tell
-from intent_engine.holding import Holding
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
-from intent_engine.last_said import LastSaid
 from intent_engine.needs import states_of
+from intent_engine.runtime.continuing import Continuing, Understood
+from intent_engine.runtime.heard import HeardKind, Summary, Tell
+from intent_engine.runtime.holding import Holding
+from intent_engine.runtime.judgement import Judge
+from intent_engine.runtime.last_said import LastSaid
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
 __all__ = ["Acting"]

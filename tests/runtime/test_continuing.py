@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.cli.reporter import Reporter
-from intent_engine.continuing import ONE_SENTENCE
 from intent_engine.execution.goal import GoalState
 from intent_engine.runtime import Heard, HeardKind
+from intent_engine.runtime.continuing import ONE_SENTENCE
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.endpoint import Settings
 from intent_engine.speech.recognizer import Transcript

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.engine import IntentEngine
-from intent_engine.follow_up import CORRECTED_CLEARLY, FollowUp
+from intent_engine.runtime.follow_up import CORRECTED_CLEARLY, FollowUp
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, HARDLY_A_WORD
 

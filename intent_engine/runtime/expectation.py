@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from intent_engine.amending import can_be_amended
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
 from intent_engine.language.utterance import plain
 from intent_engine.prefix import PrefixStatus
+from intent_engine.runtime.amending import can_be_amended
+from intent_engine.runtime.judgement import Judge
+from intent_engine.runtime.transcript_grammar import grammar_of, intents_of, language_of
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY
-from intent_engine.transcript_grammar import grammar_of, intents_of, language_of
 
 __all__ = ["Expectation"]
 

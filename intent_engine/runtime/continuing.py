@@ -16,14 +16,14 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from intent_engine.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
-from intent_engine.follow_up import FollowUp
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.judgement import Judge
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
+from intent_engine.runtime.amending import CarriedOut, Step, begun_alike, in_a_row
+from intent_engine.runtime.follow_up import FollowUp
+from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import HARDLY_A_SENTENCE, SURE_ENOUGH_OF_SEVERAL

@@ -10,8 +10,8 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.likeness import sound
 from intent_engine.language.utterance import plain
+from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.transcript_grammar import grammar_of, language_of
 
 __all__ = ["other_way", "run_together"]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.engine import IntentEngine
-from intent_engine.expectation import Expectation
 from intent_engine.interpretation import Interpretation
-from intent_engine.judgement import Judge
+from intent_engine.runtime.expectation import Expectation
+from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.endpoint import Outlook
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY

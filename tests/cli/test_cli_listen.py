@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 from intent_engine.cli import app
 from intent_engine.cli.session import Session
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 RATE = 16_000
 PLAYED = ROOT / "tests" / "speech" / "played_microphone"
 

@@ -15,7 +15,7 @@ import pytest
 import soundfile
 import soxr
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 DEMO = ROOT / "examples" / "demo.flac"
 RATE = 16_000
 

@@ -19,7 +19,7 @@ from intent_engine.cli.keys import keys
 from intent_engine.errors import ConfigError
 
 pty = pytest.importorskip("pty", reason="terminals of Unix")
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 RATE = 16_000
 
 
