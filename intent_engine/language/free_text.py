@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
@@ -43,6 +43,8 @@ class FreeText:
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self.articles = words.articles or ARTICLES
         """Words before a name that are no part of it."""
+        self._bare_articles = self.articles - words.telling_which
+        """Those of them that no title or message needs either."""
         self._going_on = words.joining - words.may_begin
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
@@ -284,8 +286,9 @@ class FreeText:
             return word in _COUNTING or word[:1].isdigit()
         return word[:1].isdigit() or quantities.is_number_word(word, self._language)
 
-    def _without_articles(self, words: Sequence[str]) -> Sequence[str]:
-        while len(words) > 1 and words[0] in self.articles and not _is_code(words):
+    def _without_articles(self, words: Sequence[str], articles: Collection[str] = ()) -> Sequence[str]:
+        articles = articles or self.articles
+        while len(words) > 1 and words[0] in articles and not _is_code(words):
             words = words[1:]
         return words
 
@@ -295,13 +298,13 @@ class FreeText:
 
     def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents
-        ("jose"). What is dictated is no name."""
+        ("jose"). A title or a message keeps "my" and "this". What is dictated is no name."""
         words = list(said)
         if slot.dictation:
             return " ".join(words)
         if accented := _accented(slot.known):
             words = [accented.get(word, word) for word in words]
-        words = list(self._without_articles(words))
+        words = list(self._without_articles(words, self.articles if self.is_thing(slot) else self._bare_articles))
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]

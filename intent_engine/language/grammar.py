@@ -298,6 +298,8 @@ class Grammar:
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()
     """Fillers before a number, and nowhere else: "about ten seconds"."""
+    counting: tuple[tuple[str, ...], ...] = ()
+    """Fillers between a number and what is counted, and nowhere else: "two *more* coffees"."""
     greetings: tuple[tuple[str, ...], ...] = ()
     """What may be dictated though it is nothing but fillers: "say hello"."""
     hesitations: tuple[tuple[str, ...], ...] = ()

@@ -23,6 +23,8 @@ class ThingWords:
     """Before the name of a thing or a place, and no part of it."""
     owning: frozenset[str] = frozenset()
     """Those of them that say whose it is, or which."""
+    telling_which: frozenset[str] = frozenset()
+    """Those of them that are a part of a title or a message: "play *my* way"."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

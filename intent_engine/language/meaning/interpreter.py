@@ -28,6 +28,7 @@ from intent_engine.language.meaning.told import Understood, as_told, as_told_tog
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
+from intent_engine.language.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
 
@@ -49,7 +50,8 @@ class Interpreter:
         grammar = matcher.grammar
         self.matcher = matcher
         commands = Commands(matcher)
-        self.phrases = Phrases(grammar, commands.lists)
+        texts = TextPlaces(matcher)
+        self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None)
         self._nearest = nearest
         self._language = grammar.language
         self._stop_intent = next(

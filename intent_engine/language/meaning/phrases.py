@@ -9,7 +9,7 @@ from functools import cache
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
-from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
+from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, TextPlace, Utterance
 
 __all__ = ["Phrases"]
 
@@ -45,13 +45,20 @@ class Phrases:
     Args:
         grammar: whose phrases they are.
         lists: whether words are a command without a verb, as they stand in a list: "right". None: not known.
+        place_of: where what is said between words and another word stands in a text of any words; None: there is none.
     """
 
-    def __init__(self, grammar: Grammar, lists: Callable[[list[str]], bool] | None = None) -> None:
+    def __init__(
+        self,
+        grammar: Grammar,
+        lists: Callable[[list[str]], bool] | None = None,
+        place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None,
+    ) -> None:
         operators = grammar.operators
-        fillers = (*grammar.fillers, *grammar.around)
-        self.fillers = PhraseSet(fillers)
         own = own_words(grammar)
+        counting = [words for words in grammar.counting if own.isdisjoint(words)]
+        fillers = (*grammar.fillers, *grammar.around, *counting)
+        self.fillers = PhraseSet(fillers)
         self.idle = PhraseSet(words for words in fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
         self.whole = PhraseSet(words for words in fillers if not _may_be_cut(words, self.fillers, own))
@@ -98,8 +105,8 @@ class Phrases:
         named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
         greetings = PhraseSet(words for words in grammar.greetings if named and words in grammar.fillers)
         self._openers = Openers(
-            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers, grammar.language,
-            digits,
+            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
+            self._operators, self.hesitation, PhraseSet(counting), place_of, grammar.language, digits,
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = grammar.requests
