@@ -266,7 +266,7 @@ class Interpreter:
         if not core.words or len(less) == len(core):
             return clause
         other = self._as_said(less, state)
-        if other is None or not other.accepted:
+        if other is None or not other.accepted or (other.reading and phrases.cuts_a_filler(said, other.reading)):
             return clause
         if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
             return other

@@ -6,7 +6,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.reading import Reading
 from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
 from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, TextPlace, Utterance
@@ -126,6 +128,18 @@ class Phrases:
 
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
+
+    def cuts_a_filler(self, said: Utterance, reading: Reading) -> bool:
+        """Whether a text of a reading ends with the first word of a filler, of which the others were left out: who says
+        "play right now" asks for no song that is called "right"."""
+        texts = [slot for slot in reading.slots if slot.slot.type in FREE_KINDS]
+        if not texts:
+            return False
+        last = {reading.words[slot.end - 1] for slot in texts}
+        return any(
+            word in last and self.fillers.at(said.words, place) > 1 and not self.whole.at(said.words, place)
+            for place, word in enumerate(said.words)
+        )
 
     def without_whole_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.whole, self.kept, self._openers)

@@ -23,6 +23,7 @@ intents:
   queue: {action: custom, sentences: ["add {title} to the queue"]}
   tell: {action: custom, sentences: ["tell {person} {message}", "say {message} to {person}"]}
   louder: {action: custom, sentences: ["louder", "turn it up"]}
+  turn: {action: custom, sentences: ["turn right"]}
   fetch: {action: {type: pick, object: "{thing}"}, sentences: ["fetch {thing}"]}
 """
 
@@ -58,6 +59,8 @@ def engine(engine_of) -> IntentEngine:
         ("play um my way", {"title": "my way"}),
         # Before a number of the sentence it is said of that.
         ("play about ten songs", {"count": 10}),
+        # Nor is the beginning of one a title, and the rest of it a filler.
+        ("play right now", {"title": "right now"}),
         # A greeting may be all that is said.
         ("please play hello", {"title": "hello"}),
         ("Play Hello, please.", {"title": "hello"}),
