@@ -39,6 +39,9 @@ class FreeText:
         self._pointing = {words[0] for words in operators.pronoun if len(words) == 1}
         """Words for a thing that was named before."""
         self._fillers = PhraseSet(grammar.fillers)
+        telling = {*grammar.greetings, *grammar.agreeing}
+        self._idle = PhraseSet(words for words in grammar.fillers if words not in telling)
+        """Fillers that tell nobody anything: "please", "now"."""
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self.articles = words.articles or ARTICLES
@@ -196,6 +199,12 @@ class FreeText:
             return True  # "half a"
         never_last = self._unfinished_things if slot.known else self.unfinished
         return (alone or (last in never_last and last not in slot.known)) and last not in slot.allow
+
+    def is_left_out(self, slot: Slot, words: Sequence[str], start: int, end: int) -> bool:
+        """Whether words with which a sentence ends say nothing, so that the text or the name in their place is still
+        to be said: "open, please". Where the sentence goes on they are meant: "translate please into French"."""
+        said = words[start:end]
+        return end == len(words) and self._idle.cover(said) and not all(_meant(slot, word) for word in said)
 
     def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""

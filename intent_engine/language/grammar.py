@@ -300,6 +300,8 @@ class Grammar:
     """Fillers before a number, and nowhere else: "about ten seconds"."""
     counting: tuple[tuple[str, ...], ...] = ()
     """Fillers between a number and what is counted, and nowhere else: "two *more* coffees"."""
+    agreeing: tuple[tuple[str, ...], ...] = ()
+    """Words that agree, and so may be an answer or a message: "tell Anna okay"."""
     greetings: tuple[tuple[str, ...], ...] = ()
     """What may be dictated though it is nothing but fillers: "say hello"."""
     hesitations: tuple[tuple[str, ...], ...] = ()

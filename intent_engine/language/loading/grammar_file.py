@@ -50,8 +50,8 @@ NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
 """Those of them that may be a number, which no grammar tells from the other."""
 
 
-FILLER, AROUND, COUNTING, GREETING = "filler", "around", "counting", "greeting"
-HESITATION, WAY_BACK = "hesitation", "way_back"
+FILLER, AROUND, COUNTING, AGREEING = "filler", "around", "counting", "agreeing"
+GREETING, HESITATION, WAY_BACK = "greeting", "hesitation", "way_back"
 ASKED = "asked"
 REQUEST = "request"
 """Keys of the words that are no operators, in the files of operators."""
@@ -67,7 +67,7 @@ def schema() -> dict[str, Any]:
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
     """The operators that every grammar of a language has; empty for a language that we do not know."""
-    others = (FILLER, AROUND, COUNTING, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST)
+    others = (FILLER, AROUND, COUNTING, AGREEING, GREETING, HESITATION, WAY_BACK, ASKED, REQUEST)
     return {key: words for key, words in _language_words(language).items() if key not in others}
 
 
@@ -94,6 +94,11 @@ def default_around(language: str) -> tuple[str, ...]:
 def default_counting(language: str) -> tuple[str, ...]:
     """What people put between a number and what is counted ("two *more* coffees"), for the same grammars."""
     return _language_words(language).get(COUNTING, ())
+
+
+def default_agreeing(language: str) -> tuple[str, ...]:
+    """Words that agree with somebody ("okay"), and beside a command say nothing."""
+    return _language_words(language).get(AGREEING, ())
 
 
 def default_greetings(language: str) -> tuple[str, ...]:
@@ -329,6 +334,7 @@ class _Builder:
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
             counting=self._said(default_counting(self.language)) if self.fillers is None else (),
+            agreeing=self._said(default_agreeing(self.language)),
             greetings=self._said(default_greetings(self.language)),
             hesitations=self._said(default_hesitations(self.language)),
             ways_back=self._said(default_ways_back(self.language)),

@@ -18,12 +18,6 @@ __all__ = ["Phrases"]
 _AGREES: Mapping[str, frozenset[str]] = {"en": frozenset(("right",))}
 """Commands that say nothing where a pause and another command follow: "right, go forward"."""
 
-_AGREEING: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("yes", "yeah", "ok", "okay", "kay", "alright", "all right", "oh", "so", "well", "sure", "good",
-                     "very good", "great", "perfect", "excellent", "cool", "nice", "awesome"))
-}  # fmt: skip
-"""Words beside which one of those says nothing either: "yeah right", "right okay"."""
-
 _COMPARES: Mapping[str, frozenset[str]] = {
     "en": frozenset(("rather", "place", "other", "apart", "aside")),
     "fr": frozenset(("lieu", "plutôt")),
@@ -99,8 +93,7 @@ class Phrases:
         self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, _AGREES.get(grammar.language, ())))
-        agreeing = _AGREEING.get(grammar.language, frozenset())
-        self._agreeing = PhraseSet(words for words in grammar.fillers if " ".join(words) in agreeing)
+        self._agreeing = PhraseSet(words for words in grammar.fillers if words in grammar.agreeing)
         around = PhraseSet(grammar.around)
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))

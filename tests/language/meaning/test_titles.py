@@ -59,8 +59,6 @@ def engine(engine_of) -> IntentEngine:
         ("play um my way", {"title": "my way"}),
         # Before a number of the sentence it is said of that.
         ("play about ten songs", {"count": 10}),
-        # Nor is the beginning of one a title, and the rest of it a filler.
-        ("play right now", {"title": "right now"}),
         # A greeting may be all that is said.
         ("please play hello", {"title": "hello"}),
         ("Play Hello, please.", {"title": "hello"}),
@@ -85,6 +83,20 @@ def test_what_was_said_is_the_title(engine: IntentEngine, said: str, slots: dict
 )
 def test_a_title_among_several_commands(engine: IntentEngine, said: str, titles: list[str | None]) -> None:
     assert [action.slots.get("title") for action in engine.parse(said).actions] == titles
+
+
+@pytest.mark.parametrize("said", ["play please", "play, please", "Play now.", "play right now", "tell anna for me"])
+def test_a_filler_alone_is_no_title(engine: IntentEngine, said: str) -> None:
+    assert done(engine.parse(said)) == "incomplete"
+
+
+@pytest.mark.parametrize("said", ["okay", "thank you", "hi"])
+def test_but_may_be_an_answer(engine: IntentEngine, said: str) -> None:
+    assert engine.parse(f"tell anna {said}").slots == {"person": "anna", "message": said}
+
+
+def test_a_filler_is_meant_where_the_sentence_goes_on(engine: IntentEngine) -> None:
+    assert engine.parse("say please to anna").slots == {"person": "anna", "message": "please"}
 
 
 @pytest.mark.parametrize("said", ["fetch the cup please", "fetch please my cup", "fetch, please, another cup"])
