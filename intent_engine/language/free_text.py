@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
@@ -39,10 +39,15 @@ class FreeText:
         self._pointing = {words[0] for words in operators.pronoun if len(words) == 1}
         """Words for a thing that was named before."""
         self._fillers = PhraseSet(grammar.fillers)
+        telling = {*grammar.wording.greetings, *grammar.wording.agreeing}
+        self._idle = PhraseSet(words for words in grammar.fillers if words not in telling)
+        """Fillers that tell nobody anything: "please", "now"."""
         self._words = words = thing_words(grammar.language)
         self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
         self.articles = words.articles or ARTICLES
         """Words before a name that are no part of it."""
+        self._bare_articles = self.articles - words.telling_which
+        """Those of them that no title or message needs either."""
         self._going_on = words.joining - words.may_begin
         self.no_beginning = self._going_on | words.within
         """Words with which no thing begins, though a song may: "for", "at"; nor with what is within one: "of"."""
@@ -202,6 +207,12 @@ class FreeText:
         never_last = self._unfinished_things if slot.known else self.unfinished
         return (alone or (last in never_last and last not in slot.known)) and last not in slot.allow
 
+    def is_left_out(self, slot: Slot, words: Sequence[str], start: int, end: int) -> bool:
+        """Whether words with which a sentence ends say nothing, so that the text or the name in their place is still
+        to be said: "open, please". Where the sentence goes on they are meant: "translate please into French"."""
+        said = words[start:end]
+        return end == len(words) and self._idle.cover(said) and not all(_meant(slot, word) for word in said)
+
     def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
         """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does."""
         if not slot.known:
@@ -291,8 +302,9 @@ class FreeText:
             return word in _COUNTING or word[:1].isdigit()
         return word[:1].isdigit() or quantities.is_number_word(word, self._language)
 
-    def _without_articles(self, words: Sequence[str]) -> Sequence[str]:
-        while len(words) > 1 and words[0] in self.articles and not _is_code(words):
+    def _without_articles(self, words: Sequence[str], articles: Collection[str] = ()) -> Sequence[str]:
+        articles = articles or self.articles
+        while len(words) > 1 and words[0] in articles and not _is_code(words):
             words = words[1:]
         return words
 
@@ -302,13 +314,13 @@ class FreeText:
 
     def thing(self, slot: Slot, said: Sequence[str]) -> str:
         """The name without its articles, in one word where the slot lists it so ("screw driver"), and with its accents
-        ("jose"). What is dictated is no name."""
+        ("jose"). A title or a message keeps "my" and "this". What is dictated is no name."""
         words = list(said)
         if slot.dictation:
             return " ".join(words)
         if accented := _accented(slot.known):
             words = [accented.get(word, word) for word in words]
-        words = list(self._without_articles(words))
+        words = list(self._without_articles(words, self.articles if self.is_thing(slot) else self._bare_articles))
         for place in range(len(words) - 2, -1, -1):
             if (whole := "".join(words[place : place + 2])) in slot.known:
                 words[place : place + 2] = [whole]

@@ -297,7 +297,8 @@ class Wording:
     agrees: frozenset[str] = frozenset()
     """Commands that say nothing where a pause and another command follow: "right, go forward"."""
     agreeing: tuple[tuple[str, ...], ...] = ()
-    """Fillers beside which one of those says nothing either: "yeah right", "right okay"."""
+    """Words that agree, beside which one of those says nothing either ("yeah right"), and which may be an answer or a
+    message: "tell Anna okay"."""
     compares: frozenset[str] = frozenset()
     """Words of negations that compare ("in place of"), which join what a sentence has them between."""
     before_verbs: frozenset[str] = frozenset()
@@ -328,6 +329,8 @@ class Grammar:
     """If given, a spoken command must begin with one of these."""
     around: tuple[tuple[str, ...], ...] = ()
     """Fillers before a number, and nowhere else: "about ten seconds"."""
+    counting: tuple[tuple[str, ...], ...] = ()
+    """Fillers between a number and what is counted, and nowhere else: "two *more* coffees"."""
     wording: Wording = field(default_factory=Wording)
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with

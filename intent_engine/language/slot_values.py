@@ -63,7 +63,8 @@ class SlotValues:
         said = words[start:end]
         problem = self._free.problem(slot, words, start, end)
         status = "unknown"
-        if not problem and self._free.is_unfinished(slot, said, start):
+        unfinished = self._free.is_unfinished(slot, said, start) or self._free.is_left_out(slot, words, start, end)
+        if not problem and unfinished:
             problem, status = f"the sentence is not finished: {' '.join(said)!r}", "unfinished"
         if not problem and (word := self._free.no_handful(slot, said)):
             problem = f"{word!r} is nothing for slot {slot.name!r}"

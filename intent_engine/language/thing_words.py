@@ -26,6 +26,8 @@ class ThingWords:
     """Those of them that say whose it is, or which."""
     done_to: frozenset[str] = frozenset()
     """Those of them of what something is done to, and not only of who does it."""
+    telling_which: frozenset[str] = frozenset()
+    """Those of them that are a part of a title or a message: "play *my* way"."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from enum import Enum
 from functools import cache
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
@@ -14,7 +15,7 @@ from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.thing_words import any_articles
 
-__all__ = ["Openers", "PhraseSet", "SomePhrases", "Utterance", "plain", "without_enumeration"]
+__all__ = ["Openers", "PhraseSet", "SomePhrases", "TextPlace", "Utterance", "plain", "without_enumeration"]
 
 _ANNOTATION = re.compile(
     r"[\[(<*]\s*(?:noise|music|silence|blank[ _]audio|pause[^\])>*]{0,8}|laughter|laughs|laughing|applause|"
@@ -111,6 +112,17 @@ def without_enumeration(text: str) -> str:
     return _ENUMERATION.sub("", text) if text[:3].strip()[:1].isdigit() else text
 
 
+class TextPlace(Enum):
+    """Where a word of a sentence stands, of which a part may be any words: a title, a message."""
+
+    OUTSIDE = "outside"
+    """In no such text, or where the sentence goes on behind one."""
+    BEGINS = "begins"
+    """It is the first of a text."""
+    WITHIN = "within"
+    """It is a further one."""
+
+
 @dataclass(frozen=True, slots=True)
 class Openers:
     """Fillers that are none elsewhere: "right then, turn left", but "turn right then go forward"."""
@@ -128,6 +140,14 @@ class Openers:
     """Fillers with which a free name may begin, where the grammar has one: "play hey jude"."""
     fillers: PhraseSet
     """All of them."""
+    ends: PhraseSet
+    """Phrases with which a command is over: joints, stops, corrections and the like."""
+    sounds: PhraseSet
+    """Fillers that are no words, as "uh", and with which people think what to say."""
+    counting: PhraseSet
+    """Fillers that are such only between a number and what is counted: "two *more* coffees"."""
+    place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None
+    """Where what is said between words and another word stands; None: the grammar has no texts of any words."""
     language: str = "en"
     """Whose numbers."""
     digits: bool = False
@@ -143,6 +163,16 @@ class Openers:
         After a joint "right then" is no filler either: "turn left then right then left". Nor is "go and" one where its
         joint goes on: "go and then turn left" are two.
         """
+        if self.counting.at(said.words, position) == length:
+            if before and self._counts(before[-1]):
+                return paused or not self._counts_on(said, position, length, before)
+            if not self.around.at(said.words, position):
+                return True
+        if before and self.place_of is not None and self.sounds.at(said.words, position) != length:
+            end = self._after_fillers(said, position + length)
+            place = self.place_of(before, said.words[end] if end < len(said) else "")
+            if place is not None and place is not TextPlace.OUTSIDE:
+                return self._belongs(said, position, length, end, place, paused=paused)
         if self.around.at(said.words, position) == length:
             return not any(map(self._counts, said.words[position + length : position + length + 1]))
         if before and self.greetings.at(said.words, position) == length:
@@ -159,12 +189,45 @@ class Openers:
             begins = not before or paused or said.breaks[position] or self._begins_after(before)
         return not begins or any(said.breaks[position + 1 : position + length])
 
+    def _counts_on(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+        """Whether what is counted follows in the same breath: "one more coffee", but not "one more" nor "one more
+        please". In a text ("tell anna two *more* people come") the word is a part of it."""
+        end = position + length
+        if end == len(said) or any(said.breaks[position : end + 1]):
+            return False
+        if self.fillers.at(said.words, end) or self.ends.at(said.words, end):
+            return False
+        return self.place_of is None or self.place_of(before, said.words[end]) is not TextPlace.WITHIN
+
+    def _belongs(
+        self, said: Utterance, position: int, length: int, end: int, place: TextPlace, *, paused: bool
+    ) -> bool:
+        """Whether a filler is a part of the text in which it stands: "play *ok* computer", "it is *about* noon".
+
+        People put such words behind a command ("play yesterday please"), between pauses and, in other languages than
+        English, behind its verb ("spiel bitte ..."). A greeting may be all that is said: "play hello hello".
+        """
+        begins = place is TextPlace.BEGINS
+        if paused or said.breaks[position]:
+            return False
+        if self.greetings.at(said.words, position) == length:
+            again = said.words[position : position + length] == said.words[max(position - length, 0) : position]
+            if begins or again:
+                return True
+        over = end == len(said) or self.ends.at(said.words, end) > 0
+        return not over and not any(said.breaks[position + 1 : end + 1]) and (not begins or self.language == "en")
+
+    def _after_fillers(self, said: Utterance, position: int) -> int:
+        """Where the next word stands that is no filler."""
+        while position < len(said) and (length := self.fillers.at(said.words, position)):
+            position += length
+        return position
+
     def _begins_name(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether a greeting stands in the midst of a command, in one breath: people greet before one or behind it."""
         end = position + length
         apart = any(said.breaks[position + 1 : end + 1]) or self.joints.ends(before) > 0
-        while end < len(said) and (more := self.fillers.at(said.words, end)):
-            end += more
+        end = self._after_fillers(said, end)
         return not apart and end < len(said) and not self.joints.at(said.words, end)
 
     def _begins_after(self, before: Sequence[str]) -> bool:

@@ -1,4 +1,5 @@
-"""Who asks for another wants one more: "another coffee" is "a coffee", where a sentence has the article."""
+"""Who asks for another wants one more: "another coffee" is "a coffee", where a sentence has the article; and "two more
+coffees" are two."""
 
 from __future__ import annotations
 
@@ -44,6 +45,40 @@ intents: {pick: {action: custom, sentences: ["take row {row}", "take a row"]}}
 def test_another_is_one_more(engine_of, said: str, slots: dict[str, object] | None) -> None:
     found = engine_of(GRAMMAR).parse(said)
     assert (dict(found.slots) if found.actions else None) == slots
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("one more coffee", {"count": 1, "drink": "coffee"}),
+        ("get me 2 more large coffees please", {"count": 2, "size": "large", "drink": "coffee"}),
+        ("add three more pinches", {"count": 3}),
+        ("play more love", {"title": "more love"}),
+        ("one more", None),
+        ("one more please", None),
+        ("two, more coffees", None),
+        ("more coffee", None),
+        ("no more coffee", None),
+        ("not one more coffee", None),
+        ("add one more pinches than before", None),
+    ],
+)
+def test_so_many_more(engine_of, said: str, slots: dict[str, object] | None) -> None:
+    found = engine_of(GRAMMAR).parse(said)
+    assert (dict(found.slots) if found.actions else None) == slots
+
+
+def test_more_is_a_word_of_a_grammar_that_has_it(engine_of) -> None:
+    engine = engine_of(GRAMMAR + '  heat: {action: custom, sentences: ["a little more"]}\n')
+    assert not engine.parse("two more coffees").actions
+
+
+def test_so_many_more_in_german(engine_of) -> None:
+    engine = engine_of(
+        "language: de\nslots: {zahl: {type: number, whole: true}, was: [kaffee, tee]}\n"
+        "intents: {order: {action: custom, sentences: ['bring mir {zahl} {was}']}}\n"
+    )
+    assert engine.parse("bring mir zwei weitere Kaffee").slots == {"zahl": 2, "was": "kaffee"}
 
 
 @pytest.mark.parametrize("said", ["take row another", "take row another please"])

@@ -20,6 +20,7 @@ from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
 from intent_engine.language.loading.language_words import (
     default_around,
+    default_counting,
     default_fillers,
     default_operators,
     default_wording,
@@ -271,6 +272,7 @@ class _Builder:
             language=self.language,
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
+            counting=self._said(default_counting(self.language)) if self.fillers is None else (),
             wording=default_wording(self.language, self._said),
             phrases=self.phrases,
             slots=self.slots,

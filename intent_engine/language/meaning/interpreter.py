@@ -28,6 +28,7 @@ from intent_engine.language.meaning.told import Understood, as_told, as_told_tog
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
+from intent_engine.language.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
 
@@ -49,7 +50,8 @@ class Interpreter:
         grammar = matcher.grammar
         self.matcher = matcher
         commands = Commands(matcher)
-        self.phrases = Phrases(grammar, commands.lists)
+        texts = TextPlaces(matcher)
+        self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None)
         self._nearest = nearest
         self._language = grammar.language
         self._stop_intent = grammar.stop_intent
@@ -262,7 +264,7 @@ class Interpreter:
         if not core.words or len(less) == len(core):
             return clause
         other = self._as_said(less, state)
-        if other is None or not other.accepted:
+        if other is None or not other.accepted or (other.reading and phrases.cuts_a_filler(said, other.reading)):
             return clause
         if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
             return other

@@ -6,10 +6,12 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import cache
 
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.reading import Reading
 from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
-from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, Utterance
+from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, TextPlace, Utterance
 
 __all__ = ["Phrases"]
 
@@ -20,13 +22,20 @@ class Phrases:
     Args:
         grammar: whose phrases they are.
         lists: whether words are a command without a verb, as they stand in a list: "right". None: not known.
+        place_of: where what is said between words and another word stands in a text of any words; None: there is none.
     """
 
-    def __init__(self, grammar: Grammar, lists: Callable[[list[str]], bool] | None = None) -> None:
+    def __init__(
+        self,
+        grammar: Grammar,
+        lists: Callable[[list[str]], bool] | None = None,
+        place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None,
+    ) -> None:
         operators, wording = grammar.operators, grammar.wording
-        fillers = (*grammar.fillers, *grammar.around)
-        self.fillers = PhraseSet(fillers)
         own = own_words(grammar)
+        counting = [words for words in grammar.counting if own.isdisjoint(words)]
+        fillers = (*grammar.fillers, *grammar.around, *counting)
+        self.fillers = PhraseSet(fillers)
         self.idle = PhraseSet(words for words in fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
         self.whole = PhraseSet(words for words in fillers if not _may_be_cut(words, self.fillers, own))
@@ -71,8 +80,8 @@ class Phrases:
         named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
         greetings = PhraseSet(words for words in wording.greetings if named and words in grammar.fillers)
         self._openers = Openers(
-            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers, grammar.language,
-            digits,
+            PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
+            self._operators, self.hesitation, PhraseSet(counting), place_of, grammar.language, digits,
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = wording.requests
@@ -92,6 +101,18 @@ class Phrases:
 
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
+
+    def cuts_a_filler(self, said: Utterance, reading: Reading) -> bool:
+        """Whether a text of a reading ends with the first word of a filler, of which the others were left out: who says
+        "play right now" asks for no song that is called "right"."""
+        texts = [slot for slot in reading.slots if slot.slot.type in FREE_KINDS]
+        if not texts:
+            return False
+        last = {reading.words[slot.end - 1] for slot in texts}
+        return any(
+            word in last and self.fillers.at(said.words, place) > 1 and not self.whole.at(said.words, place)
+            for place, word in enumerate(said.words)
+        )
 
     def without_whole_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.whole, self.kept, self._openers)

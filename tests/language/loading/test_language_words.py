@@ -13,6 +13,7 @@ import yaml
 import intent_engine.language as language_room
 from intent_engine.language.loading.language_words import (
     default_around,
+    default_counting,
     default_fillers,
     default_operators,
     default_wording,
@@ -30,7 +31,7 @@ def test_every_word_of_a_file_is_of_use(file: Path) -> None:
     """A key with a slip in it would be a list that nobody reads."""
     language = file.stem
     used = {word for words in default_operators(language).values() for word in words}
-    used.update(default_fillers(language), default_around(language))
+    used.update(default_fillers(language), default_around(language), default_counting(language))
     for held in astuple(default_wording(language, as_they_are)):
         used.update(word if isinstance(word, str) else " ".join(word) for word in held)
     written: dict[str, list[Any]] = yaml.safe_load(file.read_text("utf-8"))

@@ -84,7 +84,7 @@ def test_a_text_goes_with_the_slots_before_it_and_needs_what_its_intent_needs(no
     said = "tell my mother that I don't come home, and go to bed"
     assert notes.parse(said).status is Status.REJECTED
     found = notes.parse(said, state=["online"])
-    assert found.slots == {"name": "mother", "words": "I don't come home, and go to bed"}
+    assert found.slots == {"name": "my mother", "words": "I don't come home, and go to bed"}
 
 
 def test_a_sentence_may_begin_with_a_slot_or_a_phrase_in_a_phrase(tmp_path):

@@ -1,0 +1,62 @@
+"""Where a title, a message or another text of any words stands in a sentence: what belongs to it is no filler."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.utterance import TextPlace
+from intent_engine.language.word_state import Stack, WordState
+
+__all__ = ["TextPlaces"]
+
+
+class TextPlaces:
+    """The places of text in the sentences of one grammar. Thread-safe.
+
+    The names of things are no text: what is around them is left out ("the cup please"), since no thing is called so.
+    """
+
+    def __init__(self, matcher: Matcher) -> None:
+        self._matcher = matcher
+        self._texts = {
+            slot.name
+            for slot in matcher.grammar.slots.values()
+            if slot.type in FREE_KINDS and not slot.dictation and not matcher.values.is_thing(slot)
+        }
+
+    def __bool__(self) -> bool:
+        return bool(self._texts)
+
+    def at(self, before: Sequence[str], after: str) -> TextPlace | None:
+        """Where a filler stands that is said between words and another word; None: they begin no sentence, not even
+        the last of several.
+
+        Args:
+            before: what was said up to there.
+            after: the first word behind it that is none; empty: there is none.
+        """
+        automaton = self._matcher.strict
+        for start in range(len(before)):
+            _, state = automaton.walk(before[start:])
+            if state is None:
+                continue
+            texts = _open(state)
+            if not texts or not self._texts.issuperset(texts.values()) or self._goes_on(state, after):
+                return TextPlace.OUTSIDE
+            _, earlier = automaton.walk(before[start:-1])
+            begun = earlier is not None and texts.keys() <= _open(earlier).keys()
+            return TextPlace.WITHIN if begun else TextPlace.BEGINS
+        return None
+
+    def _goes_on(self, state: WordState, after: str) -> bool:
+        """Whether a sentence has a word here, beside its text: "play yesterday please *by* the beatles"."""
+        number = bool(after) and self._matcher.is_number(after)
+        return any(after in place.arcs or (number and (place.number or place.numeral)) for place, _ in state.members)
+
+
+def _open(state: WordState) -> dict[Stack, str]:
+    """The slots that take any word next, by where they were entered."""
+    calls = ((stack, stack.call_mark) for place, stack in state.members if place.wild)
+    return {stack: mark[2] for stack, mark in calls if mark is not None and mark[0] == "slot"}
