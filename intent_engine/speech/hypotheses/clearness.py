@@ -13,7 +13,7 @@ from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import ALIKE, DIGITS
-from intent_engine.language.numbers.spelled import in_digits
+from intent_engine.language.numbers.spelled import in_digits, number_end
 from intent_engine.language.utterance import PhraseSet, Utterance
 from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.scoring import Scoring
@@ -166,10 +166,18 @@ class Clearness(Scoring):
         return found
 
     def _by_word(self, encoded: Encoded, words: Sequence[str], language: str | None) -> list[float]:
-        """Mean log probability of the pieces of each word, in the likelier writing: "call Anna" was not said small."""
+        """Mean log probability of the pieces of each word, in the likeliest writing: "call Anna" was not said small,
+        and the number of "in ten minutes" is mostly written in figures, which count for all its words."""
         names = self.names(language)
-        texts = list(dict.fromkeys((" ".join(words), " ".join(map(names.large, words)))))
-        scored = [[score for _, score in self.word_scores(encoded, text, language)] for text in texts]
+        ways = {tuple((word, 1) for word in words): None}
+        if language in (None, "en"):
+            ways[_in_figures(words)] = None
+        scored = []
+        for way in ways:
+            said = [word for word, _ in way]
+            for text in dict.fromkeys((" ".join(said), " ".join(map(names.large, said)))):
+                scores = zip(self.word_scores(encoded, text, language), way, strict=True)
+                scored.append([score for (_, score), (_, count) in scores for _ in range(count)])
         return max(scored, key=sum)
 
     def _usual(self, words: Sequence[str], other: Sequence[str], language: str | None) -> float:
@@ -266,6 +274,18 @@ def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Itera
         yield ALIKE[word], RIVAL_MARGIN + (-TEEN if word.endswith("ty") else TEEN)
     if word in FOR_FORTY and after in DIGITS:
         yield FOR_FORTY[word], FOR_MARGIN
+
+
+def _in_figures(words: Sequence[str]) -> tuple[tuple[str, int], ...]:
+    """English words with whole numbers in figures, each with the number of words that it stands for."""
+    found: list[tuple[str, int]] = []
+    at = 0
+    while at < len(words):
+        end = max(number_end(words, at), at + 1)
+        figures = in_digits(words[at:end])
+        found.append((figures[0] if len(figures) == 1 else words[at], end - at if len(figures) == 1 else 1))
+        at += found[-1][1]
+    return tuple(found)
 
 
 def _shared(one: Sequence[int], other: Sequence[int]) -> int:

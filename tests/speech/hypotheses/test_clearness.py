@@ -46,6 +46,23 @@ def test_a_name_must_be_clear_as_it_is_written(whisper, spoken, monkeypatch):
     assert unclear_words(whisper, whisper.encode(spoken), ("call", FreeWord("flurb")), "en") == ("flurb",)
 
 
+def test_numbers_in_free_words_are_as_clear_as_their_figures(whisper, spoken, monkeypatch):
+    """ "Tell Anna about ten minutes" is written "about 10 minutes", however clearly "ten" was said."""
+
+    def word_scores(_encoded, text, _language=None):
+        likely = {"call": -0.1, "red": -0.1, "99": -0.2, "balloons": -0.1, "ninety": -2.0, "nine": -1.0, "seven": -0.1}
+        return [(word, likely.get(word, -5.0)) for word in text.split()]
+
+    monkeypatch.setattr(whisper, "word_scores", word_scores)
+    monkeypatch.setattr(whisper, "_ahead", lambda *_, **_more: 99.0)
+    encoded = whisper.encode(spoken)
+    many = ("call", *map(FreeWord, ("ninety", "nine", "red", "balloons")))
+    assert unclear_words(whisper, encoded, many, "en") == ()
+    assert unclear_words(whisper, encoded, ("call", FreeWord("seven"), FreeWord("balloons")), "en") == ()
+    assert unclear_words(whisper, encoded, ("call", FreeWord("ninety"), FreeWord("balloons")), "en") == ("ninety",)
+    assert unclear_words(whisper, encoded, many, "de") == ("ninety", "nine"), "English figures are none of German"
+
+
 def test_the_words_that_were_heard_clearly(whisper, spoken):
     encoded = whisper.encode(spoken)
     heard, *_ = whisper.greedy(encoded, "en")
