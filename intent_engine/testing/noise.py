@@ -19,6 +19,7 @@ from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.utterance_network import NEGATED
+from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
 
@@ -178,7 +179,7 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
     """One word in place of which recognisers write another, where nothing else could be meant by it.
 
     Not in a sentence with free text, which any word could be part of; not beside an operator's word, where the engine
-    takes no guess; and nothing that is a number.
+    takes no guess; and nothing that is a number, or tells what somebody did where it was typed ("turned left").
     """
     words = [piece.text.split() for piece in pieces]
     plain = all(piece.slot is None or piece.slot.type not in _FREE for piece in pieces)
@@ -193,7 +194,7 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
         if piece.slot is None
         for number, word in enumerate(words[place])
         for heard, meant in grammar.sound_alikes.items()
-        if meant == (word,) and heard not in NUMBER_WORDS
+        if meant == (word,) and heard not in NUMBER_WORDS and word not in told_forms_of(heard, grammar.language)
     ]
     if not found:
         return pieces
