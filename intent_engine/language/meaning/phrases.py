@@ -23,7 +23,7 @@ _AGREEING: Mapping[str, frozenset[str]] = {
 """Words beside which one of those says nothing either: "yeah right", "right okay"."""
 
 _COMPARES: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("rather", "place", "other", "apart", "aside")),
+    "en": frozenset(("rather", "instead", "place", "other", "apart", "aside")),
     "fr": frozenset(("lieu", "plutôt")),
     "es": frozenset(("vez", "lugar", "mejor")),
     "it": frozenset(("invece", "piuttosto")),
