@@ -75,6 +75,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
             place += 1
         if _dictated(said) and place > len(said) - 2:
             continue  # "print a", "label" + what is dictated
+        if 0 < place < len(said) and _is_any_name(said[place]):
+            continue  # "play" + "could you" + a name, which may begin so
         longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
@@ -86,6 +88,11 @@ def _dictated(pieces: Sequence[Piece]) -> bool:
     """Whether the last of the pieces is a dictated text: all that is said right before it, in it and after it belongs
     to it."""
     return bool(pieces) and pieces[-1].slot is not None and pieces[-1].slot.dictation
+
+
+def _is_any_name(piece: Piece) -> bool:
+    """Whether a piece was said for a slot that takes any words for a name."""
+    return piece.slot is not None and piece.slot.type in _FREE and not piece.slot.known
 
 
 def _words(pieces: Sequence[Piece]) -> list[str]:

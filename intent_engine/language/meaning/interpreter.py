@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.asking_in_names import AskingInNames
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
 from intent_engine.language.meaning.compound import Compounds
@@ -76,6 +77,7 @@ class Interpreter:
         self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
         self._sayings = Sayings(phrases, self.matcher.grammar)
         self._conditions = Conditions(phrases, self.matcher.grammar)
+        self._asking = AskingInNames(self.matcher.grammar)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -136,6 +138,10 @@ class Interpreter:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
         if self._questions.asks(text, said, meant[1], spoken=spoken):
             return self._rejected(text, "a question, and not one to do something")
+        if meant[0].actions and (asking := self._asking.within(said, meant[1])):
+            return self._rejected(
+                text, f"{asking!r} may belong to what follows, or ask for it; say it before the command"
+            )
         if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
             return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
         if meant[0].reason or self._conditions.may_stand_in(words):
@@ -286,6 +292,8 @@ class Interpreter:
             clause = self._as_said(phrases.without_idle_fillers(said), state)
         if clause is None:  # "light hey on", of a grammar that has free names besides
             clause = self._as_said(phrases.without_greetings(said), state)
+            if clause is not None and clause.reading is not None and clause.reading.free_words:
+                clause = None  # "say thank you to everybody here", of a slot that has not so many words
         less = phrases.without_whole_fillers(said)
         if not core.words or len(less) == len(core):
             return clause
