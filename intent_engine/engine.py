@@ -139,6 +139,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
+        heard: bool = False,
         last: Before | None = None,
     ) -> Interpretation:
         """What a text means. Never raises on text; the same text gives the same interpretation.
@@ -148,7 +149,9 @@ class IntentEngine:
             state: states that the robot is in, for intents that require or exclude some (``moving`` makes
                 every utterance that begins with a stop word a stop). A text is the one state of that name.
             language: which grammar to use; None: the first that accepts it.
-            spoken: whether the wake word is needed, where the grammar has one.
+            spoken: whether the wake word is needed, where the grammar has one. What is spoken was heard.
+            heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Who types it tells of
+                something, and nothing is done.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
                 states in which that could not be said. Or only its actions, or the one that it was: then nobody asks.
                 Empty if there was none; None: not known, then such words are left as they are.
@@ -158,7 +161,7 @@ class IntentEngine:
         """
         _only_text("parse", text)
         parsers = self._loaded.parsers(language)
-        return _understood(parsers, text, state, spoken, last)[0]
+        return _understood(parsers, text, state, (spoken, heard), last)[0]
 
     def explain(
         self,
@@ -167,6 +170,7 @@ class IntentEngine:
         state: Collection[str] = (),
         language: str | None = None,
         spoken: bool = False,
+        heard: bool = False,
         last: Before | None = None,
     ) -> Explanation:
         """How :meth:`parse` comes to its interpretation, step by step. The arguments are the same."""
@@ -174,7 +178,7 @@ class IntentEngine:
 
         _only_text("explain", text)
         parsers = self._loaded.parsers(language)
-        found, witness = _understood([Witness(parser) for parser in parsers], text, state, spoken, last)
+        found, witness = _understood([Witness(parser) for parser in parsers], text, state, (spoken, heard), last)
         return witness.explanation(found)
 
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
@@ -212,7 +216,9 @@ class _Parses(Protocol):
 
     matcher: Matcher
 
-    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation: ...
+    def interpret(
+        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
+    ) -> Interpretation: ...
 
 
 _Parser = TypeVar("_Parser", bound=_Parses)
@@ -222,10 +228,11 @@ def _understood(
     parsers: Sequence[_Parser],
     text: str,
     state: Collection[str],
-    spoken: bool,
+    by_voice: tuple[bool, bool],
     last: Before | None,
 ) -> tuple[Interpretation, _Parser]:
-    """What a text means, with what it points back to, and the parser that says so."""
+    """What a text means, with what it points back to, and the parser that says so. ``by_voice``: whether it was spoken,
+    and whether it was heard."""
     state = states_of(state)
     asked = last.needs if isinstance(last, Interpretation) else ()
     if isinstance(last, Interpretation):
@@ -234,9 +241,9 @@ def _understood(
     parser = parsers[0]
     try:
         if len(parsers) == 1:
-            found = parser.interpret(text, state, spoken=spoken)
+            found = parser.interpret(text, state, spoken=by_voice[0], heard=by_voice[1])
         else:
-            found, parser = _first_accepted(parsers, text, state, spoken)
+            found, parser = _first_accepted(parsers, text, state, by_voice)
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
     if before is not None or len(found.actions) > 1:
@@ -245,12 +252,12 @@ def _understood(
 
 
 def _first_accepted(
-    parsers: Sequence[_Parser], text: str, state: Collection[str], spoken: bool
+    parsers: Sequence[_Parser], text: str, state: Collection[str], by_voice: tuple[bool, bool]
 ) -> tuple[Interpretation, _Parser]:
     """The interpretation of the first language that accepts a text; else the one that says most about it."""
     first: tuple[Interpretation, _Parser] | None = None
     for parser in parsers:
-        found = parser.interpret(text, state, spoken=spoken)
+        found = parser.interpret(text, state, spoken=by_voice[0], heard=by_voice[1])
         if found.status is Status.ACCEPTED:
             return found, parser
         if first is None or (first[0].status is Status.REJECTED and found.status is not Status.REJECTED):

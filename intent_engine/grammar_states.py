@@ -43,15 +43,15 @@ def meant_in_some_state(
     """What a text means to a robot in a state in which it means something, if there is one; else in none.
 
     For who asks what may have been said, and not what is done: a sentence sounds the same in every state. What only a
-    robot that moves takes for a stop is none here. The arguments are those of ``IntentEngine.parse``.
+    robot that moves takes for a stop is none here. The arguments are those of ``IntentEngine.parse``; it was heard.
     """
-    found = engine.parse(text, language=language, spoken=spoken)
+    found = engine.parse(text, language=language, spoken=spoken, heard=True)
     if found.status is Status.ACCEPTED:
         return found
     required = {intent.requires for grammar in engine.grammars for intent in grammar.intents.values()} - {frozenset()}
     # All of them at once for several commands in one sentence.
     for state in sorted(required, key=sorted) + ([frozenset().union(*required)] if len(required) > 1 else []):
-        other = engine.parse(text, state=state, language=language, spoken=spoken)
+        other = engine.parse(text, state=state, language=language, spoken=spoken, heard=True)
         if other.status is Status.ACCEPTED and not other.stops:
             return other
     return found

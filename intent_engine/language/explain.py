@@ -58,9 +58,11 @@ class Witness:
         self._clauses: tuple[Clause, ...] = ()
         self._found: Interpretation | None = None
 
-    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation:
+    def interpret(
+        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
+    ) -> Interpretation:
         """The meaning of a text; see :meth:`Interpreter.interpret`."""
-        self._found, self._clauses = self._interpreter.understand(text, state, spoken=spoken)
+        self._found, self._clauses = self._interpreter.understand(text, state, spoken=spoken, heard=heard)
         return self._found
 
     def explanation(self, found: Interpretation) -> Explanation:

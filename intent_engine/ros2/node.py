@@ -112,7 +112,7 @@ class VoiceCommands:
     def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
         now = self.executor.clock.now()
         try:
-            found = take(self.engine.parse(text, state=self._state(), last=self._last.meaning), now - age)
+            found = take(self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning), now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self._stop()

@@ -67,7 +67,7 @@ def worth_saying(
         return False
     if found.status is Status.ACCEPTED:
         return True
-    if engine.parse(found.text, state=state).status is Status.ACCEPTED:
+    if engine.parse(found.text, state=state, heard=True).status is Status.ACCEPTED:
         return False
     # Whoever is given it may know of a state that is not known here: that the robot moves, or one of a moment ago.
     if meant_in_some_state(engine, found.text).status is not Status.ACCEPTED:

@@ -29,7 +29,7 @@ def other_way(
     language, ways = language_of(engine, transcript), _ways(meaning)
     for other, nats in zip(transcript.alternatives, transcript.behind, strict=False):
         if nats < OTHER_WAY and any(ways):
-            others = _ways(engine.parse(other, state=state, language=language))
+            others = _ways(engine.parse(other, state=state, language=language, heard=True))
             if others != ways and list(map(abs, others)) == list(map(abs, ways)):
                 return other
     return None

@@ -78,7 +78,7 @@ class FollowUp:
         if not grammar_of(self._engine, transcript).wake:
             return False
         language = language_of(self._engine, transcript)
-        typed = self._engine.parse(transcript.free_text, state=state, language=language)
+        typed = self._engine.parse(transcript.free_text, state=state, language=language, heard=True)
         return typed.status is Status.ACCEPTED
 
     def comes_later(self, transcript: Transcript) -> bool:

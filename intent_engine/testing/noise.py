@@ -19,6 +19,7 @@ from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
 from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.utterance_network import NEGATED
+from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
 
@@ -74,6 +75,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
             place += 1
         if _dictated(said) and place > len(said) - 2:
             continue  # "print a", "label" + what is dictated
+        if 0 < place < len(said) and _is_any_name(said[place]):
+            continue  # "play" + "could you" + a name, which may begin so
         longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
@@ -85,6 +88,11 @@ def _dictated(pieces: Sequence[Piece]) -> bool:
     """Whether the last of the pieces is a dictated text: all that is said right before it, in it and after it belongs
     to it."""
     return bool(pieces) and pieces[-1].slot is not None and pieces[-1].slot.dictation
+
+
+def _is_any_name(piece: Piece) -> bool:
+    """Whether a piece was said for a slot that takes any words for a name."""
+    return piece.slot is not None and piece.slot.type in _FREE and not piece.slot.known
 
 
 def _words(pieces: Sequence[Piece]) -> list[str]:
@@ -178,7 +186,7 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
     """One word in place of which recognisers write another, where nothing else could be meant by it.
 
     Not in a sentence with free text, which any word could be part of; not beside an operator's word, where the engine
-    takes no guess; and nothing that is a number.
+    takes no guess; and nothing that is a number, or tells what somebody did where it was typed ("turned left").
     """
     words = [piece.text.split() for piece in pieces]
     plain = all(piece.slot is None or piece.slot.type not in _FREE for piece in pieces)
@@ -193,7 +201,7 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
         if piece.slot is None
         for number, word in enumerate(words[place])
         for heard, meant in grammar.sound_alikes.items()
-        if meant == (word,) and heard not in NUMBER_WORDS
+        if meant == (word,) and heard not in NUMBER_WORDS and word not in told_forms_of(heard, grammar.language)
     ]
     if not found:
         return pieces

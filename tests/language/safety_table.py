@@ -188,7 +188,7 @@ NEGATED = {
     "don't turn left, and turn right": NOTHING,
     "don't turn left or turn right": NOTHING,
     "don't turn left, don't turn right": NOTHING,
-    "turn right instead of left": NOTHING,
+    "turn right instead of left": "right 43",
 }
 CORRECTED = {
     "turn left no right": "right 43",

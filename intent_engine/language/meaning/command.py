@@ -13,6 +13,7 @@ from intent_engine.language.adjacent_numbers import number_said_apart
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.share_of_a_turn import share_of_a_turn
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
@@ -266,6 +267,8 @@ class Commands:
             allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
+        if unsure := share_of_a_turn(allowed[0], self.matcher.grammar.language):
+            return Clause(allowed[0], reason=unsure)
         best, ways, reason = self._whose_place.settled(allowed[0])
         if ways:
             return Clause(best, reason=reason, alternatives=tuple(map(described, ways)), ambiguous=True)

@@ -12,6 +12,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
 from intent_engine.language.meaning.compound import Compounds
+from intent_engine.language.meaning.conditions import Conditions
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.hesitation import Hesitations
@@ -25,6 +26,7 @@ from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
+from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
@@ -73,6 +75,7 @@ class Interpreter:
         self._questions = Questions(phrases, self._commands)
         self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
         self._sayings = Sayings(phrases, self.matcher.grammar)
+        self._conditions = Conditions(phrases, self.matcher.grammar)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -95,23 +98,30 @@ class Interpreter:
 
     # -- the order of things ----------------------------------------------------------------------------------
 
-    def interpret(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Interpretation:
+    def interpret(
+        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
+    ) -> Interpretation:
         """The meaning of a text.
 
         Args:
             text: what was said or typed.
             state: names of the states that the robot is in, for ``requires`` and ``excludes``.
-            spoken: whether a wake word is needed, if the grammar has one. Stop never needs it.
+            spoken: whether a wake word is needed, if the grammar has one. Stop never needs it. It was heard as well.
+            heard: whether a recogniser wrote it, and may have written "turned left" for "turn left".
         """
-        return self.understand(text, state, spoken=spoken)[0]
+        return self.understand(text, state, spoken=spoken, heard=heard)[0]
 
-    def understand(self, text: str, state: Collection[str] = (), *, spoken: bool = False) -> Understood:
+    def understand(
+        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
+    ) -> Understood:
         """The same, with the commands of which the meaning is made."""
         if len(text) > MAX_CHARACTERS:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
         sentence = without_enumeration(text)
         if sentence is not text:
-            understood = self._meant(sentence, self._said(sentence), state, spoken)
+            said = self._said(sentence)
+            understood = self._meant(sentence, said, state, spoken)
+            understood = self._unless_told(sentence, said, understood, typed=not (spoken or heard))
             if understood[0].status is Status.ACCEPTED:
                 return understood  # else it may be how a number was written: "2. Meters ahead"
         said = self._said(text)
@@ -128,9 +138,25 @@ class Interpreter:
             return self._rejected(text, "a question, and not one to do something")
         if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
             return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
+        if meant[0].reason or self._conditions.may_stand_in(words):
+            meant = self._unless_told(text, said, meant, typed=not (spoken or heard))
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._either(text, meant, other, state)
         return meant
+
+    def _unless_told(self, text: str, said: Utterance, meant: Understood, *, typed: bool) -> Understood:
+        """What was meant, unless its words are a condition, or tell of what somebody did. A stop is one anyhow.
+
+        Nothing is read as another word without a reason given.
+        """
+        found, parts = meant
+        condition = self._conditions.within(said, parts)
+        told = told_as_done(said.words, parts, self.matcher.alikes, self._language) if typed else None
+        if (not condition and told is None) or not found.actions or found.stops:
+            return meant
+        if told is None:
+            return self._rejected(text, f"{condition!r} and what follows may be a condition; say the command alone")
+        return self._rejected(text, f"{told[0]!r} tells what somebody does or did; a command says {told[1]!r}")
 
     def _said(self, text: str) -> Utterance:
         return self.matcher.as_written(Utterance.of(text, self._language))
@@ -260,6 +286,8 @@ class Interpreter:
             clause = self._as_said(phrases.without_idle_fillers(said), state)
         if clause is None:  # "light hey on", of a grammar that has free names besides
             clause = self._as_said(phrases.without_greetings(said), state)
+            if clause is not None and clause.reading is not None and clause.reading.free_words:
+                clause = None  # "say thank you to everybody here", of a slot that has not so many words
         less = phrases.without_whole_fillers(said)
         if not core.words or len(less) == len(core):
             return clause

@@ -20,7 +20,9 @@ __all__ = ["Negations"]
 
 _BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
 """What may stand before "don't turn left, turn right"."""
-_EXCLUDES: Mapping[str, frozenset[tuple[str, ...]]] = {"en": frozenset((("not",), ("rather", "than")))}
+_EXCLUDES: Mapping[str, frozenset[tuple[str, ...]]] = {
+    "en": frozenset((("not",), ("rather", "than"), ("instead", "of")))
+}
 """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, not right". Where
 "not" may stand behind its verb, as in German, the same words may forbid the command itself."""
 _BEHIND_THE_VERB = frozenset(("de",))
@@ -189,6 +191,8 @@ class Negations:
         if self._phrases.says_later(said.words[len(said) - joint :]):
             return None
         said = said.part(0, len(said) - joint)
+        if length > 1 and self._commands.moves(said.words, state) and self._commands.moves(other.words, state):
+            return said  # "go forward instead of turning left"; "turn left not right" names no other command
         excluded = self._corrections.instead(said, other, state)
         if excluded is None:
             return None

@@ -51,3 +51,32 @@ def test_among_several(engine_of, said: str, last: dict[str, Any]) -> None:
 
 def test_a_greeting_where_no_name_is(engine_of) -> None:
     assert dict(engine_of(GRAMMAR).parse("volume hey five").slots) == {"level": 5}
+
+
+@pytest.mark.parametrize(
+    ("said", "title"),
+    [
+        ("play can you feel it", "can you feel it"),
+        ("play would you mind", None),
+        ("play could you please stay", None),  # which is "could you please", and a title, or no more than a part of one
+        ("play thank you for all the music", None),  # which is longer than a title, and no "for all the music"
+    ],
+)
+def test_what_asks_may_be_a_part_of_the_name_too(engine_of, said: str, title: str | None) -> None:
+    assert engine_of(GRAMMAR).parse(said).slots.get("title") == title
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "can you play yesterday",
+        "could you please play yesterday",
+        "play yesterday could you",
+        "play yesterday, would you please",
+        "play, could you, yesterday",
+        "louder, no, could you play yesterday",
+        "hey can you play yesterday",
+    ],
+)
+def test_before_or_behind_a_command_it_asks_for_it(engine_of, said: str) -> None:
+    assert dict(engine_of(GRAMMAR).parse(said).slots) == {"title": "yesterday"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from meanings import done
+from meanings import does, done
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -19,6 +19,7 @@ intents:
 VERBS = {"en": "take", "de": "nimm", "fr": "prends", "es": "toma", "it": "prendi"}
 EXCLUDED = [
     ("en", "take the glass rather than the cup"),  # and never: take "than the cup"
+    ("en", "take the glass instead of the cup"),
     ("en", "take none of the cups"),
     ("en", "take anything other than the cup"),
     ("en", "take all apart from the cup"),
@@ -105,3 +106,25 @@ intents:
 def test_spanish_no_corrects_between_pauses_and_else_forbids(text: str, side: str | None, tmp_path: Path) -> None:
     found = engine_of(SPANISH, tmp_path).parse(text)
     assert found.slots.get("side") == side if side else not found.actions
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("turn right instead of left", "right 43"),
+        ("turn right, instead of left", "right 43"),
+        ("turn right instead of turning left", "right 43"),
+        ("go forward instead of turning left", "forward 1"),
+        ("go forward rather than turn left", "forward 1"),
+        ("go to the kitchen instead of the bedroom", "to kitchen"),
+        ("go forward two meters instead of three", "forward 2"),
+        ("instead of turning left, go forward", "forward 1"),
+        ("don't go to the kitchen, instead go to the bedroom", "to bedroom"),
+        ("instead of turning left", "rejected"),
+        ("turn right instead of", "rejected"),
+        ("turn left instead of right and go forward", "rejected"),
+        ("instead of turning left turn right", "rejected"),
+    ],
+)
+def test_what_is_said_instead_of_something_else_is_done(said: str, meant: str) -> None:
+    assert does(said) == meant

@@ -1,0 +1,46 @@
+"""Verbs that tell what somebody did or does, where a command sounds like them: "turned left", "led us to the cafe".
+
+A recogniser may write "turned left" for "turn left". Who types it tells of something.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from intent_engine.language.meaning.command import Clause
+from intent_engine.language.verb_forms import told_forms_of
+
+__all__ = ["told_as_done"]
+
+_OTHER_FORMS: Mapping[str, Mapping[str, str]] = {"en": {"led": "lead"}}
+"""Forms of a verb that are written like a word that sounds like it, and not made by an ending."""
+
+
+def told_as_done(
+    words: Sequence[str], parts: Sequence[Clause], alikes: Mapping[str, Sequence[str]], language: str
+) -> tuple[str, str] | None:
+    """A word that tells of what a command was read for, and the verb that it was read as. None: there is none.
+
+    Args:
+        words: those that were typed.
+        parts: the commands that they were understood as.
+        alikes: what words may be read as.
+        language: of the words.
+    """
+    for part in parts:
+        if part.reading is None or not part.reading.alikes:
+            continue
+        read = part.reading.words
+        for word in words:
+            verbs = [verb for verb in alikes.get(word, ()) if verb in read]
+            if verbs and word not in read and (told := next(filter(verbs.__contains__, _verbs(word, language)), "")):
+                return word, told
+    return None
+
+
+def _verbs(word: str, language: str) -> Iterator[str]:
+    """The verbs of which a word may be a form."""
+    other = _OTHER_FORMS.get(language, {}).get(word)
+    if other is not None:
+        yield other
+    yield from told_forms_of(word, language)
