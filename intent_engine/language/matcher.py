@@ -272,7 +272,9 @@ class Matcher:
         if len(slots) > 1:
             said = heard
             slots = parted_at_joint(
-                slots, said, lambda one, begin, end: self.values.read(one.slot, one.label, said, begin, end, None, False)
+                slots,
+                said,
+                lambda one, begin, end: self.values.read(one.slot, one.label, said, begin, end, None, False),
             )
             slots = numbers_apart(slots, said, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
