@@ -95,13 +95,13 @@ def _findings(
 def _ignored(
     intent: Intent, meanings: Mapping[str, Interpretation], interpreter: Interpreter
 ) -> Iterator[tuple[str, str, Problem]]:
-    """Whether a pattern takes words that change nothing of what is done, as ``re.search`` would: then it acts on talk."""
+    """Whether a pattern takes words that change nothing of what is done, as ``re.search`` does: it acts on talk."""
     done = [(text, meaning) for text, meaning in meanings.items() if meaning.actions and meaning.intent == intent.name]
     for where, talk in TALK.items():
         for text, meaning in done:
             said = talk.format(text)
             if interpreter.interpret(said, intent.requires).actions == meaning.actions:
                 message = f"a pattern of {intent.name!r} takes any words {where} it: {said!r} is done as {text!r} is"
-                hint = "a pattern is compared with all that is said; leave .* out, and write the words that may stand there"
+                hint = "a pattern is compared with all that is said: leave .* out, and write what may stand there"
                 yield "warning", "pattern", problem_at(intent.place, message, hint)
                 break
