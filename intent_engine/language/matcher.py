@@ -270,13 +270,13 @@ class Matcher:
                         by_sound.append(position)
                 heard[position - 1] = mark[1]
         if len(slots) > 1:
-            said = heard
+            understood = heard
             slots = parted_at_joint(
                 slots,
-                said,
-                lambda one, begin, end: self.values.read(one.slot, one.label, said, begin, end, None, False),
+                heard,
+                lambda one, begin, end: self.values.read(one.slot, one.label, understood, begin, end, None, False),
             )
-            slots = numbers_apart(slots, said, self.grammar.language)
+            slots = numbers_apart(slots, heard, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
 
     def _otherwise(self, reading: Reading) -> Iterator[Reading]:
