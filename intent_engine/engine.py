@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from intent_engine.actions import actions_of
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
-from intent_engine.errors import ConfigError
+from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
@@ -81,8 +81,11 @@ class IntentEngine:
         """Read the files again. Parses under way finish with the old grammar; all later ones use the new.
 
         Raises:
-            ConfigError: something is wrong; the old grammar stays in use.
+            ConfigError: something is wrong, or the engine was not made from files; the old grammar stays in use.
         """
+        if not (self._files.grammars or self._files.missing):
+            hint = "IntentEngine.from_files(...) makes one that can be reloaded"
+            raise ConfigError(Problem("there are no files to read again: the engine was made from grammars", hint=hint))
         with self._lock:
             self._loaded = self._files.read()
 

@@ -9,6 +9,7 @@ import pytest
 
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
+from intent_engine.execution.robots.robot import Pose
 from intent_engine.language.slot_values import NamesOf
 from intent_engine.resources import find
 
@@ -118,3 +119,16 @@ def test_an_engine_that_is_copied_says_what_to_do_instead(engine, copied):
 def test_what_an_engine_says_can_be_pickled(engine):
     found = engine.parse("go to the kitchen and turn left")
     assert pickle.loads(pickle.dumps(found)) == found
+
+
+def test_an_engine_that_was_made_from_grammars_says_that_there_is_nothing_to_read_again(engine):
+    other = IntentEngine(engine.grammars, engine.locations)
+    with pytest.raises(ConfigError, match="made from grammars"):
+        other.reload()
+    assert other.parse("go to the kitchen").actions
+
+
+def test_a_pose_of_a_robot_is_a_place():
+    engine = IntentEngine.from_files("en", locations={"lab": Pose(1.0, 2.0, 0.5, "hall")})
+    (action,) = engine.parse("go to the lab").actions
+    assert (action.x, action.y, action.yaw, action.frame) == (1.0, 2.0, 0.5, "hall")

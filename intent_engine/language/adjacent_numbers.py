@@ -18,6 +18,7 @@ __all__ = [
     "may_hold",
     "number_said_apart",
     "numbers_apart",
+    "parted_at_joint",
 ]
 
 _COUNTED = frozenset(QUANTITY_KINDS)
@@ -39,6 +40,37 @@ def numbers_apart(slots: Sequence[SlotReading], words: Sequence[str], language: 
             continue
         if _is_cut(words[slot.end - 1], words[after.start], language) and not _surely_two(slot, after, words, language):
             problem = f"{' '.join(words[slot.start : after.end])!r} could be one number or two"
+            found[place] = replace(slot, value=None, status="unknown", problem=problem)
+    return found
+
+
+def parted_at_joint(
+    slots: Sequence[SlotReading], words: Sequence[str], read: Callable[[SlotReading, int, int], SlotReading]
+) -> list[SlotReading]:
+    """Slots of one sentence, with the word between two quantities where it belongs, if a number may hold that word too:
+    "between 0.5 and one and a half". What can be parted in several places has no value: "between 100 and two and a
+    half" may be 100 and 2.5, or 102 and a half.
+
+    Args:
+        slots: as they were read, in order.
+        words: of the sentence.
+        read: a slot again, with the words from one place to another.
+    """
+    found = list(slots)
+    for place in range(len(found) - 1):
+        slot, after = found[place : place + 2]
+        if after.start - slot.end != 1 or not {slot.slot.type, after.slot.type} <= _COUNTED:
+            continue
+        start, end, joint = slot.start, after.end, words[slot.end]
+        if words[start:end].count(joint) < 2:
+            continue
+        cuts = (cut for cut in range(start + 1, end - 1) if words[cut] == joint)
+        ways = [(read(slot, start, cut), read(after, cut + 1, end)) for cut in cuts]
+        ways = [(one, other) for one, other in ways if not (one.problem or other.problem)]
+        if len(ways) == 1:
+            found[place : place + 2] = ways[0]
+        elif ways:
+            problem = f"where the first number ends in {' '.join(words[start:end])!r} is not clear"
             found[place] = replace(slot, value=None, status="unknown", problem=problem)
     return found
 

@@ -275,6 +275,8 @@ def _dictionary(given: Mapping[str, Any], frame: str) -> Draft:
             values = pose
         elif isinstance(pose, Sequence) and not isinstance(pose, str) and len(pose) in (2, 3):
             values = dict(zip(("x", "y", "yaw"), pose, strict=False))
+        elif all(hasattr(pose, key) for key in ("x", "y", "yaw")):  # a Pose of a robot
+            values = {key: getattr(pose, key) for key in FIELDS if hasattr(pose, key)}
         if not isinstance(name, str):
             draft.problems.append(Problem(f"the name {name!r} is not text", hint=f'quote it: "{name}"'))
         elif values is None:

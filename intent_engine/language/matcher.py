@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
-from intent_engine.language.adjacent_numbers import is_number, numbers_apart
+from intent_engine.language.adjacent_numbers import is_number, numbers_apart, parted_at_joint
 from intent_engine.language.alternative_slots import alternatives
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.continuation import Continuation, Continuations
@@ -275,6 +275,12 @@ class Matcher:
                         by_sound.append(position)
                 heard[position - 1] = mark[1]
         if len(slots) > 1:
+            understood = heard
+            slots = parted_at_joint(
+                slots,
+                heard,
+                lambda one, begin, end: self.values.read(one.slot, one.label, understood, begin, end, None, False),
+            )
             slots = numbers_apart(slots, heard, self.grammar.language)
         return Reading(intent, sentence, tuple(slots), tuple(heard), alikes, misheard, free)
 

@@ -204,7 +204,7 @@ class Sampler:
 
     def finish(self, intent: str, sentence: Sentence, pieces: Sequence[Piece]) -> Sample | None:
         """The sample of these pieces, or None if their values make no action, or nobody could tell them apart."""
-        if any(map(_run_together, pieces, pieces[1:])):
+        if any(map(_run_together, pieces, pieces[1:])) or any(map(_may_join, pieces, pieces[1:], pieces[2:])):
             return None
         said = {**sentence.fixed, **{piece.label: piece.value for piece in pieces if piece.label is not None}}
         try:
@@ -309,6 +309,13 @@ def _one_article(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
 
 def _dictated(piece: Piece) -> bool:
     return piece.slot is not None and piece.slot.dictation
+
+
+def _may_join(piece: Piece, between: Piece, after: Piece) -> bool:
+    """Whether the word between two numbers is in one of them, too: "200" + "and" + "one and a half"."""
+    if piece.slot is None or after.slot is None or {piece.slot.type, after.slot.type} - set(QUANTITY_KINDS):
+        return False
+    return between.text in (*piece.text.split(), *after.text.split())
 
 
 def _run_together(piece: Piece, after: Piece) -> bool:

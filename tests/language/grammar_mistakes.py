@@ -195,6 +195,22 @@ MISTAKES: dict[str, str | bytes] = {
     "a sentence that cannot give what its action needs": "language: en\nintents:\n  go:\n    action: navigate\n"
     "    sentences: ['go there']\n",
     "a default that nothing takes": move("defaults: {sped: 0.3 m/s}"),
+    "a speed with the sign of a direction": move(action="{type: move, direction: backward, speed: -0.3}"),
+    "a default speed with the sign of a direction": move(
+        "when: [{slots: {direction: backward}, defaults: {speed: -0.3}}]"
+    ),
+    "a turn without speed": (
+        "language: en\nintents:\n  spin:\n    action: {type: turn, direction: left, speed: 0}\n    sentences: [spin]\n"
+    ),
+    "a place under another name": (
+        "language: en\nslots: {place: location}\nintents:\n  go: {action: navigate, sentences: ['go to {place}']}\n"
+    ),
+    "a thing under another name": (
+        "language: en\nslots: {thing: text}\nintents:\n  take: {action: pick, sentences: ['take {thing}']}\n"
+    ),
+    "a side under another name": (
+        "language: en\nslots: {side: [left, right]}\nintents:\n  spin: {action: turn, sentences: ['spin {side}']}\n"
+    ),
     "a default in the wrong unit": move("defaults: {speed: 0.3 kg}"),
     "a default above the slot's largest": move("defaults: {speed: 3 m/s}"),
     "a default below the slot's smallest": move("defaults: {distance: 1 cm}"),

@@ -27,6 +27,9 @@ intents:
   point:
     action: {type: custom, name: point}
     sentences: ["point at {x} {y}"]
+  between:
+    action: {type: custom, name: between}
+    sentences: ["between {x} and {y}"]
 """
 
 
@@ -106,6 +109,41 @@ def test_two_numbers_are_never_other_two(engine, x, y):
     words = " ".join(in_words([str(x), str(y)]))
     found = engine.parse(f"point at {words}")
     assert found.status is not Status.ACCEPTED or dict(found.slots) == {"x": x, "y": y}
+
+
+@pytest.mark.parametrize("said", ["100 and 2 and a half", "two hundred and one and a half"])
+def test_an_and_that_could_be_in_either_number_is_asked_back(engine, said):
+    found = engine.parse(f"between {said}")
+    assert (found.status, found.actions) == (Status.REJECTED, ())
+    assert "where the first number ends" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("said", "x", "y"),
+    [
+        ("0.5 and one and a half", 0.5, 1.5),
+        ("one hundred and fifty and two hundred", 150, 200),
+        ("two and a half and three", 2.5, 3),
+        ("twenty and five and a half", 20, 5.5),
+        ("a hundred and fifty", 100, 50),
+    ],
+)
+def test_an_and_of_one_number_parts_no_two(engine, said, x, y):
+    assert engine.parse(f"between {said}").slots == {"x": x, "y": y}
+
+
+@given(
+    st.one_of(st.integers(0, 9999), st.integers(1, 9).map(lambda n: 100 * n)),
+    st.booleans(),
+    st.integers(0, 99),
+    st.booleans(),
+)
+def test_two_joined_numbers_are_never_other_two(engine, x, half, y, other_half):
+    first, second = (
+        " ".join(in_words([str(number)])) + " and a half" * plus for number, plus in ((x, half), (y, other_half))
+    )
+    found = engine.parse(f"between {first} and {second}")
+    assert found.status is not Status.ACCEPTED or found.slots == {"x": x + half / 2, "y": y + other_half / 2}
 
 
 MOVE = """

@@ -13,7 +13,6 @@ from intent_engine.engine import IntentEngine
 from intent_engine.testing import assert_means, moves, sentences
 
 GRAMMAR = """
-fillers: [please, mhm]
 phrases:
   put: (put|lay) [it] [right]
 slots:
@@ -55,19 +54,20 @@ intents:
     sentences: ["meet {who} at {where}", "describe {what} [to {who}]", "from {where:start} to {where:finish}"]
   remember:
     action: {type: custom, name: remember}
-    sentences: ["jot [down] {memo}", "note a memo [that] {memo}"]
+    sentences: ["jot [down] {memo}", "note a memo [that] {memo}", "message {who} saying {memo}"]
   arrange:
     action: {type: custom, name: arrange}
-    sentences: ["sing {tone}", "{put} ({n} times;{tone};[at {where}])", "mix {n:first} with {n:second} (now|soon)"]
+    sentences: ["sing {tone}", "{put} ({n} times;{tone};[at {where}])", "mix {n:first} with {n:second} (now|soon)",
+                "range between {n:first} and {n:second} (now|soon)"]
 """
 PLACES = {"bay 3": (1.0, 2.0, 0.0), "loading dock": (3.0, 2.0, 0.0), "room 101": (4.0, 0.0, 1.57)}
 
 
 @cache
-def engine_of(language):
+def engine_of(language, fillers="fillers: [please, mhm]"):
     with TemporaryDirectory() as folder:
         file = Path(folder) / "every.yaml"
-        file.write_text(f"language: {language}\n{GRAMMAR}", "utf-8")
+        file.write_text(f"language: {language}\n{fillers}\n{GRAMMAR}", "utf-8")
         return IntentEngine.from_files(file, locations=PLACES)
 
 
@@ -82,5 +82,17 @@ def test_a_sentence_means_what_it_was_made_from(language, noise):
         found = engine.parse(said.text)
         assert_means(found, said.expected)
         assert "negation" not in noise or not moves(found)
+
+    holds()
+
+
+@pytest.mark.parametrize("noise", ["fillers", ("fillers", "spelling")], ids=str)
+def test_the_usual_fillers_change_no_meaning(noise):
+    engine = engine_of("en", fillers="")
+
+    @settings(max_examples=300, deadline=None, derandomize=True)
+    @given(sentences(engine, noise=noise))
+    def holds(case):
+        assert_means(engine.parse(case.text), case.expected)
 
     holds()

@@ -7,6 +7,7 @@ from typing import Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import (
     ACTION_PARAMETERS,
     QUANTITY_KINDS,
@@ -73,6 +74,16 @@ def _defaults(
         yield from _value(slots.get(slot_of_parameter(intent.action, key)), value, (*at, key), places)
         if key == "direction" and key not in slots:
             yield from _direction(intent.action.type, value, (*at, key), places)
+        yield from _no_speed(intent.action, key, value, (*at, key), places)
+
+
+def _no_speed(action: ActionSpec, key: str, value: Any, at: YamlPath, places: Places) -> Iterator[Problem]:
+    """A speed with which nothing can be driven. Elsewhere its sign is the direction."""
+    driven = action.type in DIRECTIONS and key in ("speed", slot_of_parameter(action, "speed"))
+    if driven and isinstance(value, int | float) and value <= 0:
+        way = {"move": "backward", "turn": "right"}[action.type]
+        hint = f"write it without a sign, and direction: {way}" if value else "write how fast; or action: stop"
+        yield places.problem(at, f"a speed of {value:g} cannot be driven", hint)
 
 
 def _near(word: str, known: Iterable[str]) -> str:
@@ -150,6 +161,8 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
                 )
         elif parameter == "direction":
             yield from _direction(action.type, taken, (*base, parameter), places)
+        else:
+            yield from _no_speed(action, parameter, taken, (*base, parameter), places)
     for parameter, kind in ACTION_PARAMETERS[action.type].items():
         label = slot_of_parameter(action, parameter)
         slot = slots.get(label) or (grammar.slots.get(label) if _patterns(intent) else None)
@@ -167,7 +180,7 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
                 at = ("slots", slot.name, "values", value)
                 yield from _direction(action.type, value, at, places, f" (slot {slot.name!r})")
     for sentence, own in zip(intent.all_sentences, given, strict=True):
-        yield from _complete(intent, sentence, own, missing)
+        yield from _complete(intent, sentence, own, missing, grammar)
 
 
 def _takes(label: str, grammar: Grammar) -> str:
@@ -188,7 +201,9 @@ def _direction(action: str, value: Any, at: YamlPath, places: Places, where: str
         )
 
 
-def _complete(intent: Intent, sentence: Sentence, given: set[str], missing: set[str]) -> Iterator[Problem]:
+def _complete(
+    intent: Intent, sentence: Sentence, given: set[str], missing: set[str], grammar: Grammar
+) -> Iterator[Problem]:
     """Every sentence must be able to give what its action cannot do without."""
     given = {*given, *intent.defaults}
     for condition in intent.when:
@@ -207,9 +222,26 @@ def _complete(intent: Intent, sentence: Sentence, given: set[str], missing: set[
             continue
         message = f"{action.type} needs {parameter!r}, and this sentence cannot give it"
         hint = f"add {{{label}}} to the sentence, slots: {{{label}: ...}} beside it, or a default"
+        if (other := _could_give(action.type, parameter, sentence, grammar)) is not None:
+            hint = f'if that is {{{other}}}: action: {{type: {action.type}, {parameter}: "{{{other}}}"}}'
         place = sentence.place
         if place is not None:
             yield problem_at(place, message, hint)
+
+
+def _could_give(action: str, parameter: str, sentence: Sentence, grammar: Grammar) -> str | None:
+    """The one slot of a sentence that holds what a parameter takes, under another name."""
+    found = []
+    for label, slot in slots_by_label((sentence.template,), grammar).items():
+        if parameter == "direction":
+            fits = bool(slot.values) and DIRECTIONS[action].issuperset(value for value, _ in slot.values)
+        elif parameter == "location":
+            fits = slot.type == "location"
+        else:
+            fits = slot.type in FREE_KINDS
+        if fits:
+            found.append(label)
+    return found[0] if len(found) == 1 else None
 
 
 def _fixed_amiss(action: ActionSpec, sentence: Sentence) -> bool:

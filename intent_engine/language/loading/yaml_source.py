@@ -14,6 +14,7 @@ from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 from intent_engine.language.loading.json_mistakes import json_problem
+from intent_engine.language.loading.lost_words import lost_words
 
 __all__ = ["YamlSource", "not_utf8", "read_yaml"]
 
@@ -310,6 +311,8 @@ class _Reader:
         if isinstance(node, yaml.ScalarNode):
             if not node.style and node.end_mark.line > node.start_mark.line:
                 source.folded.add(path)
+            elif (lost := lost_words(node, source.lines)) is not None:
+                source.problem(path, *lost)
             return _scalar(node, path, source)
         if id(node) in above:
             raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from intent_engine.language.maps.map_draft import FIELDS, Draft, Row
 __all__ = ["read_table"]
 
 COLUMNS = ("name", *FIELDS)
+_PARTING = re.compile(r"\s*[,|]\s*")
+"""What lists are often parted by elsewhere; here it would make one name of them, which nobody says."""
 _HINT = "the first line must be: name,x,y,yaw,frame,aliases,tags (yaw and what follows may be left out)"
 
 
@@ -37,7 +40,7 @@ def read_table(path: Path, text: str) -> Draft:
         draft.problems.append(Problem("is empty", str(path), hint=_HINT))
         return draft
     top, header = rows[0]
-    columns = [cell.strip().lower() for cell in header]
+    columns = _without_empty([cell.strip().lower() for cell in header], 0)
     missing = [column for column in ("name", "x", "y") if column not in columns]
     if missing and len(columns) == 1 and ";" in columns[0]:
         draft.problems.append(
@@ -58,7 +61,8 @@ def read_table(path: Path, text: str) -> Draft:
             problem("has no place below its header", top, 1, "add a line for each: kitchen,5.0,2.0,0.0")
         )
     found: list[Row] = []
-    for line, cells in rows[1:]:
+    for line, row in rows[1:]:
+        cells = _without_empty(row, len(columns))
         if len(cells) > len(columns):
             hint = "put quotes around a name that holds a comma; separate aliases by ';'"
             draft.problems.append(
@@ -66,9 +70,21 @@ def read_table(path: Path, text: str) -> Draft:
             )
             continue
         given = {column: cell.strip() for column, cell in zip(columns, cells, strict=False)}
+        for key in ("aliases", "tags"):
+            if (together := given.get(key, "")) and ";" not in together and (sign := _PARTING.search(together)):
+                hint = f"separate them by ';': {_PARTING.sub('; ', together)}"
+                draft.problems.append(problem(f"{key} are not separated by {sign[0].strip()!r}", line, 1, hint))
         found.append(_row(given, line, problem, lines))
     draft.rows = found
     return draft
+
+
+def _without_empty(cells: list[str], least: int) -> list[str]:
+    """Cells of a line without the empty ones at its end, which spreadsheets write."""
+    end = len(cells)
+    while end > least and not cells[end - 1].strip():
+        end -= 1
+    return cells[:end]
 
 
 def _numbered(reader: Any) -> Any:

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from intent_engine.language.action_builder import CannotActError, build_action
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
@@ -98,14 +99,20 @@ class Dictation:
         rest = " ".join(written[count:]).strip(AROUND)
         if self._says_nothing(rest) and not self._greets(rest, written[count - 1]):
             return None
+        taken: Dictated | None = None
         for begin in self._begins(" ".join(written[:count]), spoken):
             clause = self._commands.exact([*begin.words, ANYTHING], state)
             if clause is not None and (slot := _dictated(clause.reading)) is not None:
                 if self._lists(clause.reading, slot, rest, written[count - 1]):
                     reason = f"whether {rest!r} is what is told, or whom to tell, is not clear; pause before it"
-                    return Dictated(Clause(clause.reading, reason=reason), tuple(begin.words), rest)
-                return Dictated(self._with(clause, slot, rest), tuple(begin.words), rest)
-        return None
+                    clause = Clause(clause.reading, reason=reason)
+                else:
+                    clause = self._with(clause, slot, rest)
+                if taken is None or clause.accepted:
+                    taken = Dictated(clause, tuple(begin.words), rest)
+                if not _has_free_name(clause.reading):
+                    break  # else it may hold a filler: "tell uh Anna that"
+        return taken
 
     def _filled_from(self, written: list[str], count: int) -> Iterator[int]:
         """Where words begin that say nothing and lead to what is dictated in one breath: "please wait". With a pause
@@ -163,6 +170,11 @@ class Dictation:
         except CannotActError as error:
             return Clause(reading, reason=str(error))
         return replace(clause, reading=reading, action=action)
+
+
+def _has_free_name(reading: Reading | None) -> bool:
+    """Whether words of any kind stand before what is dictated: "tell {name} that"."""
+    return reading is not None and any(slot.slot.type in FREE_KINDS for slot in reading.slots[:-1])
 
 
 def _dictated(reading: Reading | None) -> SlotReading | None:

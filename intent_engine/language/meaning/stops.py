@@ -61,7 +61,11 @@ class Stops:
                 if self._corrected_after(words, position):
                     return True
                 ends = phrases.only_stops(words, position)
-                if ends and not phrases.joined_before(words, position) and not self._is_command(words, state):
+                if not ends or phrases.joined_before(words, position):
+                    continue
+                # "go to the bus, stop": where there is a bus as well as a bus stop, the pause tells which.
+                parted = said.breaks[position] and self._commands.accepts(words[start:position], state)
+                if parted or not self._is_command(words, state):
                     return True
         return False
 
@@ -164,9 +168,19 @@ class Stops:
         return any(reading.intent.action.type == "stop" and not reading.problem for reading in readings)
 
     def _is_command(self, words: list[str], state: Collection[str]) -> bool:
-        """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place."""
-        clause = self._commands.exact(words, state)
-        return clause is not None and (clause.accepted or clause.ambiguous)
+        """Whether the words are a sentence that could be meant: "go to the bus stop", where there is such a place. What
+        is said around it is not looked at ("please go to the bus stop now"); what is said within it would be: "go to
+        the bus please stop"."""
+        fillers = self._phrases.fillers
+        end = len(words)
+        while end and (behind := fillers.ends(words[:end])):
+            end -= behind
+        start = min(self._phrases.after_opening(words), end)
+        for some in (words, words[start:end]):
+            clause = self._commands.exact(some, state) if some else None
+            if clause is not None and (clause.accepted or clause.ambiguous):
+                return True
+        return False
 
     def _clause_begins(self, words: list[str], start: int, position: int) -> bool:
         """Whether what stands before could be a command by itself, so that a new clause can begin here."""

@@ -23,6 +23,8 @@ __all__ = ["pattern_findings"]
 
 DRAWN = 60
 """Sentences of a pattern that are looked at, at most."""
+TALK = {"before": "yesterday somebody said {}", "behind": "{} like a bird in spring"}
+"""What makes talk of a command; a pattern with ``.*`` in that place does not see it."""
 
 
 def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterator[tuple[str, str, Problem]]:
@@ -49,6 +51,7 @@ def pattern_findings(grammar: Grammar, locations: LocationMap | None) -> Iterato
             yield "note", "pattern", problem_at(intent.place, message, hint)
         for meanings in found:
             yield from _findings(intent, meanings, grammar.operators.closed)
+            yield from _ignored(intent, meanings, interpreter)
 
 
 def _texts(sampler: PatternSampler, sentence: Sentence) -> list[str]:
@@ -87,3 +90,18 @@ def _findings(
             yield "warning", "shadowed", problem_at(intent.place, message, "reword one, or give a priority")
         else:
             yield "note", "overlap", problem_at(intent.place, message)
+
+
+def _ignored(
+    intent: Intent, meanings: Mapping[str, Interpretation], interpreter: Interpreter
+) -> Iterator[tuple[str, str, Problem]]:
+    """Whether a pattern takes words that change nothing of what is done, as ``re.search`` does: it acts on talk."""
+    done = [(text, meaning) for text, meaning in meanings.items() if meaning.actions and meaning.intent == intent.name]
+    for where, talk in TALK.items():
+        for text, meaning in done:
+            said = talk.format(text)
+            if interpreter.interpret(said, intent.requires).actions == meaning.actions:
+                message = f"a pattern of {intent.name!r} takes any words {where} it: {said!r} is done as {text!r} is"
+                hint = "a pattern is compared with all that is said: leave .* out, and write what may stand there"
+                yield "warning", "pattern", problem_at(intent.place, message, hint)
+                break

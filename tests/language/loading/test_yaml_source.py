@@ -111,6 +111,40 @@ def test_tags_of_other_programs_do_nothing():
     assert parsed("a: !!int many").data == {"a": "many"}
 
 
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("- !hop up", "YAML takes !hop for a tag, and leaves it out", 'quote it: "!hop up"'),
+        ("- &hop up", "YAML takes &hop for the name of an anchor, and leaves it out", 'quote it: "&hop up"'),
+        ("- go to bay #5\n- go", "YAML takes #5 for a comment, and leaves it out", 'quote it: "go to bay #5"'),
+        ("a: [\u201cgo, back\u201d, on]", "\u201c is no quote for YAML", "write straight quotes"),
+        ("- \u201e[please] go\u201c", "\u201e is no quote for YAML", "write straight quotes"),
+    ],
+)
+def test_words_that_yaml_would_leave_out_are_told(text, message, hint):
+    (problem,) = parsed(text).problems
+    assert (problem.message, problem.line) == (message, 1)
+    assert problem.hint.startswith(hint)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "- &hop up\n- *hop",
+        "- '!hop up'",
+        "- !!str 5",
+        "- go # 5",
+        "- go #the first",
+        "- 'go to bay #5'",
+        "a: 5 #4",
+        "- \u201cgo back\u201d",
+        "- \u2019tis",
+    ],
+)
+def test_nothing_is_lost_of_what_yaml_reads_as_it_is_meant(text):
+    assert not parsed(text).problems
+
+
 def test_aliases_may_repeat_but_not_without_end(monkeypatch):
     monkeypatch.setattr(yaml_source, "MAX_COPIES", 100)
     rows = "a: &a [1, 2, 3]\n" + "b: [" + ", ".join(["*a"] * 20) + "]\n"

@@ -108,12 +108,21 @@ CSV_MISTAKES = {
     "no column": ("name,x,yaw\nhall,1,2\n", ["1:1 has no column y"]),
     "misspelt column": ("name,x,y,yaww\nhall,1,2,3\n", ["1:1 column 'yaww' is not known (did you mean 'yaw'?)"]),
     "column twice": ("name,x,y,x\nhall,1,2,3\n", ["1:1 column 'x' stands twice"]),
+    "aliases by commas": (
+        'name,x,y,aliases\nhall,1,2,"foyer, lobby"\nbar,1,3,pub|inn\n',
+        ["2:1 aliases are not separated by ',' (separate them by ';': foyer; lobby)", "3:1 aliases are not separated"],
+    ),
     "too many": ("name,x,y\nhall, the other,1,2\n", ["2:1 has 4 fields, but there are 3 columns"]),
     "open quote": ('name,x,y\nhall,1,2\n"lab,1,2\n', ["3:1 is not valid CSV"]),
     "empty": ("", ["is empty"]),
     "empty name": ("name,x,y\n,1,2\n", ["2:1 the name '' has no word"]),
     "several": ("name,x,y\nhall,1,2\n# a note\n\nhall,1,3\nlab,a,b\n", ["5:1 place 'hall' stands twice", "6:", "6:"]),
 }
+
+
+def test_empty_cells_at_the_end_as_spreadsheets_write_them(tmp_path):
+    (tmp_path / "map.csv").write_text("name,x,y,,\nhall,1,2,,\nlab,3,4\n,,,,\n", "utf-8")
+    assert list(load(tmp_path / "map.csv")) == ["hall", "lab"]
 
 
 @pytest.mark.parametrize("case", CSV_MISTAKES)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import german, shipped
 
 GRAMMAR = """
 language: en
@@ -49,6 +50,17 @@ def test_the_article_of_a_value_matters_to_no_correction(engine_of, said: str, s
 )
 def test_nothing_is_guessed_without_the_article(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR).parse(said).actions
+
+
+@pytest.mark.parametrize("broken_off", ["no, the", "no the", "I mean the", "sorry, the", "no, the uh", "no, the well"])
+@pytest.mark.parametrize("said", ["go to the kitchen", "turn left", "go forward two meters", "pick up the cup"])
+def test_a_correction_that_breaks_off_behind_its_article_does_not_do_what_it_takes_back(said, broken_off) -> None:
+    assert shipped().parse(f"{said}, {broken_off}").actions == ()
+
+
+@pytest.mark.parametrize("said", ["fahr in die Küche, nein, die", "dreh dich nach links, nein, das"])
+def test_a_german_correction_that_breaks_off(said) -> None:
+    assert german().parse(said).actions == ()
 
 
 def test_german_articles(engine_of) -> None:

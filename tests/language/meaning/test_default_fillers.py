@@ -11,11 +11,12 @@ language: en
 slots:
   way: [ahead, back]
   time: duration
+  far: distance
   count: {type: number, max: 20}
   subject: {type: text, max_words: 4}
 intents:
   roll: {action: custom, sentences: ["roll {way}", "go {way}"]}
-  ring: {action: custom, sentences: ["ring [for {time}]", "ring {count} bells"]}
+  ring: {action: custom, sentences: ["ring [for {time}]", "ring {count} bells", "ring at {far}"]}
   search: {action: custom, sentences: ["search {subject}"]}
 """
 
@@ -36,6 +37,7 @@ def engine(engine_of) -> IntentEngine:
         ("I want you to ring right away", [{}]),
         ("I'd like you to ring", [{}]),
         ("ring for about ten seconds", [{"time": 10}]),
+        ("ring at two meters fifty, um", [{"far": 2.5}]),  # not fifty micrometers
         ("ring for approximately half a minute", [{"time": 30}]),
         ("ring exactly 3 bells", [{"count": 3}]),
         ("ring another five bells", [{"count": 5}]),
@@ -75,6 +77,7 @@ FIELD = """
 language: de
 slots:
   time: duration
+  far: distance
   row: {type: number, max: 40, whole: true}
   light: {type: boolean, values: {true: an, false: aus}}
 intents:

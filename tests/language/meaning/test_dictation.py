@@ -201,6 +201,18 @@ def test_it_is_told_what_was_dictated(notes):
     assert [(step.name, step.outcome) for step in steps] == [("dictation", 'dictated: "it doesn\'t turn"')]
 
 
+@pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        ("tell uh Anna that I am late", "anna"),
+        ("tell Anna, um, that I am late", "anna"),
+        ("please tell Anna Lee that I am late", "anna lee"),
+    ],
+)
+def test_a_name_before_a_text_holds_no_fillers(notes, said, name):
+    assert dict(notes.parse(said, state=["online"]).slots) == {"name": name, "words": "I am late"}
+
+
 ANY = ("turn", "left", "go", "don't", "not", "and", "then", "robot", "please", "that", "2", "A.", "kitchen,", "no", "I")
 WORDS = st.lists(st.sampled_from(ANY), min_size=1, max_size=12).map(" ".join)
 

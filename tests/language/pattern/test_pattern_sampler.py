@@ -132,6 +132,10 @@ HEAD = "slots: {code: text, far: distance}\nintents:\n"
         ),
         ("a: {action: custom, regex: 'drive (?P<far>[0-9]+) there'}", ["warning"], "is not a distance"),
         ("a: {action: custom, regex: 'code (?P<code>[hij] [0-9]+)'}", ["warning"], "is refused"),
+        ("a: {action: custom, regex: '.*open it'}", ["warning"], "any words before it"),
+        ("a: {action: custom, regex: '(now )?.*open (?P<far>.+)'}", ["warning"], "any words before it"),
+        ("a: {action: custom, regex: 'open it.*'}", ["warning"], "any words behind it"),
+        ("a: {action: custom, regex: 'drive to (?P<code>.+)'}", [], ""),
     ],
 )
 def test_what_check_finds_in_patterns(tmp_path, rows, levels, says):
