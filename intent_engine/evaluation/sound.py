@@ -15,7 +15,7 @@ from intent_engine.evaluation.labels import Row
 from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler, Samples
 from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
 
-__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "end_of_speech", "load", "mix", "read_whole"]
+__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "end_of_speech", "load", "mix", "read_whole", "silent"]
 
 ENERGY_FRAME = 2048
 """Samples of a frame whose energy is compared, as Picovoice's speech-to-intent benchmark does: pauses in the speech
@@ -23,6 +23,8 @@ then do not count."""
 
 SPEECH_FLOOR = 35.0
 """dB below the loudest 10 ms: speech ends where it stays below this. A final s or t is some 25 dB below a vowel."""
+LOWEST_BIT = 1.01 * 2.0**-15
+"""Of full scale, and what resampling adds to it."""
 
 
 class SamplesSource:
@@ -104,6 +106,11 @@ def mix(speech: Samples, noise: Samples, snr: float) -> Samples:
         return speech
     mixed: Samples = speech + noise * np.float32(np.sqrt(loudest / quiet / 10 ** (snr / 10)))
     return mixed / np.float32(max(float(np.abs(mixed).max()), 1.0))
+
+
+def silent(samples: Samples) -> bool:
+    """Whether no sound is louder than the lowest bit of 16."""
+    return not samples.size or float(np.abs(samples).max()) <= LOWEST_BIT
 
 
 def _energy(samples: Samples) -> float:
