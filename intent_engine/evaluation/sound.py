@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -59,14 +60,25 @@ def load(row: Row) -> Samples:
     Raises:
         AudioError: the file cannot be used.
     """
-    whole = read_whole(row.audio)
     if row.start == 0.0 and row.end is None:
-        return whole
+        return read_whole(row.audio)
+    whole = _read_last(row.audio, row.audio.stat().st_mtime_ns if row.audio.exists() else None)
     tail = int(TAIL_SECONDS * SAMPLE_RATE)
     spoken = whole[: whole.size - tail]
     first = round(row.start * SAMPLE_RATE)
     last = spoken.size if row.end is None else round(row.end * SAMPLE_RATE)
     return np.concatenate((spoken[first:last], np.zeros(tail, np.float32)))
+
+
+@functools.lru_cache(maxsize=1)
+def _read_last(path: Path, changed: int | None) -> Samples:
+    """As :func:`read_whole`; the file read last is kept, since parts of one stand below each other in the labels.
+
+    Args:
+        path: of the file.
+        changed: ns, when: another time is another file; None: it is not there.
+    """
+    return read_whole(path)
 
 
 def check(rows: Sequence[Row], labels: Path) -> None:

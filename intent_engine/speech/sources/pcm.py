@@ -154,7 +154,7 @@ class PcmSource:
         self._cut = False
         """Whether it ended in the midst of a sound,"""
         self._missing = 0.0
-        """and s of sound that its header had promised beside."""
+        """and s of sound that should have come beside: at least, by its header, or because it failed."""
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
         self._reader: threading.Thread | None = None
         self._since = 0.0
@@ -250,10 +250,10 @@ class PcmSource:
         try:
             self._read()
         except AudioError as error:
-            self._error, self._cut = error, True
+            self._error, self._missing = error, BLOCK_SECONDS
         except (OSError, ValueError) as error:  # ValueError: the file was closed under it
             if not self._inbox.closed:
-                self._cut = True
+                self._missing = BLOCK_SECONDS
                 self._error = AudioError(f"{self._name} cannot be read: {error}")
         finally:
             self._inbox.end(cut=self._cut, missing=self._missing)
