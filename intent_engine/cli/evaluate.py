@@ -175,7 +175,10 @@ def evaluate(
     check_apart({"--csv": csv, "--plot": plot}, files)
     check(rows, labels)
     _doubt(rows)
-    trial = Trial(Noise.read(noise) if noise else None, snrs, clean=not no_clean)
+    silent: set[int] = set()
+    trial = Trial(
+        Noise.read(noise) if noise else None, snrs, clean=not no_clean, doubt=lambda row: _doubt_sound(row, silent)
+    )
     models = model or [usual_model(engine.languages, language)]
     run = _Run(len(rows), len(set(models)) * (1 + free))
     with progress("hearing", run.rows * run.passes) as step:
@@ -293,6 +296,14 @@ def _doubt(rows: list[Row]) -> None:
         note(f"warning: {doubt}")
     if len(doubts) > SHOWN:
         note(f"warning: and {len(doubts) - SHOWN} labels more like these")
+
+
+def _doubt_sound(row: Row, told: set[int]) -> None:
+    """Say of a command that nothing can be heard in it, once for all models."""
+    if row.line not in told and len(told) < SHOWN:
+        note(f"warning: {row.audio} is silent, and cannot be heard as what line {row.line} says")
+        note("    listen to it; 16-bit samples in 32 bits are silent, and two channels may cancel each other")
+    told.add(row.line)
 
 
 def _tell(outcomes: list[Outcome]) -> None:

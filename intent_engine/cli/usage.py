@@ -15,6 +15,9 @@ __all__ = ["NAME", "UsageError", "usage_problem"]
 
 NAME = "intent-engine"
 
+FILE_OPTIONS = ("--audio", "--file", "--input", "--recording", "--sound", "--wav")
+"""By which other programs are given what is the argument of a verb here."""
+
 UsageError: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 """What Click raises. Some releases of Typer bring a Click of their own, so it is not imported, and told by names."""
 
@@ -89,6 +92,9 @@ def _meant(option: str, context: Any) -> str:
         if context.parent is None:
             return f"it stands after the verb: {NAME} {having[0]} {option}"
         return f"it is an option of {' and '.join(having)}"
+    files = [one for one in context.command.params if one.param_type_name == "argument" and _names_file(one)]
+    if option in FILE_OPTIONS and files:
+        return f"the path stands without an option: {NAME} {context.info_name} {_named(files[0])}"
     return did_you_mean(option, _options(context)) or ""
 
 

@@ -71,6 +71,10 @@ def file_in_other_form(text: str) -> tuple[int, LabelLineError] | None:
     if first[0] not in "{[" and len(heads := _heads(first)) > 1 and "audio" in heads:
         hint = f"write one JSON object a line: {EXAMPLE}"
         return number, LabelLineError("is the head of a table, not JSON", hint=hint)
+    begins = [line.strip()[0] for line in lines if line.strip()]
+    if len(begins) > 1 and not {"{", "["} & set(begins):
+        hint = f"write one JSON object a line: {EXAMPLE}"
+        return number, LabelLineError("is no JSON, nor is any line of the file", hint=hint)
     return None
 
 

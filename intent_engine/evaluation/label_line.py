@@ -22,6 +22,14 @@ from intent_engine.language.utterance import PhraseSet, Utterance
 __all__ = ["LabelLine"]
 
 KEYS = ("audio", "text", "intent", "slots", "actions", "start", "end", "speech_end", "id")
+ELSEWHERE = {
+    "audio": (
+        *("audio_filepath", "audio_file", "audio_path", "path", "file", "file_name", "filename"),
+        *("wav", "wav_path", "wav_filename", "filepath"),
+    ),
+    "text": ("sentence", "transcript", "transcription", "utterance", "normalized_text"),
+}
+"""Keys -> what NeMo, Common Voice, Hugging Face and others call them."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +106,8 @@ class LabelLine:
         name = data.get("audio")
         if not isinstance(name, str) or not name:
             given = "is missing" if "audio" not in data else f"must be the path of a sound file, not {name!r}"
-            self.wrong(f"'audio' {given}", "audio", hint='"audio": "one.wav"')
+            other = _renamed(data, "audio") if "audio" not in data else None
+            self.wrong(f"'audio' {given}", "audio", hint=other or '"audio": "one.wav"')
             return None
         audio = self.path.parent / name
         if not _is_file(audio):
@@ -124,7 +133,8 @@ class LabelLine:
 
     def _expected(self, data: Mapping[str, Any], text: str | None, engine: IntentEngine) -> Expected | None:
         if "intent" not in data and data.get("text") is None and data.get("actions") is None:
-            self.wrong("says nothing of what is said", hint="add 'text', or 'intent' and 'slots', or 'actions'")
+            hint = _renamed(data, "text") or "add 'text', or 'intent' and 'slots', or 'actions'"
+            self.wrong("says nothing of what is said", hint=hint)
             return None
         steps: tuple[Step, ...] = ()
         if "intent" in data:
@@ -215,6 +225,12 @@ class LabelLine:
         except ValueError as error:
             self.wrong(f"'actions': {error}", "actions")
             return None
+
+
+def _renamed(data: Mapping[str, Any], key: str) -> str | None:
+    """What to write for a key that is not there, if the line has it by a name of another format."""
+    other = next((name for name in ELSEWHERE[key] if isinstance(data.get(name), str)), None)
+    return other and f"here {other!r} is called {key!r}"
 
 
 def _is_file(path: Path) -> bool:

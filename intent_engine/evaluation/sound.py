@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from intent_engine.evaluation.labels import Row
 from intent_engine.speech.audio import SAMPLE_RATE, Frame, Resampler, Samples
 from intent_engine.speech.sources.file import TAIL_SECONDS, FileSource
 
-__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "end_of_speech", "load", "mix", "read_whole"]
+__all__ = ["ENERGY_FRAME", "Noise", "SamplesSource", "check", "end_of_speech", "load", "mix", "read_whole", "silent"]
 
 ENERGY_FRAME = 2048
 """Samples of a frame whose energy is compared, as Picovoice's speech-to-intent benchmark does: pauses in the speech
@@ -23,6 +24,8 @@ then do not count."""
 
 SPEECH_FLOOR = 35.0
 """dB below the loudest 10 ms: speech ends where it stays below this. A final s or t is some 25 dB below a vowel."""
+LOWEST_BIT = 1.01 * 2.0**-15
+"""Of full scale, and what resampling adds to it."""
 
 
 class SamplesSource:
@@ -57,14 +60,25 @@ def load(row: Row) -> Samples:
     Raises:
         AudioError: the file cannot be used.
     """
-    whole = read_whole(row.audio)
     if row.start == 0.0 and row.end is None:
-        return whole
+        return read_whole(row.audio)
+    whole = _read_last(row.audio, row.audio.stat().st_mtime_ns if row.audio.exists() else None)
     tail = int(TAIL_SECONDS * SAMPLE_RATE)
     spoken = whole[: whole.size - tail]
     first = round(row.start * SAMPLE_RATE)
     last = spoken.size if row.end is None else round(row.end * SAMPLE_RATE)
     return np.concatenate((spoken[first:last], np.zeros(tail, np.float32)))
+
+
+@functools.lru_cache(maxsize=1)
+def _read_last(path: Path, changed: int | None) -> Samples:
+    """As :func:`read_whole`; the file read last is kept, since parts of one stand below each other in the labels.
+
+    Args:
+        path: of the file.
+        changed: ns, when: another time is another file; None: it is not there.
+    """
+    return read_whole(path)
 
 
 def check(rows: Sequence[Row], labels: Path) -> None:
@@ -104,6 +118,11 @@ def mix(speech: Samples, noise: Samples, snr: float) -> Samples:
         return speech
     mixed: Samples = speech + noise * np.float32(np.sqrt(loudest / quiet / 10 ** (snr / 10)))
     return mixed / np.float32(max(float(np.abs(mixed).max()), 1.0))
+
+
+def silent(samples: Samples) -> bool:
+    """Whether no sound is louder than the lowest bit of 16."""
+    return not samples.size or float(np.abs(samples).max()) <= LOWEST_BIT
 
 
 def _energy(samples: Samples) -> float:

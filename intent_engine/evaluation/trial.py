@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from intent_engine.evaluation.hearing import Listener
 from intent_engine.evaluation.labels import Row
 from intent_engine.evaluation.scoring import Condition, Outcome, Score, judge, score
-from intent_engine.evaluation.sound import Noise, SamplesSource, load, mix
+from intent_engine.evaluation.sound import Noise, SamplesSource, load, mix, silent
 
 __all__ = ["Trial", "scores"]
 
@@ -21,11 +21,13 @@ class Trial:
         noise: to mix in; None: none.
         snrs: dB, one condition each, beside the one without added noise.
         clean: whether to hear the recordings without added noise too.
+        doubt: is told of each row that is a command by its label and silence to the ear.
     """
 
     noise: Noise | None = None
     snrs: Sequence[float] = ()
     clean: bool = True
+    doubt: Callable[[Row], object] = lambda row: None
 
     def conditions(self, model: str) -> list[Condition]:
         """The conditions of a model, the quietest first."""
@@ -41,6 +43,8 @@ class Trial:
         conditions = self.conditions(model)
         for row in rows:
             speech = load(row)
+            if row.expected.command and silent(speech):
+                self.doubt(row)
             outcomes = []
             for condition in conditions:
                 sound = speech

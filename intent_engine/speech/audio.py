@@ -10,8 +10,6 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.errors import AudioError
-
 __all__ = [
     "FRAME_SAMPLES",
     "FRAME_SECONDS",
@@ -27,8 +25,6 @@ __all__ = [
     "clean",
     "in_silence",
     "to_float",
-    "told_of_whole_numbers",
-    "whole_numbers",
 ]
 
 SAMPLE_RATE = 16_000
@@ -38,10 +34,6 @@ FRAME_SAMPLES = 512
 FRAME_SECONDS = FRAME_SAMPLES / SAMPLE_RATE
 MAX_RATE = 768_000
 """Hz, above any converter that is sold; beyond it a rate is a mistake."""
-FEW = 16
-"""Samples that may be whole numbers by chance."""
-LARGEST_INTEGER = 2.0**31
-"""In which sound is recorded."""
 
 Samples = npt.NDArray[np.float32]
 
@@ -74,7 +66,7 @@ class ReportKind(StrEnum):
     BACK = "back"
     """Sound comes again."""
     MUTE = "mute"
-    """Nothing but zeros comes: the microphone is muted, or may not be used."""
+    """Nothing that could be heard comes: the microphone is muted or may not be used, or samples have a wrong scale."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,20 +119,6 @@ def to_float(samples: npt.NDArray[Any]) -> npt.NDArray[np.floating]:
         middle = (float(np.iinfo(samples.dtype).max) + 1) / 2
         return samples.astype(np.float32) / np.float32(middle) - np.float32(1)
     raise TypeError(f"samples must be numbers, not {samples.dtype}")
-
-
-def whole_numbers(samples: npt.NDArray[Any]) -> bool:
-    """Whether floats are the integers in which sound was recorded, as ``astype(float)`` leaves them: whole numbers
-    beyond -1 to 1, which would all be clipped. A few may be it by chance."""
-    if samples.dtype.kind != "f" or samples.size < FEW:
-        return False
-    finite = np.nan_to_num(samples, nan=0.0, posinf=0.0, neginf=0.0)
-    return bool(1.0 < np.abs(finite).max() <= LARGEST_INTEGER and np.array_equal(finite, np.rint(finite)))
-
-
-def told_of_whole_numbers(what: str, hint: str) -> AudioError:
-    """What somebody is told whose sound is such: of ``what``, and what to do."""
-    return AudioError(f"{what} floats that are whole numbers, where sound is from -1 to 1\n    {hint}")
 
 
 def clean(samples: npt.NDArray[np.floating]) -> Samples:

@@ -193,6 +193,10 @@ def test_a_model_that_is_not_there(intent_engine, tmp_path):
             ["--json", "parse", "stop"],
             "there is no option --json\n    it stands after the verb: intent-engine run --json\n",
         ),
+        (
+            ["run", "--audio", "a.wav"],
+            "there is no option --audio\n    the path stands without an option: intent-engine run FILE\n",
+        ),
         (["run", "a.wav", "--pcm", "-"], "there is no option --pcm\n    it is an option of listen\n"),
         (["run", "a.wav", "--model", ""], "--model is empty\n    give a name, or leave the option out\n"),
         (["run", "a.wav", "--second-model="], "--second-model is empty\n"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import soundfile
@@ -10,7 +12,7 @@ from continuing_stage import Script, Voiced
 from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener
 from intent_engine.evaluation.label_files import read_labels
-from intent_engine.evaluation.labels import Row
+from intent_engine.evaluation.labels import Expected, Row
 from intent_engine.evaluation.scoring import Condition, Verdict
 from intent_engine.evaluation.sound import Noise, SamplesSource, load
 from intent_engine.evaluation.trial import Trial, scores
@@ -102,6 +104,22 @@ def test_conditions_go_from_quiet_to_loud_and_are_scored_apart(engine, rows, rob
         "6 dB",
     ]
     assert Trial(None, [6.0]).conditions("a") == [Condition("a")]
+
+
+def test_a_command_in_which_nothing_can_be_heard_is_doubted(engine, rows, robot, tmp_path):
+    """As of 16-bit samples that were taken for 32-bit ones, or of two channels that cancel each other."""
+    chance = np.random.default_rng(1)
+    soundfile.write(tmp_path / "bit.wav", chance.integers(-1, 1, 16_000).astype(np.int16), 16_000)
+    sound = chance.normal(0, 0.1, 44_100)
+    soundfile.write(tmp_path / "against.wav", np.stack([sound, -sound], axis=1), 44_100)
+    soundfile.write(tmp_path / "quiet.wav", sound * 0.001, 44_100)
+    names = ("bit", "against", "quiet")
+    silent = [replace(rows[0], id=name, audio=tmp_path / f"{name}.wav") for name in names]
+    no_command = replace(silent[0], expected=Expected())
+    doubted = []
+    trial = Trial(doubt=lambda row: doubted.append(row.id))
+    list(trial.hear([*silent, no_command], Listener(engine, Scripted(""), robot), "a"))
+    assert doubted == ["bit", "against"]
 
 
 @pytest.mark.parametrize(("states", "done"), [((), False), (("docked",), True)])

@@ -118,6 +118,8 @@ def test_compound_commands_have_steps(engine, write):
         ("[1, 2]", "labels.jsonl:1: is no JSON object"),
         ("[" * 100_000, "labels.jsonl:1: is "),
         ({"text": "stop"}, "labels.jsonl:1: 'audio' is missing"),
+        ({"audio_filepath": "a.wav", "text": "stop"}, "is missing\n    here 'audio_filepath' is called 'audio'"),
+        ({"audio": "a.wav", "sentence": "stop"}, "what is said\n    here 'sentence' is called 'text'"),
         ({"audio": 5, "text": "stop"}, "labels.jsonl:1:2: 'audio' must be the path of a sound file, not 5"),
         ({"audio": "b.wav", "text": "stop"}, "labels.jsonl:1:2: there is no sound file"),
         ({"audio": "a.wav"}, "labels.jsonl:1: says nothing of what is said"),
@@ -221,6 +223,9 @@ def test_what_can_hardly_be_meant_is_doubted_and_counts(engine, write, line, sai
         ),
         ("audio,text\na.wav,stop\na.wav,stop\n", "labels.jsonl:1: is the head of a table, not JSON"),
         ("\n\tText;Audio\nstop;a.wav\n", "labels.jsonl:2: is the head of a table, not JSON"),
+        ("path\tsentence\na.wav\tstop\n", "labels.jsonl:1: is no JSON, nor is any line of the file\n    write"),
+        ("84-0 STOP\n84-1 GO\n", "labels.jsonl:1: is no JSON, nor is any line of the file"),
+        ("a.wav|stop|stop\nb.wav|go|go\n", "labels.jsonl:1: is no JSON, nor is any line of the file"),
         ('{\n  "audio": "a.wav",\n  "text": "stop"\n}\n', "labels.jsonl:1: is an object over several lines"),
     ],
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 import soundfile
@@ -82,6 +84,28 @@ def test_a_part_of_a_file(tmp_path):
     assert np.allclose(part[: RATE // 4], 0.5)
     assert not np.any(part[RATE // 4 :])
     assert part.size > RATE // 4 + RATE // 2
+
+
+def test_a_file_of_many_parts_is_decoded_once_unless_it_changes(tmp_path, monkeypatch):
+    read = []
+
+    class Counted(FileSource):
+        def frames(self):
+            read.append(self.path)
+            return super().frames()
+
+    monkeypatch.setattr("intent_engine.evaluation.sound.FileSource", Counted)
+    path = tmp_path / "many.wav"
+    soundfile.write(path, np.linspace(0, 0.9, 3 * RATE), RATE)
+    parts = [load(Row("a", 1, path, Expected(), start=start, end=start + 0.5)) for start in (0.5, 1.0, 2.0)]
+    assert [part[0] for part in parts] == pytest.approx([0.15, 0.3, 0.6], abs=1e-3)
+    assert len(read) == 1
+    soundfile.write(path, np.full(3 * RATE, 0.25), RATE)
+    os.utime(path, ns=(0, 0))
+    assert load(Row("a", 1, path, Expected(), start=1.0, end=1.5))[0] == pytest.approx(0.25, abs=1e-3)
+    path.unlink()
+    with pytest.raises(AudioError, match="no such file"):
+        load(Row("a", 1, path, Expected(), start=1.0, end=1.5))
 
 
 def test_every_sound_that_cannot_be_used_is_told_before_the_first_is_heard(tmp_path):

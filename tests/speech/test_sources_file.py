@@ -206,3 +206,21 @@ def test_integers_that_are_called_floats_are_refused(tmp_path, subtype):
         FileSource(path)
     soundfile.write(path, tone / 32_768, 16_000, subtype=subtype)
     assert FileSource(path).seconds == 5.0
+
+
+def test_integers_that_were_resampled_are_refused(tmp_path):
+    path = tmp_path / "array.wav"
+    soundfile.write(path, 8_000.5 * np.sin(np.arange(80_000) / 5), 16_000, subtype="FLOAT")
+    with pytest.raises(AudioError, match=r"array.wav: holds floats up to 800\d, .*\n.*divide them by 32768"):
+        FileSource(path)
+
+
+def test_integers_of_16_bits_in_32_are_refused(tmp_path):
+    path = tmp_path / "array.wav"
+    tone = np.round(8_000 * np.sin(np.arange(80_000) / 5))
+    tone[:40_000] = 0.0
+    soundfile.write(path, tone / 2**31, 16_000, subtype="PCM_32")
+    with pytest.raises(AudioError, match=r"array.wav: holds 16-bit samples in 32 bits.*silence\n.*astype\(np.int16\)"):
+        FileSource(path)
+    soundfile.write(path, tone / 32_768, 16_000, subtype="PCM_32")
+    assert FileSource(path).seconds == 5.0

@@ -283,3 +283,42 @@ def test_integers_that_are_called_floats_are_refused():
     data = np.round(SOUND * 32_768).astype("<f4").tobytes()
     with pytest.raises(AudioError, match=r"the pipe holds floats that are whole numbers.*\n.*--format s16le"):
         list(PcmSource(io.BytesIO(data), PcmFormat.of(encoding="f32le"), name="the pipe").frames())
+
+
+def test_integers_that_were_resampled_are_refused():
+    data = (SOUND * 32_767.3).astype("<f4").tobytes()
+    with pytest.raises(AudioError, match=r"the pipe holds floats up to \d+, .*\n.*--format s16le"):
+        list(PcmSource(io.BytesIO(data), PcmFormat.of(encoding="f32le"), name="the pipe").frames())
+
+
+def test_integers_of_16_bits_in_32_are_told():
+    reports = []
+    data = np.round(SOUND * 32_767).astype("<i4").tobytes()
+    form = PcmFormat.of(encoding="s32le")
+    list(PcmSource(io.BytesIO(data), form, name="the pipe", on_report=reports.append).frames())
+    assert [report.kind for report in reports] == [ReportKind.MUTE]
+    assert "the pipe gives next to nothing" in reports[0].detail
+    assert "s16le" in reports[0].detail
+
+
+class Broken(io.RawIOBase):
+    """A pipe that fails after some sound, which had faded: a pause, maybe, in a sentence."""
+
+    def __init__(self, data: bytes) -> None:
+        self._data = io.BytesIO(data)
+
+    def read(self, size: int = -1) -> bytes:
+        data = self._data.read(size)
+        if not data:
+            raise OSError("the line is dead")
+        return data
+
+
+def test_a_pipe_that_fails_has_lost_sound_before_it_is_told():
+    """What was being said may be half of it, and must not be acted on in the moment before the error."""
+    source = PcmSource(Broken(np.round(SOUND * 32_767 * np.linspace(1, 0, SOUND.size) ** 4).astype("<i2").tobytes()))
+    frames = []
+    with pytest.raises(AudioError, match="cannot be read: the line is dead"):
+        frames.extend(source.frames())
+    assert [frame.lost > 0 for frame in frames].count(True) == 1
+    assert not any(frame.samples[-1] for frame in frames if frame.lost), "at the end"

@@ -227,6 +227,45 @@ def test_integers_that_are_called_floats_are_refused(dtype):
     assert source.push(np.sign(samples).astype(dtype))
 
 
+def test_integers_that_were_resampled_are_refused():
+    """They are no whole numbers any more, and would be clipped all the same."""
+    samples = 8_000.5 * np.sin(np.arange(1_600) / 5)
+    with pytest.raises(AudioError, match=r"given floats up to 800\d, where sound is from -1 to 1\n.*samples / 32768"):
+        StreamSource(16_000).push(samples)
+
+
+@pytest.mark.parametrize("live", [True, False])
+def test_integers_of_16_bits_in_an_array_of_32_are_told(time, live):
+    samples = (8_000 * np.sin(np.arange(16_000) / 5)).astype(np.int16)
+    for wrong in (True, False):
+        reports = []
+        source = StreamSource(16_000, live=live, clock=time, on_report=reports.append)
+        for _ in range(3):
+            source.push(samples.astype(np.int32) << (0 if wrong else 16))
+        source.end()
+        list(source.frames())
+        assert [report.kind for report in reports] == [ReportKind.MUTE] * wrong
+        assert all("less than -96 dB" in report.detail and "int16" in report.detail for report in reports)
+
+
+def test_a_recording_that_begins_with_silence_is_not_mute(time):
+    reports = []
+    source = StreamSource(16_000, live=False, capacity=60, clock=time, on_report=reports.append)
+    source.push(np.zeros(16_000 * 5))
+    source.push(TONE)
+    source.end()
+    list(source.frames())
+    assert reports == []
+
+
+def test_what_nobody_asks_to_be_told_is_logged(time, caplog):
+    source = StreamSource(16_000, clock=time)
+    source.push(np.zeros(1_600))
+    assert any(frame.deaf for frame in itertools.islice(source.frames(), 4))
+    source.push(np.full(1_600, 0.1))
+    assert [record.getMessage() for record in caplog.records] == ["no sound comes from the stream"]
+
+
 TONE = 0.5 * np.sin(2 * np.pi * 440 * np.arange(SAMPLE_RATE) / SAMPLE_RATE)
 
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, Resampler, told_of_whole_numbers, whole_numbers
+from intent_engine.speech.audio import Frame, Resampler
+from intent_engine.speech.scale import check_scale, faint, holds_16_bits
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
 from intent_engine.speech.sources.whole import check_mp3, check_whole
 
@@ -49,8 +51,8 @@ class FileSource:
         form: how raw samples lie in it, which no header tells; None: it has a header.
 
     Raises:
-        AudioError: the file is missing, empty, cut off, no sound file, longer than four hours, or floats
-            that are integers.
+        AudioError: the file is missing, empty, cut off, no sound file, longer than four hours, or of samples at a
+            wrong scale.
     """
 
     def __init__(self, path: str | Path, *, realtime: bool = False, form: PcmFormat | None = None) -> None:
@@ -101,19 +103,20 @@ class FileSource:
         self._check_scale()
 
     def _check_scale(self) -> None:
-        """See that floats are a sound's. What tools write of arrays may be integers that are called floats."""
+        """See that numbers are a sound's: what tools write of arrays may be integers that are called floats, or that
+        were given more bits than they fill."""
         import soundfile
 
         with soundfile.SoundFile(str(self.path), **self._form) as file:
-            if file.subtype not in ("FLOAT", "DOUBLE"):
-                return
-            for block in file.blocks(BLOCK, dtype="float64"):
-                if np.abs(block).max() <= 1.0:
-                    continue
-                if whole_numbers(block):
+            if file.subtype in ("FLOAT", "DOUBLE"):
+                for block in file.blocks(BLOCK, dtype="float64"):
                     hint = "write the samples as 16-bit integers, or divide them by 32768"
-                    raise told_of_whole_numbers(f"{self.path}: holds", hint)
-                return
+                    check_scale(block, f"{self.path}: holds", hint)
+            elif file.subtype == "PCM_32" and _holds_16_bits(file.blocks(BLOCK, dtype="int32")):
+                raise AudioError(
+                    f"{self.path}: holds 16-bit samples in 32 bits, which are heard as silence\n"
+                    "    write them as 16-bit integers: samples.astype(np.int16)"
+                )
 
     def frames(self) -> Iterator[Frame]:
         began = time.monotonic()
@@ -152,6 +155,16 @@ class FileSource:
 
     def close(self) -> None:
         self._closed = True
+
+
+def _holds_16_bits(blocks: Iterable[npt.NDArray[np.int32]]) -> bool:
+    """Whether a recording of 32-bit integers is one of 16 bits throughout."""
+    found = False
+    for block in blocks:
+        if not faint(block):
+            return False
+        found = found or holds_16_bits(block)
+    return found
 
 
 def _unreadable(path: Path) -> str:

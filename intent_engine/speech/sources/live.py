@@ -9,6 +9,7 @@ command must not count as stale, or as fresh, because of it.
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections import deque
@@ -20,8 +21,11 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler
+from intent_engine.speech.scale import faint
 
 __all__ = ["Clock", "Inbox", "RealTime", "Reporter"]
+
+_log = logging.getLogger(__name__)
 
 Reporter = Callable[[Report], object]
 """Is told what happened to a source, in the thread that takes its frames."""
@@ -31,7 +35,7 @@ CAPACITY = 4.0
 STALE = 0.25
 """s by which the count of samples may differ from the clock. Arrivals of a busy machine differ by some 10 ms."""
 MUTE_SECONDS = 3.0
-"""s of nothing but zeros that are no silence: a real microphone always hears its own noise."""
+"""s of nothing that could be heard, which are no silence: a real microphone always hears its own noise."""
 REPORT_EVERY = 5.0
 """s between two reports of lost sound."""
 AWAY_STEP = 0.128
@@ -83,7 +87,7 @@ class Inbox:
         name: of the source, for reports.
         patience: s without sound after which the source counts as deaf; None: never, silence stands in.
         capacity: s of sound that may wait.
-        on_report: is told what was lost, went away and came back.
+        on_report: is told what was lost, went away and came back; None: the log is.
         clock: None: the machine's.
     """
 
@@ -114,7 +118,10 @@ class Inbox:
         self._began = self.clock.now()
         self._reported = -REPORT_EVERY
         self._lost = 0.0
-        self._zeros = 0.0
+        self._inaudible = 0.0
+        """s of sound so far of which nothing can be heard; infinite: something could be, or this was told,"""
+        self._zeros = True
+        """and whether all of it was zeros."""
 
     # -- the thread that brings sound ----------------------------------------------------------------
 
@@ -228,7 +235,7 @@ class Inbox:
                         "heard; what was being said when listening began is not acted on",
                     )
                 self._tell_lost(block.lost)
-                self._look_for_mute(block)
+                self._look_for_mute(block, told_at=np.inf if counted else MUTE_SECONDS)
                 for frame in resampler.push(block.samples):
                     last = max(frame.time, last)
                     yield replace(frame, time=last, lost=lost)
@@ -240,6 +247,8 @@ class Inbox:
                 yield Frame(np.zeros(0, np.float32), last)
                 continue
             if self._ended:
+                if 0.0 < self._inaudible < np.inf and (not self._zeros or self._inaudible >= MUTE_SECONDS):
+                    self._tell_mute()
                 if resampler is not None:
                     silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
                     cut, lost = self._cut, lost + self._missing
@@ -306,6 +315,8 @@ class Inbox:
     def _tell(self, kind: ReportKind, detail: str) -> None:
         if self._on_report is not None:
             self._on_report(Report(kind, self.time(), detail))
+        else:
+            _log.log(logging.INFO if kind is ReportKind.BACK else logging.WARNING, "%s", detail)
 
     def _tell_lost(self, seconds: float) -> None:
         """Add to what was lost, and tell it, but not with every block."""
@@ -319,18 +330,30 @@ class Inbox:
         )
         self._lost = 0.0
 
-    def _look_for_mute(self, block: _Block) -> None:
-        if self._zeros == np.inf or block.samples.any():
-            self._zeros = np.inf
+    def _look_for_mute(self, block: _Block, told_at: float) -> None:
+        """Look whether any sound so far could be heard; tell it after so many s. A recording may begin with silence."""
+        if self._inaudible == np.inf or not faint(block.samples):
+            self._inaudible = np.inf
             return
-        self._zeros += block.seconds
-        if self._zeros >= MUTE_SECONDS:
-            self._zeros = np.inf
-            self._tell(
-                ReportKind.MUTE,
-                f"{self.name} gives nothing but zeros: it is muted, or this program may not use it; "
-                "intent-engine doctor says what to do",
+        self._inaudible += block.seconds
+        self._zeros = self._zeros and not block.samples.any()
+        if self._inaudible >= told_at:
+            self._tell_mute()
+
+    def _tell_mute(self) -> None:
+        """Tell, once, that nothing can be heard of it."""
+        self._inaudible = np.inf
+        if self._zeros:
+            what = (
+                "gives nothing but zeros: it is muted, or this program may not use it; "
+                "intent-engine doctor says what to do"
             )
+        else:
+            what = (
+                "gives next to nothing, less than -96 dB: it is turned down, or its samples are 16-bit integers that "
+                "are called 32-bit ones (int32, s32le): say int16, s16le"
+            )
+        self._tell(ReportKind.MUTE, f"{self.name} {what}")
 
 
 def _silence(start: float, end: float) -> Iterator[Frame]:

@@ -16,7 +16,8 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import Frame, to_float, told_of_whole_numbers, whole_numbers
+from intent_engine.speech.audio import Frame, to_float
+from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import Clock, Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
@@ -126,7 +127,7 @@ class PcmSource:
         realtime: of a recording: play it at its own speed; else as fast as the reader takes it.
         name: for messages.
         patience: s without sound after which a live source counts as deaf.
-        on_report: is told what was lost, went away and came back.
+        on_report: is told what was lost, went away, came back or is too quiet to be heard; None: the log is.
         clock: None: the machine's.
     """
 
@@ -153,7 +154,7 @@ class PcmSource:
         self._cut = False
         """Whether it ended in the midst of a sound,"""
         self._missing = 0.0
-        """and s of sound that its header had promised beside."""
+        """and s of sound that should have come beside: at least, by its header, or because it failed."""
         self._inbox = Inbox(name, patience=patience, on_report=on_report, clock=clock)
         self._reader: threading.Thread | None = None
         self._since = 0.0
@@ -249,9 +250,10 @@ class PcmSource:
         try:
             self._read()
         except AudioError as error:
-            self._error = error
+            self._error, self._missing = error, BLOCK_SECONDS
         except (OSError, ValueError) as error:  # ValueError: the file was closed under it
             if not self._inbox.closed:
+                self._missing = BLOCK_SECONDS
                 self._error = AudioError(f"{self._name} cannot be read: {error}")
         finally:
             self._inbox.end(cut=self._cut, missing=self._missing)
@@ -268,9 +270,8 @@ class PcmSource:
             whole = len(rest) - len(rest) % form.frame_bytes
             if whole:
                 ending.take(sound := form.decode(rest[:whole]))
-                if whole_numbers(sound):
-                    hint = "write the integers as they are (--format s16le), or divide them by 32768"
-                    raise told_of_whole_numbers(f"{self._name} holds", hint)
+                hint = "write the integers as they are (--format s16le), or divide them by 32768"
+                check_scale(sound, f"{self._name} holds", hint)
                 if not self._bring(rest[:whole], form):
                     return
                 rest = rest[whole:]

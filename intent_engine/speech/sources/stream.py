@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
-from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float, told_of_whole_numbers, whole_numbers
+from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float
+from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
 from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
 
@@ -33,7 +34,7 @@ class StreamSource:
         patience: s without a push after which a live stream counts as deaf, which stops the robot: it could not be
             told to stop. None: silence stands in, for programs that push nothing while nobody speaks.
         capacity: s of sound that may wait.
-        on_report: is told what was lost, went away and came back.
+        on_report: is told what was lost, went away, came back or is too quiet to be heard; None: the log is.
         clock: None: the machine's.
 
     Raises:
@@ -78,9 +79,8 @@ class StreamSource:
             sound = np.array(to_float(given))
         except TypeError as error:
             raise AudioError(f"the stream was given no sound: {error}") from None
-        if whole_numbers(sound):
-            hint = "push the integers as they are: samples.astype(np.int16), or divide them: samples / 32768"
-            raise told_of_whole_numbers("the stream was given", hint)
+        hint = "push the integers as they are: samples.astype(np.int16), or divide them: samples / 32768"
+        check_scale(sound, "the stream was given", hint)
         self._ending.take(clean(sound[-self.rate :]).reshape(-1, 1))
         step = self.rate  # a second at a time, so that the box never holds one block larger than itself
         return all(
