@@ -71,7 +71,7 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
         # ninety degrees" is to the right nobody knows.
         opens = any((word,) in operators.sequence or (len(filler) > 1 and word in alone) for word in filler)
         # In the midst a greeting begins a name: "play hey jude".
-        place = 0 if opens or filler in grammar.greetings else choices.below(places)
+        place = 0 if opens or filler in grammar.wording.greetings else choices.below(places)
         while 0 < place < len(said) and _belong_together(said[place - 1], said[place], grammar):
             place += 1
         if _dictated(said) and place > len(said) - 2:
