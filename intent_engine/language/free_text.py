@@ -11,9 +11,9 @@ from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.template_tree import Node, Reference, references
 from intent_engine.language.thing_words import ARTICLES, thing_words
-from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["FREE_KINDS", "FreeText"]
 

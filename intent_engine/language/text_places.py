@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.utterance import TextPlace
+from intent_engine.language.openers import TextPlace
 from intent_engine.language.word_state import Stack, WordState
 
 __all__ = ["TextPlaces"]

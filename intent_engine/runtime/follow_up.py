@@ -11,7 +11,8 @@ from collections.abc import Collection
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.numbers.english import ALIKE
-from intent_engine.language.utterance import PhraseSet, plain
+from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.utterance import plain
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.recognizer import Transcript

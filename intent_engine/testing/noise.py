@@ -14,10 +14,10 @@ from intent_engine.actions import Stop
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
-from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.utterance_network import NEGATED
 from intent_engine.language.verb_forms import told_forms_of
 

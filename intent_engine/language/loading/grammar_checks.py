@@ -14,10 +14,10 @@ from intent_engine.language.loading.grammar_values import action_problems, examp
 from intent_engine.language.numbers.english import SUFFIXES
 from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import Choice, Node, Sequence, references
-from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["check_meaning"]
 

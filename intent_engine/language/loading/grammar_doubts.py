@@ -12,6 +12,7 @@ from intent_engine.language.grammar import Grammar, Sentence, problem_at
 from intent_engine.language.loading.grammar_parts import Draft, Places, plain_phrase
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import unsaid_patterns
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import (
     AnyOrder,
@@ -23,7 +24,6 @@ from intent_engine.language.template_tree import (
     Word,
     references,
 )
-from intent_engine.language.utterance import PhraseSet
 from intent_engine.language.vocabulary import words_in
 
 if TYPE_CHECKING:

@@ -16,9 +16,10 @@ from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.numbers.units import units
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.template_tree import first_words
 from intent_engine.language.thing_words import thing_words
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
 
 __all__ = ["MAX_PARTS", "Compounds"]

@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.command import Clause
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.utterance import Utterance
 
 __all__ = ["Conditions"]
 

@@ -14,8 +14,9 @@ from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.utterance import Utterance
 
 __all__ = ["Dictated", "Dictation"]
 

@@ -8,10 +8,12 @@ from functools import cache
 
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
+from intent_engine.language.openers import Openers, TextPlace
+from intent_engine.language.phrase_set import PhraseSet, SomePhrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
-from intent_engine.language.utterance import Openers, PhraseSet, SomePhrases, TextPlace, Utterance
+from intent_engine.language.utterance import Utterance
 
 __all__ = ["Phrases"]
 

@@ -13,9 +13,9 @@ from itertools import pairwise
 from intent_engine.language.action_builder import names_taken
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import thing_words
-from intent_engine.language.utterance import PhraseSet
 
 __all__ = ["WhosePlace"]
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.utterance import Utterance
 
 __all__ = ["said_exactly", "vague_length"]
 

@@ -21,8 +21,8 @@ from intent_engine.language.loading.grammar_parts import Places
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.pattern.pattern_tree import Part, UnsayableError
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.template_tree import Word
-from intent_engine.language.utterance import PhraseSet
 
 if TYPE_CHECKING:
     from intent_engine.language.loading.yaml_source import YamlPath

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.language.utterance import PhraseSet
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.speech.acoustic.drafts import NOTHING_DRAFTED, Draft, Drafts
 from intent_engine.speech.acoustic.however_written import HoweverWritten
 from intent_engine.speech.acoustic.loops import goes_round

@@ -14,7 +14,8 @@ from intent_engine.language.approximate import FreeWord
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.english import ALIKE, DIGITS
 from intent_engine.language.numbers.spelled import in_digits, number_end
-from intent_engine.language.utterance import PhraseSet, Utterance
+from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.utterance import Utterance
 from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.scoring import Scoring
 from intent_engine.speech.acoustic.writing import spellings, written

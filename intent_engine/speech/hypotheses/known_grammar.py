@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import SlotReading
-from intent_engine.language.utterance import PhraseSet
 from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written
