@@ -36,6 +36,8 @@ MISTAKES: dict[str, str | bytes] = {
     "a percentage as a plain number": slot("{type: percent, min: 0, max: 80}"),
     "a part of one where numbers are percent": slot("{type: percent, max: 1, unit: percent}"),
     "a unit of a number that has none": slot("{type: number, unit: degrees}"),
+    "what is said of a unit, with brackets and without quotes": slot("{type: number, units: {1: (euro|euros) [each]}}"),
+    "slots of an intent": wave("slots: {way: up}", "sentences: [wave]"),
     "units with their sizes behind them": slot("{type: number, units: {euro: 1, cent: 0.01}}"),
     "a speed as a plain number that is none": move("defaults: {speed: 50}"),
     "a turning speed in degrees": (

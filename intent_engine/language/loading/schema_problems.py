@@ -145,6 +145,11 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
     if section is not None and len(path) == 1:
         message = f"{key!r} stands beside {section!r}, and belongs below it"
         return _at(source, path, message, f"indent it, and all of its lines, further than {section}:", key=True)
+    if path[:1] == ("intents",) and len(path) == 3 and key == "slots":
+        hint = (
+            "slots of a sentence stand with it: {say: ..., slots: {...}}; what holds where none is said is in defaults"
+        )
+        return _at(source, path, "unknown key 'slots'", hint, key=True)
     if path[:1] == ("locations",):
         if key in ("z", "roll", "pitch"):
             return _at(source, path, f"unknown key {key!r}", "a place lies on the floor: leave it out", key=True)

@@ -28,8 +28,8 @@ MAX_INDENT = 400
 """Brackets in brackets, and characters before the first word of a line. Nobody writes more, and the YAML library in C
 overflows its stack, and ends the process, on some ten thousand."""
 
-_BARE_IN_A_LIST = re.compile(r"[\[,]\s*[^\s\[\]{}\"',][^\[\]{}\"',]*\s[{\[]$")
-"""Words without quotes in a list on one line, up to a bracket: "[go {place}"."""
+_BARE_IN_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$")
+"""Words without quotes within brackets on one line, up to another: "[go {place}", "{1: degrees [celsius"."""
 
 NAMED = {("intents",), ("slots",), ("phrases",)}
 """Sections of a grammar whose keys are names that somebody gave."""
@@ -229,7 +229,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         hint = quoted
     elif column == len(indent) and re.search("expected (?:'-'|key|<block end>)", what):
         hint = "check that this line is indented like its neighbours"
-    elif opened is not None and _BARE_IN_A_LIST.search(shown[: column + 1]):
+    elif opened is not None and _BARE_IN_BRACKETS.search(shown[: column + 1]):
         hint = "quote a sentence that holds { or ["
     elif opened is not None and what.startswith("did not find expected ',' or"):
         hint = f"the bracket that is opened at line {opened.line + 1}, column {opened.column + 1} is not closed"
