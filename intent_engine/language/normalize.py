@@ -62,8 +62,8 @@ _VOWEL = r"(?:[aeiouhàâäèéêëìîïòôöœùûü]|y(?![^\W\d_]))"
 ELISION = re.compile(rf"(?<![\w'’])(?!(?-i:D['’`][A-Z]))({_ELIDED}|un)['’ʼ`](?={_VOWEL})", re.IGNORECASE)
 """Such a word and its apostrophe. "D'Angelo" is one word."""
 _APART = re.compile(rf"(?<!\S)({_ELIDED}) (?={_VOWEL})")
-_PLAIN = re.compile(r"([a-z]+(?: (?:[a-z]+|\d{1,3}(?! ?\d|[^ .!?]|\.\d)))*)[.!?]?")
-"""Words, with numbers of few digits between them that are nothing but that, as most texts of recognisers are."""
+_PLAIN = re.compile(r"([a-z]+(?: (?:[a-z]+|\d+(?! ?\d|[^ .!?]|\.\d)))*)[.!?]?")
+"""Words, with numerals between them that are nothing but digits, as most texts of recognisers are."""
 _MINUS = "-−‐‑‒–"
 """What stands straight before a number below zero: hyphens, dashes, and the sign, which may stand apart from it."""
 _TOKEN = re.compile(

@@ -205,7 +205,7 @@ def test_the_short_way_and_the_long_way_are_the_same(text: str, language: str) -
 
 
 def test_what_recognisers_write_goes_the_short_way() -> None:
-    for text in ("go forward", "Go forward 2 meters.", "Turn left by 90 degrees!", "go to bay 3"):
+    for text in ("go forward", "go to room 1204", "Go forward 2 meters.", "Turn left by 90 degrees!", "go to bay 3"):
         assert plain_words(text) is not None
     for text in ("1. Go", "go 2.5 meters", "go 1 2/3 meters", "go 1 500 m", "don't", "turn left, go", "Dr. Miller"):
         assert plain_words(text) is None
