@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.loading.grammar_file import load_grammars
-from intent_engine.language.loading.grammar_parts import plain_phrase
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.nearest import Nearest
+from intent_engine.language.normalize import words_of
 from intent_engine.language_tag import code_of, language_of
 from intent_engine.resources import find
 
@@ -99,7 +99,7 @@ class EngineFiles:
         """
         missing: list[Problem] = []
         grammars = _found("grammars", grammar, missing)
-        woken = tuple(plain_phrase(text) for text in _wake_words(wake))
+        woken = tuple(words_of(text) for text in _wake_words(wake))
         maps: tuple[Path, ...] = ()
         places: LocationMap | None = None
         if isinstance(locations, (str, os.PathLike)) or (

@@ -303,6 +303,12 @@ class Wording:
     """Words of negations that compare ("in place of"), which join what a sentence has them between."""
     before_verbs: frozenset[str] = frozenset()
     """Words between a negation and the verb that it is of: "sans s'arrêter", "ohne zu bremsen"."""
+    verb_follows: frozenset[str] = frozenset()
+    """Words at the end of a filler from which a clause may go on with a verb: "if you *can*" turn left."""
+    adds: frozenset[str] = frozenset()
+    """Words with which a joint begins that leaves what follows in the same clause: "and"."""
+    of_speed: frozenset[str] = frozenset()
+    """Words behind which a percentage is of the speed: "turn left *at* ninety percent"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()

@@ -34,6 +34,7 @@ from intent_engine.language.maps.map_rows import read_map
 from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
+from intent_engine.language.normalize import words_of
 
 __all__ = ["OTHER_MEANINGS", "Location", "LocationMap", "from_text", "load"]
 
@@ -309,11 +310,10 @@ def _schema() -> dict[str, Any]:
 
 def _doubts(places: LocationMap) -> Iterator[tuple[str, Problem]]:
     """Names that will hardly ever be understood as a place, each with the place."""
-    from intent_engine.language.loading.grammar_file import phrase
     from intent_engine.language.loading.language_words import default_operators
 
     operators = default_operators("en")
-    meaning = {phrase(text): why for kind, why in OTHER_MEANINGS.items() for text in operators.get(kind, ())}
+    meaning = {words_of(text): why for kind, why in OTHER_MEANINGS.items() for text in operators.get(kind, ())}
     file = places.files[0] if len(places.files) == 1 else None
     for name, place in places.items():
         for spoken in (name, *place.aliases):

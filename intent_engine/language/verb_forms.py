@@ -12,11 +12,15 @@ __all__ = ["told_forms_of", "verbs_told"]
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
 LEAST_LETTERS = 2
+IRREGULAR = {"led": "lead"}
+"""Forms that sound like the verb itself, or nearly, and have no such ending."""
 
 
 def told_forms_of(word: str, language: str) -> Iterator[str]:
     """The verbs of which a word may be such a form: of "stopped" these are "stopp", which is none, and "stop". None in
     other languages than English."""
+    if language == "en" and word in IRREGULAR:
+        yield IRREGULAR[word]
     for ending, own in ENDINGS if language == "en" else ():
         stem = word.removesuffix(ending)
         if stem == word or len(stem) < LEAST_LETTERS:

@@ -8,9 +8,10 @@ from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot, problem_at
 from intent_engine.language.loading.grammar_doubts import grammar_doubts
-from intent_engine.language.loading.grammar_parts import Draft, Places, Written, plain_phrase
+from intent_engine.language.loading.grammar_parts import Draft, Places, Written
 from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
+from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.english import SUFFIXES
 from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
@@ -196,7 +197,7 @@ def _own_units(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
             hint = f"write it behind the slot in the sentences: {{{slot.name}}} {slot.unit}"
             hint += f"; or give its size: units: {{1: [{slot.unit}]}}" if slot.type == "number" else ""
             yield problem_at(slot.place, message, hint)
-        if slot.type == "number" and slot.units and slot.unit and sizes.get(plain_phrase(slot.unit)) != 1:
+        if slot.type == "number" and slot.units and slot.unit and sizes.get(words_of(slot.unit)) != 1:
             message = f"slot {slot.name!r}: a number alone is no number of {slot.unit!r}"
             ones = " or ".join(" ".join(words) for words, size in sizes.items() if size == 1)
             yield problem_at(slot.place, message, f"write unit: {ones}" if ones else "leave unit out: it counts ones")

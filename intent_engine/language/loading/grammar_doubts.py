@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import Grammar, Sentence, problem_at
-from intent_engine.language.loading.grammar_parts import Draft, Places, plain_phrase
+from intent_engine.language.loading.grammar_parts import Draft, Places
+from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import unsaid_patterns
 from intent_engine.language.phrase_set import PhraseSet
@@ -126,7 +127,7 @@ def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
         for match in _STROKE.finditer(written.text):
             if any((word.lower(),) in names for word in match.groups()):
                 continue
-            heard = " ".join(plain_phrase(match.group()))
+            heard = " ".join(words_of(match.group()))
             message = f"{match.group()!r} would have to be said as {heard!r}"
             yield written.problem(message, f"for either of them write ({match[1]}|{match[2]})", match.start())
 

@@ -17,7 +17,7 @@ from intent_engine.language.loading.contracted import with_contractions
 from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
-from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places, plain_phrase
+from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places
 from intent_engine.language.loading.language_words import (
     default_around,
     default_counting,
@@ -28,13 +28,12 @@ from intent_engine.language.loading.language_words import (
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
+from intent_engine.language.normalize import words_of
 from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.template_tree import Choice, Node, Word
 from intent_engine.language_tag import language_of
 
-__all__ = ["load_grammars", "phrase", "schema"]
-
-phrase = plain_phrase
+__all__ = ["load_grammars", "schema"]
 
 _ROOM = Path(__file__).parent.parent
 """Where the files of languages lie."""
@@ -212,10 +211,10 @@ class _Builder:
             self.operators.setdefault(key, []).extend(text for _, _, text in source.entries(at, items))
         for at, heard, meant in _section(source, "sound_alikes"):
             words = [heard, *(text for _, _, text in source.entries(at, meant))]
-            if any(len(plain_phrase(word)) != 1 for word in words):
+            if any(len(words_of(word)) != 1 for word in words):
                 source.problem(at, "sound-alikes are single words", "heard: [meant, meant]", key=True)
             else:
-                self.alikes[plain_phrase(heard)[0]] = tuple(plain_phrase(word)[0] for word in words[1:])
+                self.alikes[words_of(heard)[0]] = tuple(words_of(word)[0] for word in words[1:])
         lost = (path for path in source.broken if len(path) == 1 or (path[:1] == ("intents",) and len(path) == 2))
         self.draft.mute = self.draft.mute or any(lost)
 
@@ -282,13 +281,13 @@ class _Builder:
                 closed=frozenset(closed),
             ),
             sound_alikes=self.alikes,
-            wake=tuple(plain_phrase(text) for text in self.wake),
+            wake=tuple(words_of(text) for text in self.wake),
             as_written=self._as_written(),
             files=tuple(parts.source.file for parts in self.parts),
         )
         for parts in self.parts:
             for at, _, text in _section(parts.source, "wake"):
-                if wrong := wake_that_stops(plain_phrase(text), grammar.operators):
+                if wrong := wake_that_stops(words_of(text), grammar.operators):
                     parts.source.problem(at, *wrong)
         problems, warnings = check_meaning(grammar, Places([parts.source for parts in self.parts]), self.draft)
         return replace(
@@ -301,7 +300,7 @@ class _Builder:
 
     def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
         """Plain phrases as normalised words, in every form in which they are said."""
-        return with_contractions(map(plain_phrase, phrases), self.language)
+        return with_contractions(map(words_of, phrases), self.language)
 
     def _as_written(self) -> dict[str, str]:
         """Words that are written with a capital or an apostrophe in values, sentences and examples."""

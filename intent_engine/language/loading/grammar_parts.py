@@ -16,7 +16,7 @@ from intent_engine.language.normalize import words_of
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.template_tree import Choice, Node
 
-__all__ = ["Draft", "PartReader", "Places", "Written", "plain_phrase"]
+__all__ = ["Draft", "PartReader", "Places", "Written"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "digits")),
@@ -51,11 +51,6 @@ _SPEEDS: Mapping[str, tuple[str, tuple[float, str], str]] = {
 LARGEST = 1e15
 """Beyond it two whole numbers may be the same float."""
 _BOOLEANS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
-
-
-def plain_phrase(text: str) -> tuple[str, ...]:
-    """The normalised words of a plain phrase."""
-    return words_of(text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +173,7 @@ class PartReader:
         unit = spec.get("unit") if kind in QUANTITY_KINDS else None
         unit = unit.replace("\N{MICRO SIGN}", "\N{GREEK SMALL LETTER MU}") if isinstance(unit, str) else unit
         if unit is not None and kind in _UNITS and self.si("1", kind, unit) is None:
-            unit = " ".join(plain_phrase(unit)) or unit  # "%" is "percent"
+            unit = " ".join(words_of(unit)) or unit  # "%" is "percent"
         if unit is not None and self.si("1", kind, unit) is None:
             hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{spec['unit']!r} is not a unit of {kind}", hint)
@@ -229,7 +224,7 @@ class PartReader:
         )
 
     def _words(self, path: YamlPath, texts: Any) -> frozenset[str]:
-        return frozenset(word for _, _, text in self.source.entries(path, texts) for word in plain_phrase(text))
+        return frozenset(word for _, _, text in self.source.entries(path, texts) for word in words_of(text))
 
     def _values(self, path: YamlPath, name: str, kind: str, values: Any) -> tuple[tuple[Any, Node], ...]:
         source = self.source
@@ -327,6 +322,5 @@ class PartReader:
 
     def si(self, text: str, kind: str, unit: str | None) -> float | None:
         """The value of a text in SI units; grammar files write numbers and units in English."""
-        words = [*words_of(text)]
-        found = quantities.evaluate(words, kind, "en", unit)
+        found = quantities.evaluate(words_of(text), kind, "en", unit)
         return float(found) if isinstance(found, (int, float)) else None

@@ -267,7 +267,7 @@ class Commands:
             allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
-        if unsure := share_of_a_turn(allowed[0], self.matcher.grammar.language):
+        if unsure := share_of_a_turn(allowed[0], self.matcher.grammar):
             return Clause(allowed[0], reason=unsure)
         best, ways, reason = self._whose_place.settled(allowed[0])
         if ways:

@@ -4,7 +4,7 @@ left, go forward" asks for nothing yet.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.command import Clause
@@ -14,23 +14,17 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["Conditions"]
 
-_VERB_FOLLOWS: Mapping[str, frozenset[str]] = {"en": frozenset(("can", "could", "would", "will", "might"))}
-"""Words at the end of a clause from which it may go on with a verb: "if you can" *turn left*."""
-_ADDS: Mapping[str, frozenset[str]] = {"en": frozenset(("and",))}
-"""Words with which a joint begins that leaves what follows in the same clause."""
-
 
 class Conditions:
     """Those of one grammar: its fillers that begin like a clause ("if") and end where a verb follows. Thread-safe."""
 
     def __init__(self, phrases: Phrases, grammar: Grammar) -> None:
-        verb_follows = _VERB_FOLLOWS.get(grammar.language, frozenset())
-        closed = grammar.operators.closed
+        closed, verb_follows = grammar.operators.closed, grammar.wording.verb_follows
         self._phrases = phrases
         self._clauses = PhraseSet(
             words for words in grammar.fillers if len(words) > 1 and words[0] in closed and words[-1] in verb_follows
         )
-        self._adds = _ADDS.get(grammar.language, frozenset())
+        self._adds = grammar.wording.adds
 
     def may_stand_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any could begin in these words."""

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
+from intent_engine.language.grammar import Grammar
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 
 __all__ = ["share_of_a_turn"]
 
-_OF_SPEED: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("at", "with", "of", "speed")),
-    "de": frozenset(("mit", "bei", "auf", "geschwindigkeit", "tempo")),
-}
-"""Words behind which a percentage is of the speed. Other languages have no percentages of a speed."""
 
-
-def share_of_a_turn(reading: Reading, language: str) -> str:
+def share_of_a_turn(reading: Reading, grammar: Grammar) -> str:
     """Why a turn is not clear, as nobody says of what its percentage is; empty: it is. "At ninety percent" and "ninety
     percent speed" are its speed, and so is every percentage where the angle or the time is said."""
     if reading.intent.action.type != "turn":
@@ -27,6 +20,6 @@ def share_of_a_turn(reading: Reading, language: str) -> str:
             return ""
         if slot.slot.type == "angular_speed":
             before, said = reading.words[max(slot.start - 1, 0) : slot.start], reading.words[slot.start : slot.end]
-            led = not _OF_SPEED.get(language, frozenset()).isdisjoint(before)
-            percent = " ".join(said) if not led and evaluate(said, "percent", language) is not None else ""
+            led = not grammar.wording.of_speed.isdisjoint(before)
+            percent = " ".join(said) if not led and evaluate(said, "percent", grammar.language) is not None else ""
     return percent and f"{percent!r} may be how fast or how far to turn; say a speed ('at {percent}') or degrees"

@@ -5,15 +5,12 @@ A recogniser may write "turned left" for "turn left". Who types it tells of some
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from intent_engine.language.meaning.command import Clause
 from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["told_as_done"]
-
-_OTHER_FORMS: Mapping[str, Mapping[str, str]] = {"en": {"led": "lead"}}
-"""Forms of a verb that are written like a word that sounds like it, and not made by an ending."""
 
 
 def told_as_done(
@@ -33,14 +30,8 @@ def told_as_done(
         read = part.reading.words
         for word in words:
             verbs = [verb for verb in alikes.get(word, ()) if verb in read]
-            if verbs and word not in read and (told := next(filter(verbs.__contains__, _verbs(word, language)), "")):
-                return word, told
+            if verbs and word not in read:
+                told = next((verb for verb in told_forms_of(word, language) if verb in verbs), "")
+                if told:
+                    return word, told
     return None
-
-
-def _verbs(word: str, language: str) -> Iterator[str]:
-    """The verbs of which a word may be a form."""
-    other = _OTHER_FORMS.get(language, {}).get(word)
-    if other is not None:
-        yield other
-    yield from told_forms_of(word, language)
