@@ -10,6 +10,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
+from intent_engine.speech.resampling import StreamResampler
+
 __all__ = [
     "FRAME_SAMPLES",
     "FRAME_SECONDS",
@@ -151,11 +153,7 @@ class Resampler:
     """A stream at any rate to frames at 16 kHz."""
 
     def __init__(self, rate: int, start: float = 0.0) -> None:
-        self._stream = None
-        if rate != SAMPLE_RATE:
-            import soxr
-
-            self._stream = soxr.ResampleStream(rate, SAMPLE_RATE, 1, dtype="float32")
+        self._stream = None if rate == SAMPLE_RATE else StreamResampler(rate, SAMPLE_RATE)
         self._left = np.zeros(0, np.float32)
         self._count = 0
         self._start = start
@@ -173,7 +171,7 @@ class Resampler:
         """Frames that are whole after more sound; with ``last`` the rest, filled with silence."""
         sound = clean(samples)
         if self._stream is not None:
-            sound = self._stream.resample_chunk(sound, last=last)
+            sound = self._stream.push(sound, last=last)
         self._left = np.concatenate((self._left, sound))
         if last and self._left.size % FRAME_SAMPLES:
             self._left = np.pad(self._left, (0, -self._left.size % FRAME_SAMPLES))
