@@ -51,6 +51,9 @@ class Interpretation:
     """Ambiguous: the meanings in question. Rejected: the nearest sentences or names."""
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
+    denied: tuple[Action, ...] = field(default=(), compare=False, repr=False)
+    """What shall not be done, where a command was negated: "don't clean the lab". None after JSON. For
+    :meth:`Executor.deny`: a robot that does it has to stop."""
     needs: tuple[Needs, ...] = field(default=(), compare=False, repr=False)
     """What each of the actions asks of the states of the robot; none for a stop, and after JSON."""
 

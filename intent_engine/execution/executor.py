@@ -27,6 +27,7 @@ from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor
+from intent_engine.execution.denial import denies
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
@@ -258,6 +259,26 @@ class Executor:
             self._conductor.cancel(goal, now)
             self._advance(now)
         self._events.flush()
+
+    def deny(self, actions: Action | Iterable[Action]) -> bool:
+        """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
+
+        Args:
+            actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
+                denies all of its name.
+
+        Returns:
+            Whether it stopped.
+
+        Raises:
+            TypeError: something that is not an action was denied.
+        """
+        listed = actions_of("deny", actions)
+        with self._books.locked():
+            found = self._conductor.has(lambda goal: any(denies(denied, goal.action) for denied in listed))
+        if found:
+            self.stop()
+        return found
 
     def register(self, name: str, handler: Handler) -> None:
         """Let ``handler(action)`` or ``handler(action, context)`` carry out the custom action ``name``.

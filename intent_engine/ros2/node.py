@@ -133,11 +133,15 @@ class VoiceCommands:
             )
             self._done = CarriedOut(found, tuple(goals))
             self._last.take(found)
+        elif self.executor.deny(found.denied):
+            self._last.forget()
         return found
 
     def _amend(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.stops:
             self._stop()
+        elif self.executor.deny(found.denied):
+            self._last.forget()
         if found.stops or found.status is not Status.ACCEPTED:
             return found
         done = self._done

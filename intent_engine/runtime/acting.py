@@ -112,6 +112,8 @@ class Acting:
             self._holding.forget()
             self._last.forget()
             self._executor.stop()
+        elif meaning.denied and self._executor.deny(meaning.denied):  # "don't clean the lab" to a robot that does
+            self._forget()
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         if meaning.stops:

@@ -339,7 +339,8 @@ class Interpreter:
                     return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
-                return self._rejected(text, reason)
+                refused, _ = self._rejected(text, reason)
+                return replace(refused, denied=self._negations.denied(core, state)), ()
             core = wanted
         parts = self._compounds.split(core, state)
         if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from functools import cached_property
 
-from intent_engine.actions import Custom
+from intent_engine.actions import Action, Custom
 from intent_engine.language.grammar import MOTIONS
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
@@ -76,6 +76,18 @@ class Negations:
         after = core.part(position + length, len(core))
         ways = as_told(after, self._commands.matcher.grammar)
         return any(self._is_motion([*before, *way.words], state) for way in ways if self._first(way) is None)
+
+    def denied(self, core: Utterance, state: Collection[str]) -> tuple[Action, ...]:
+        """What an utterance with a negation says not to do, if that is a whole command: "don't clean the lab"."""
+        core = core.part(self._phrases.correction.at(core.words, 0), len(core))  # "no, don't clean the lab"
+        found = self._first(core)
+        if found is None:
+            return ()
+        position, length = found
+        start = position if core.words[:position] in _BEFORE else 0
+        told = self._denied(core.part(start, len(core)), position - start, length, state)
+        clause = self._commands.exact(told.words, state) if told is not None else None
+        return (clause.action,) if clause is not None and clause.action is not None else ()
 
     def _is_motion(self, words: list[str], state: Collection[str]) -> bool:
         """Whether words are a motion, exactly or nearly, or begin one with a verb of nothing else: "don't turn"."""
