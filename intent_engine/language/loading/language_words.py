@@ -11,7 +11,14 @@ from pathlib import Path
 from intent_engine.language.grammar import Operators, Wording
 from intent_engine.language.loading.yaml_source import read_yaml
 
-__all__ = ["default_around", "default_counting", "default_fillers", "default_operators", "default_wording"]
+__all__ = [
+    "default_around",
+    "default_counting",
+    "default_fillers",
+    "default_operators",
+    "default_opposites",
+    "default_wording",
+]
 
 _FOLDER = Path(__file__).parent.parent / "operators"
 _OPERATORS = frozenset(one.name for one in fields(Operators))
@@ -45,6 +52,12 @@ def default_around(language: str) -> tuple[str, ...]:
 def default_counting(language: str) -> tuple[str, ...]:
     """What people put between a number and what is counted ("two *more* coffees"), for the same grammars."""
     return _words(language).get("counting", ())
+
+
+def default_opposites(language: str) -> tuple[tuple[str, str], ...]:
+    """Pairs of words of which one means the opposite of the other: "on", "off"."""
+    pairs = (pair.partition("/") for pair in _words(language).get("opposite", ()))
+    return tuple((one, other) for one, _, other in pairs)
 
 
 def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[str, ...], ...]]) -> Wording:
