@@ -325,6 +325,8 @@ class Wording:
     """Those of them that also say that a thing is not wanted: "with milk, *no* sugar"."""
     alternatives: frozenset[str] = frozenset()
     """Words before another one of something: "tell Anna *or* Tom"."""
+    several: frozenset[str] = frozenset()
+    """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()

@@ -17,6 +17,21 @@ def test_the_opposite_of_a_word_in_its_language(word, other, language):
     assert other in opposed(word, language)
 
 
+@pytest.mark.parametrize(
+    ("language", "pairs"),
+    [
+        ("en", "first last, opened closed, hot cold, north south, before after, lock unlock, enable disable"),
+        ("de", "erste letzte, geöffnet geschlossen, heiß kalt, norden süden, sperre entsperre, aktiviere deaktiviere"),
+        ("fr", "premier dernier, ouvert fermé, chaud froid, nord sud, avant après, verrouille déverrouille"),
+        ("es", "primero último, abierto cerrado, caliente frío, norte sur, antes después, bloquea desbloquea"),
+        ("it", "primo ultimo, aperto chiuso, caldo freddo, nord sud, prima dopo, blocca sblocca, attiva disattiva"),
+    ],
+)
+def test_every_language_has_the_common_ones(language, pairs):
+    for one, other in map(str.split, pairs.split(",")):
+        assert other in opposed(one, language)
+
+
 def test_none_is_known_of_other_words_and_languages():
     assert not opposed("kitchen")
     assert not opposed("on", "nl")

@@ -91,6 +91,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         may_forbid=words("may_forbid"),
         none_of=words("none_of"),
         alternatives=words("alternative"),
+        several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
         parted=lists.get("parted", ()),
