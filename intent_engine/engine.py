@@ -250,7 +250,8 @@ def _understood(
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
     if before is not None or len(found.actions) > 1:
-        found = resolve(found, before, parser.matcher.grammar.operators.pronoun, asked, state)
+        grammar = parser.matcher.grammar
+        found = resolve(found, before, grammar.operators.pronoun, asked, state, grammar.wording.several)
     return found, parser
 
 

@@ -309,6 +309,24 @@ class Wording:
     """Words with which a joint begins that leaves what follows in the same clause: "and"."""
     of_speed: frozenset[str] = frozenset()
     """Words behind which a percentage is of the speed: "turn left *at* ninety percent"."""
+    negated: tuple[tuple[str, ...], ...] = ()
+    """How a negated command begins in speech, besides the negation itself: "do not"."""
+    forbidding: tuple[tuple[str, ...], ...] = ()
+    """The usual ways of these and of negations, for finding what was probably said."""
+    before_negations: tuple[tuple[str, ...], ...] = ()
+    """What may stand before a negation with which an utterance begins: "*please* don't turn left, turn right"."""
+    behind_verbs: tuple[tuple[str, ...], ...] = ()
+    """Negations that stand behind the first words of a command: "dreh dich *nicht* nach links"."""
+    excludes: frozenset[tuple[str, ...]] = frozenset()
+    """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, *not* right"."""
+    may_forbid: frozenset[str] = frozenset()
+    """Corrections that forbid what follows in one breath: "*no* turn left", but "no, turn left"."""
+    none_of: frozenset[str] = frozenset()
+    """Those of them that also say that a thing is not wanted: "with milk, *no* sugar"."""
+    alternatives: frozenset[str] = frozenset()
+    """Words before another one of something: "tell Anna *or* Tom"."""
+    several: frozenset[str] = frozenset()
+    """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()

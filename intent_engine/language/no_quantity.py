@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from decimal import Decimal
 
 from intent_engine.language.normalize import Token
@@ -25,16 +25,6 @@ _WRITTEN = re.compile(
     r")(?![.,:]?\d)"
 )
 """Figures that are no number, or one of several."""
-_POWERS: Mapping[str, frozenset[str]] = {
-    "en": frozenset(("squared", "cubed", "square", "cubic", "sq")),
-    "de": frozenset(("squared", "cubed", "quadrat")),
-    "fr": frozenset(("squared", "cubed", "carré", "carrés", "cube", "cubes")),
-    "es": frozenset(("squared", "cubed", "cuadrado", "cuadrados", "cúbico", "cúbicos", "cuadradas", "cúbicas")),
-    "it": frozenset(
-        ("squared", "cubed", "quadrato", "quadrati", "quadro", "quadri", "cubo", "cubi", "quadrate", "cubiche")
-    ),
-}
-"""Words after a unit that make another of it: "4 km squared"."""
 _TEMPERATURES = frozenset(
     (
         "celsius",
@@ -54,9 +44,6 @@ _OVER = frozenset(("over", "by", "sur", "sobre", "entre", "su", "fratto", "durch
 _SCALES = frozenset(("thousand", "million", "billion", "trillion"))
 _ROUND = frozenset((12.0, 100.0, 1e3, 1e6, 1e9))
 """Numbers of which there may be "a few"."""
-_POINTING = frozenset(("which", "that", "this", "no", "another", "every", "any", "each"))
-"""Words before a "one" that counts nothing."""
-_OF_A_CLOCK = frozenset(("past", "to", "till", "til"))
 _STEPS = re.compile(r"\s*,\s*|\.\s+(?![^\W\d_]*[A-Z])")
 """What may stand between the parts of one quantity, behind a unit: "7 feet, 10 inches", "5 ft. 6 in."."""
 _DASH = re.compile(r"\s*[-–—]\s*")
@@ -196,14 +183,15 @@ def _many_parts(words: Sequence[str], at: int, language: str) -> int:
 def _counts_nothing(words: Sequence[str], at: int, language: str) -> bool:
     """Whether a word that may be a number is none between its neighbours: "that one", "oh", "half past", ",5"."""
     before, after = words[at - 1] if at else "", words[at + 1] if at + 1 < len(words) else ""
+    known = (units(language) or Units({}, {})).words
     if language != "en":
-        points = (units(language) or Units({}, {})).words.get("point", frozenset())
+        points = known.get("point", frozenset())
         return before in points and next(parser_of(language).numbers_at(words, at), None) is not None
     if words[at] in ("oh", "o"):
         return after != "point"
     if words[at] in ("half", "quarter"):
-        return after in _OF_A_CLOCK
-    if words[at] != "one" or not (before in _POINTING or (before == "the" and not after)):
+        return after in known["of_a_clock"]
+    if words[at] != "one" or not (before in known["pointing"] or (before == "the" and not after)):
         return False
     parser = parser_of(language)
     return all(next(parser.quantities_at(words, at, kind), None) is None for kind in ("distance", "duration", "angle"))
@@ -230,15 +218,16 @@ def of_another_unit(
         return after + 1
     if after == len(words) or tokens[after].breaks or kind in ("duration", "percent"):
         return 0
-    if following in _POWERS.get(language, ()) or (kind == "angle" and following in _TEMPERATURES):
-        return after + 1
     table = units(language) or Units({}, {})
+    powers = table.words.get("power", ())
+    if following in powers or (kind == "angle" and following in _TEMPERATURES):
+        return after + 1
     if (
         following in table.words.get("per", ())
         and following not in table.words.get("one", ())
         and after + 1 < len(words)
     ):
         again = kind in ("speed", "angular_speed") and table.names.get((words[after + 1],)) in ("s", "min", "h")
-        if again or words[after + 1] in _POWERS.get(language, ()):  # "per second per second", "per square second"
+        if again or words[after + 1] in powers:  # "per second per second", "per square second"
             return after + 2
     return 0

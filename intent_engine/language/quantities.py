@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from intent_engine.language.numbers import english, english_ordinals, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, SHARE_OF, Relative
+from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, Relative
 from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
 from intent_engine.language.numbers.templates import templates
 from intent_engine.language.numbers.units import Units, units
@@ -89,14 +89,15 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
         return _whole(parser_of(language).numbers_at(words, 0), len(words))
     if kind == "ordinal":
         return english_ordinals.ordinal(words) if language == "en" else foreign.ordinal(words, language)
-    if units(language) is None:
+    table = units(language)
+    if table is None:
         return None
     parser = parser_of(language)
     if kind in ("speed", "angular_speed"):
         relative = RELATIVE_SPEEDS.get(language, {}).get(" ".join(words))
         if relative is not None:
             return Relative(relative)
-        share = words[:-1] if words[-1] in SHARE_OF.get(language, ()) else words
+        share = words[:-1] if words[-1] in table.words.get("speed", ()) else words
         percent = _whole(parser.quantities_at(share, 0, "percent"), len(share)) if len(share) > 1 else None
         if percent is not None and math.isfinite(percent):
             return Relative(percent) if 0 < percent <= 2 else None

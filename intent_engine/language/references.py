@@ -20,8 +20,6 @@ Before: TypeAlias = Interpretation | Sequence[Action] | Action
 
 AGAIN = "again"
 """Name of the custom action that repeats the last one, ``scale`` times as far."""
-SEVERAL = frozenset(("them", "these", "those", "sie"))
-"""Pronouns for more than one thing, in all languages; some are for one as well ("the scissors")."""
 NOTHING_DONE = "nothing was done yet that could be done again"
 
 
@@ -31,6 +29,7 @@ def resolve(
     pronouns: Collection[tuple[str, ...]],
     asked: Sequence[Needs] = (),
     state: Collection[str] = (),
+    several: Collection[str] = (),
 ) -> Interpretation:
     """An interpretation with what it points back to put in.
 
@@ -41,6 +40,7 @@ def resolve(
         pronouns: words for a thing that was named before.
         asked: what each of the actions of ``last`` asks of the states of the robot; empty if that is not known.
         state: those in which it is.
+        several: pronouns for more than one thing; some are for one as well ("the scissors").
 
     Returns:
         The same object if nothing points back. Rejected if something does and there is nothing to point at, or what it
@@ -73,7 +73,7 @@ def resolve(
                     own = needs[place] = needed.joined(own)
         elif thing is not None:
             meant = _with_thing(action, thing, things)
-            if meant is not action and len(named) > 1 and not SEVERAL.isdisjoint(_objects(action)):
+            if meant is not action and len(named) > 1 and any(one in several for one in _objects(action)):
                 return _rejected(found, f"more than one thing was named: {', '.join(named)}; say what to do with each")
         changed = changed or meant is not action
         actions.append(meant)

@@ -35,7 +35,7 @@ from intent_engine.language.thing_words import thing_words
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
 
-__all__ = ["NOT_AFTER_THE_VERB", "SentenceNetworks", "call_of", "spoken_trees"]
+__all__ = ["SentenceNetworks", "call_of", "spoken_trees"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
@@ -43,8 +43,6 @@ LOOSE_VALUE_WORDS = 3
 """The same of a value of a list, or as many as the longest of them has."""
 MOST_WILD = 12
 """Words of any kind that a network may take."""
-NOT_AFTER_THE_VERB: Mapping[str, tuple[tuple[str, ...], ...]] = {"de": (("nicht",),)}
-"""What stands behind the first words of a command that shall not be done, in some languages."""
 BEHIND = ("\0behind", "\0sound behind")
 """Names that no template has."""
 OWN_UNIT = "\0unit"
@@ -112,7 +110,7 @@ class SentenceNetworks:
         """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
         Küche", "fahr nicht in die Küche"; False, if nothing does."""
         language = self._grammar.language
-        behind = {*NOT_AFTER_THE_VERB.get(language, ()), *(words for words in fillers if len(words) == 1)}
+        behind = {*self._grammar.wording.behind_verbs, *(words for words in fillers if len(words) == 1)}
         if language == "en" or not behind:
             return False
         either = Optional(Choice(tuple(Reference(name, name, 0) for name in BEHIND)))

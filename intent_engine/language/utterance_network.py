@@ -11,12 +11,8 @@ from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.sentence_networks import SentenceNetworks
 from intent_engine.language.thing_words import thing_words
 
-__all__ = ["NEGATED", "UtteranceNetwork"]
+__all__ = ["UtteranceNetwork"]
 
-NEGATED = {"en": (("do", "not"), ("you", "should", "not"), ("do", "not", "ever"))}
-"""How a negated command begins in speech, besides the negation itself."""
-FORBIDDING = {"en": (("do", "not"), ("never",)), "fr": (("ne",),), "es": (("no",),), "it": (("non",),)}
-"""The usual ones of these, for finding what was probably said."""
 SOUND_LETTERS = 4
 """Letters of a filler, up to which it is hardly more than a sound: "uh", "so", "just"."""
 
@@ -109,15 +105,15 @@ class UtteranceNetwork:
 
     def _add_words(self) -> None:
         """Add what stands before, between and after sentences."""
-        operators, language = self._grammar.operators, self._grammar.language
+        operators, wording = self._grammar.operators, self._grammar.wording
         phrases = {
             "sounds": self._sounds,
             "fillers": [words for words in self._fillers if words not in self._sounds],
             "sequence": operators.sequence,
             "stop": operators.stop,
             # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
-            "negation": (*operators.negation, *NEGATED.get(language, ())),
-            "forbidding": FORBIDDING.get(language, ()),
+            "negation": (*operators.negation, *wording.negated),
+            "forbidding": wording.forbidding,
         }
         for key, found in phrases.items():
             self._networks.add_names(key, [(words, "") for words in found])

@@ -18,7 +18,6 @@ from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
-from intent_engine.language.utterance_network import NEGATED
 from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
@@ -122,7 +121,7 @@ def _is_number(word: str) -> bool:
 
 def negated(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list[Piece]:
     """The pieces with a negation among them; most often at the beginning."""
-    ways = [*NEGATED.get(grammar.language, ()), *grammar.operators.negation]
+    ways = [*grammar.wording.negated, *grammar.operators.negation]
     words = ways[choices.below(len(ways))]
     text = " ".join(words)
     for plain, short in CONTRACTED.items():

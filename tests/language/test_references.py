@@ -133,3 +133,26 @@ def test_without_an_account_of_before_the_words_stay(engine: IntentEngine) -> No
 @pytest.mark.parametrize("text", ["don't do that again", "never do it again", "do that again, no", "again, never mind"])
 def test_a_negated_again_does_nothing(engine: IntentEngine, text: str, last: Action) -> None:
     assert set(engine.parse(text, last=[last]).actions) <= {Stop()}
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "wash them"),
+        ("fr", "lave les"),
+        ("es", "lava los"),
+        ("es", "lava las"),
+        ("it", "lava li"),
+        ("it", "lava le"),
+    ],
+)
+def test_of_several_things_nobody_takes_the_last_in_any_language(engine_of, language: str, said: str) -> None:
+    verb = said.split()[0]
+    engine = engine_of(
+        f"language: {language}\nslots: {{thing: object}}\nintents:\n"
+        f"  wash: {{action: {{type: custom, name: wash, thing: '{{thing}}'}}, sentences: ['{verb} {{thing}}']}}\n"
+    )
+    assert engine.parse(said, last=[Pick("a")]).actions == (Custom("wash", {"thing": "a"}),)
+    found = engine.parse(said, last=[Pick("a"), Pick("b")])
+    assert not found.actions
+    assert "more than one thing" in (found.reason or "")

@@ -11,7 +11,14 @@ from pathlib import Path
 from intent_engine.language.grammar import Operators, Wording
 from intent_engine.language.loading.yaml_source import read_yaml
 
-__all__ = ["default_around", "default_counting", "default_fillers", "default_operators", "default_wording"]
+__all__ = [
+    "default_around",
+    "default_counting",
+    "default_fillers",
+    "default_operators",
+    "default_opposites",
+    "default_wording",
+]
 
 _FOLDER = Path(__file__).parent.parent / "operators"
 _OPERATORS = frozenset(one.name for one in fields(Operators))
@@ -47,6 +54,12 @@ def default_counting(language: str) -> tuple[str, ...]:
     return _words(language).get("counting", ())
 
 
+def default_opposites(language: str) -> tuple[tuple[str, str], ...]:
+    """Pairs of words of which one means the opposite of the other: "on", "off"."""
+    pairs = (pair.partition("/") for pair in _words(language).get("opposite", ()))
+    return tuple((one, other) for one, _, other in pairs)
+
+
 def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[str, ...], ...]]) -> Wording:
     """How people put their commands; ``said`` turns phrases into normalised words."""
     lists = _words(language)
@@ -70,6 +83,15 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         verb_follows=words("verb_follows"),
         adds=words("adds"),
         of_speed=words("of_speed"),
+        negated=phrases("negated"),
+        forbidding=phrases("forbidding"),
+        before_negations=phrases("before_negation"),
+        behind_verbs=phrases("behind_verb"),
+        excludes=frozenset(phrases("excludes")),
+        may_forbid=words("may_forbid"),
+        none_of=words("none_of"),
+        alternatives=words("alternative"),
+        several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
         parted=lists.get("parted", ()),

@@ -18,11 +18,6 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["Corrections"]
 
-_MAY_FORBID = frozenset(("no", "nope", "nah"))
-"""Words of correction that forbid what follows in one breath: "no turn left", but "no, turn left"."""
-_NONE_OF = "no"
-"""What corrects, and says that a thing is not wanted: "with milk, no sugar"."""
-
 
 class Corrections:
     """What is meant by one command that was corrected while it was said."""
@@ -34,6 +29,8 @@ class Corrections:
         self._replacements = replacements
         self._matcher = commands.matcher
         self._definite = thing_words(commands.matcher.grammar.language).definite
+        wording = commands.matcher.grammar.wording
+        self._forbidding, self._none_of = wording.may_forbid, wording.none_of
 
     def taken_back(self, words: list[str]) -> int:
         """Length of the correction with which the words end, with nothing in its place: "go forward, no"."""
@@ -112,9 +109,9 @@ class Corrections:
             if denies and meant == piece.words and self._is_said_again(said, meant, state):
                 reason = f"'{denies}' before what was said already may forbid it; say it once"
                 return Clause(reason=reason, alternatives=(" ".join(meant),), ambiguous=True)
-            if denies == _NONE_OF and wanted_without:
+            if denies in self._none_of and wanted_without:
                 either = (" ".join(meant), " ".join(said))
-                reason = f"'{_NONE_OF} {' '.join(piece.words)}' may correct, or say that there shall be none"
+                reason = f"'{denies} {' '.join(piece.words)}' may correct, or say that there shall be none"
                 return Clause(reason=reason, alternatives=either, ambiguous=True)
             current = replaced
         words, breaks = current.words, current.breaks
@@ -181,7 +178,7 @@ class Corrections:
         start = 0
         while length := self._correction.at(part.words, start):
             start += length
-        forbids = _MAY_FORBID.issuperset(part.words[:start]) and not self._pause_after(part, start)
+        forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return None
         if not self._pause_after(part, start) and self._commands.moves(part.words[:start], state):
@@ -241,7 +238,7 @@ class Corrections:
                     return  # "no go to the kitchen": who knows
                 if position > start or start > 0:
                     yield part.part(start, position), denies
-                denies = part.words[position] if length == 1 and part.words[position] in _MAY_FORBID else ""
+                denies = part.words[position] if length == 1 and part.words[position] in self._forbidding else ""
                 start = position = position + length
                 if self._pause_after(part, start):
                     denies = ""
@@ -254,7 +251,7 @@ class Corrections:
         end = 0
         while length := self._correction.at(part.words, end):
             end += length
-        return end > 0 and _MAY_FORBID.issuperset(part.words[:end]) and not self._pause_after(part, end)
+        return end > 0 and self._forbidding.issuperset(part.words[:end]) and not self._pause_after(part, end)
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
         """Whether the words of correction with which a part begins are those of a sentence that goes on in one breath:

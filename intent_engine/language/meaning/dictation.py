@@ -6,7 +6,7 @@ all of these. So only the words before it are understood, and it is kept as it i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
 from intent_engine.language.action_builder import CannotActError, build_action
@@ -30,8 +30,6 @@ AROUND = " \t\n,;:-.\u2026"
 """What is written around the text and not said."""
 PAUSES = ",;:.!?\u2026"
 """What is written at the end of a word where a pause follows."""
-OR: Mapping[str, str] = {"en": "or", "de": "oder", "es": "o", "fr": "ou", "it": "o"}
-"""Between two of which one is meant."""
 ANNOUNCES = ":"
 """The one of these behind which the text comes: "say: hello"."""
 
@@ -54,6 +52,7 @@ class Dictation:
         self._phrases = phrases
         self._commands = commands
         self._greetings = PhraseSet(commands.matcher.grammar.wording.greetings)
+        self._alternatives = commands.matcher.grammar.wording.alternatives
         self._language = commands.matcher.grammar.language
         self._possible = commands.matcher.grammar.dictates
 
@@ -141,7 +140,7 @@ class Dictation:
         assert reading is not None
         listed = len(reading.slots) > 1 and reading.slots[-2].end == slot.start and before[-1] not in PAUSES
         words = Utterance.of(text, self._language).words
-        return listed and (self._phrases.sequence.at(words, 0) > 0 or words[:1] == [OR.get(self._language)])
+        return listed and (self._phrases.sequence.at(words, 0) > 0 or not self._alternatives.isdisjoint(words[:1]))
 
     def _begins(self, text: str, spoken: bool) -> Iterator[Utterance]:
         """A beginning of a text, without the wake word, as it is and without what says nothing."""

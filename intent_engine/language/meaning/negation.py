@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from functools import cached_property
 
 from intent_engine.actions import Action, Custom
@@ -18,16 +18,6 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["Negations"]
 
-_BEFORE: tuple[list[str], ...] = ([], ["do"], ["please", "do"], ["please"])
-"""What may stand before "don't turn left, turn right"."""
-_EXCLUDES: Mapping[str, frozenset[tuple[str, ...]]] = {
-    "en": frozenset((("not",), ("rather", "than"), ("instead", "of")))
-}
-"""Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, not right". Where
-"not" may stand behind its verb, as in German, the same words may forbid the command itself."""
-_BEHIND_THE_VERB = frozenset(("de",))
-"""Languages in which "not" stands behind the verb: "dreh dich nicht nach links, dreh dich nach rechts"."""
-
 
 class Negations:
     """What an utterance with a negation leaves to be done."""
@@ -38,6 +28,10 @@ class Negations:
         self._commands = commands
         self._compounds = compounds
         self._corrections = corrections
+        wording = commands.matcher.grammar.wording
+        self._before = frozenset(((), *wording.before_negations))
+        self._excludes = wording.excludes
+        self._behind_the_verb = bool(wording.behind_verbs)
 
     def stands_in(self, core: Utterance) -> bool:
         return self._negation.may_stand_in(core.words) and self._first(core) is not None
@@ -71,7 +65,8 @@ class Negations:
             return False
         position, length = found
         before = core.words[:position]
-        if before in _BEFORE or self._phrases.fillers.cover([word for word in before if [word] not in _BEFORE]):
+        more = [word for word in before if (word,) not in self._before]
+        if tuple(before) in self._before or self._phrases.fillers.cover(more):
             before = []
         after = core.part(position + length, len(core))
         ways = as_told(after, self._commands.matcher.grammar)
@@ -127,8 +122,8 @@ class Negations:
         if (other := self._no_not_that(core, state)) is not None:
             return other, ""
         refused = f"negated: {' '.join(words[position : position + length])!r}"
-        start = position if words[:position] in _BEFORE else 0
-        pauses = start == position or self._commands.matcher.grammar.language in _BEHIND_THE_VERB
+        start = position if tuple(words[:position]) in self._before else 0
+        pauses = start == position or self._behind_the_verb
         for end in range(position + length + 1, len(words)):
             contrast = self._phrases.contrast.at(words, end)
             if not contrast and not (core.breaks[end] and pauses):
@@ -193,7 +188,7 @@ class Negations:
         """The command before a negation behind which stands only another value of one of its slots: "turn left, not
         right", "forward and not back". None: there is more, or less, or it is no other ("turn left not now")."""
         words = core.words
-        if tuple(words[position : position + length]) not in _EXCLUDES.get(self._commands.matcher.grammar.language, ()):
+        if tuple(words[position : position + length]) not in self._excludes:
             return None
         other = core.part(position + length, len(core))
         if not other.words or self._negation.find(other.words) is not None:

@@ -31,8 +31,6 @@ MAX_WORDS = 16
 
 SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
-NO_NUMBERS: Mapping[str, frozenset[str]] = {"es": frozenset(("unos", "unas", "cientos", "cientas", "miles"))}
-"""What text2num has a number for, though it is said for any: "unos metros" are some, and not one."""
 RESPELLED: Mapping[str, Mapping[str, str]] = {
     "es": {
         "dieciseis": "dieciséis", "veintiun": "veintiuno", "veintiún": "veintiuno", "veintidos": "veintidós",
@@ -212,8 +210,9 @@ def _decimals(words: Sequence[str], language: str) -> float | None:
 
 def _whole(words: Sequence[str], language: str) -> float | None:
     """A whole number in words: as text2num has it, and millions, whose plurals it does not know everywhere."""
-    if not NO_NUMBERS.get(language, frozenset()).isdisjoint(words):
-        return None
+    table = units(language)
+    if table is not None and not table.words.get("no_number", frozenset()).isdisjoint(words):
+        return None  # "unos metros" are some, and not one
     known = [_respelled(word, language) for word in _joined(words, language)]
     value = _text2num(" ".join(known), language)
     if value is not None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-__all__ = ["RELATIVE_SPEEDS", "SHARE_OF", "WHOLE_ANGLES", "Relative"]
+__all__ = ["RELATIVE_SPEEDS", "WHOLE_ANGLES", "Relative"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +37,6 @@ RELATIVE_SPEEDS: Mapping[str, Mapping[str, float]] = {
 }  # fmt: skip
 """Words for speeds, by language, as factors of the usual speed. Modest on purpose: limits of the robot file still
 hold."""
-SHARE_OF: Mapping[str, Sequence[str]] = {"en": ("speed",), "de": ("geschwindigkeit", "tempo")}
-"""What may be said after a percentage of it."""
 
 WHOLE_ANGLES: Mapping[tuple[str, ...], float] = {
     ("all", "the", "way", "around"): 2 * math.pi,

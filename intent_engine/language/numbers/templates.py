@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from intent_engine.language.numbers import english, foreign, said
-from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, SHARE_OF, WHOLE_ANGLES
+from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, WHOLE_ANGLES
 from intent_engine.language.numbers.units import Units, units
 
 __all__ = ["WITHOUT_ONE", "templates"]
@@ -120,5 +120,7 @@ def templates(language: str) -> Mapping[str, str]:
         if language in WITHOUT_ONE:
             base[kind] += f"|{unit} {joint} {part} {per} {{duration_unit}}"
         if language in RELATIVE_SPEEDS:
-            base[kind] += f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(SHARE_OF[language])}]"
+            base[kind] += (
+                f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(sorted(table.words['speed']))}]"
+            )
     return base

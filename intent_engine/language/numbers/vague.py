@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import cache
 
+from intent_engine.language.numbers.units import units
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
 
@@ -12,32 +14,21 @@ __all__ = ["said_exactly", "vague_length"]
 _ANY_NUMBER = "3"
 
 
-def _phrases(*phrases: str) -> PhraseSet:
-    return PhraseSet(phrase.split() for phrase in phrases)
-
-
-_VAGUE: Mapping[str, PhraseSet] = {
-    "en": _phrases(
-        *("few", "a few", "quite a few", "the few", "several", "many", "some", "multiple", "lots of", "a lot of"),
-        *("a number of", "a bunch of", "a handful of"),
-    ),
-    "de": _phrases("ein paar", "paar", "einige", "einigen", "mehrere", "mehreren", "viele", "vielen", "etliche"),
-    "fr": _phrases("quelques", "plusieurs", "beaucoup de", "un peu de"),
-    "es": _phrases("unos", "unas", "algunos", "algunas", "varios", "varias", "muchos", "muchas", "unos cuantos"),
-    "it": _phrases("alcuni", "alcune", "qualche", "diversi", "diverse", "parecchi", "molti", "molte", "un paio di"),
-}
+@cache
+def _phrases(language: str) -> PhraseSet:
+    table = units(language)
+    return PhraseSet(phrase.split() for phrase in (table.words.get("vague", ()) if table is not None else ()))
 
 
 def vague_length(words: Sequence[str], at: int, language: str) -> int:
     """Words of such an amount that begins at a place; 0: none does."""
-    phrases = _VAGUE.get(language)
-    return phrases.at(words, at) if phrases is not None else 0
+    return _phrases(language).at(words, at)
 
 
 def said_exactly(said: Utterance, language: str) -> tuple[str, Utterance] | None:
     """The first such amount in an utterance, and the utterance with a number for each; None: there is none."""
-    phrases = _VAGUE.get(language)
-    if phrases is None or not phrases.may_stand_in(said.words):
+    phrases = _phrases(language)
+    if not phrases.may_stand_in(said.words):
         return None
     words: list[str] = []
     breaks: list[bool | None] = []

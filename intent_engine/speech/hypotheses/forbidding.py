@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import islice
 
-from intent_engine.language.sentence_networks import NOT_AFTER_THE_VERB
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
@@ -43,7 +42,7 @@ def forbidden(grammar: SpokenGrammar, words: Sequence[str], language: str | None
     called = grammar.wake(language).after(words)
     lead = called + grammar.lead(words[called:], language)
     if language not in (None, "en"):
-        behind = NOT_AFTER_THE_VERB.get(language, ())
+        behind = grammar.behind_verbs(language)
         places = range(lead + 1, min(lead + 1 + NOT_WITHIN, len(words)))
         return [(*words[:at], *no, *words[at:]) for no in behind for at in places]
     begin, rest = tuple(words[:lead]), tuple(words[lead:])

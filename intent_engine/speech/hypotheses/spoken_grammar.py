@@ -193,6 +193,10 @@ class SpokenGrammar:
             return True
         return any(self._known(language).negations.at(words, place) for place in range(len(words)))
 
+    def behind_verbs(self, language: str | None = None) -> tuple[tuple[str, ...], ...]:
+        """Negations that stand behind the first words of a command: "nicht"."""
+        return self._known(language).matcher.grammar.wording.behind_verbs
+
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether a sentence asks for something else."""
         return self.parse(" ".join(words), language).actions != meaning.actions

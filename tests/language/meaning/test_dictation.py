@@ -141,6 +141,25 @@ def test_who_else_is_to_be_told_is_no_part_of_a_text(engine_of, said):
     assert told.parse("tell Anna, and then it rained").slots == {"who": "Anna", "note": "and then it rained"}
 
 
+@pytest.mark.parametrize(
+    ("language", "tell", "others"),
+    [
+        ("de", "sag {who} [dass] {note}", "sag Anna oder Tom dass es spät ist"),
+        ("fr", "dis à {who} [que] {note}", "dis à Anna ou Tom que je suis là"),
+        ("es", "dile a {who} [que] {note}", "dile a Anna u Oscar que llego tarde"),
+        ("it", "di a {who} [che] {note}", "di a Anna oppure Tom che sono qui"),
+    ],
+)
+def test_who_else_is_to_be_told_in_other_languages(engine_of, language, tell, others):
+    told = engine_of(
+        f"language: {language}\nslots: {{who: [Anna, Tom, Oscar], note: {{type: text, dictation: true}}}}\n"
+        f"intents: {{tell: {{action: custom, sentences: ['{tell}']}}}}\n"
+    )
+    assert not told.parse(others).actions
+    begin, text = others.partition(" Anna")[0], others.split()[-1]
+    assert told.parse(f"{begin} Anna {text}").slots == {"who": "Anna", "note": text}
+
+
 def test_a_stop_behind_a_text_stops_all(notes):
     assert notes.parse("go back two meters and write down that it is late. Stop!").stops
 

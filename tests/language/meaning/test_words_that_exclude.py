@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from meanings import does, done
 
+from intent_engine.actions import Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 
@@ -128,3 +129,70 @@ def test_spanish_no_corrects_between_pauses_and_else_forbids(text: str, side: st
 )
 def test_what_is_said_instead_of_something_else_is_done(said: str, meant: str) -> None:
     assert does(said) == meant
+
+
+WAYS = """
+language: {language}
+fillers: []
+slots:
+  place: {{type: choice, values: {{bar: [bar], garage: [garage]}}}}
+  side: {{type: choice, values: {{left: [{left}], right: [{right}]}}}}
+intents:
+  turn: {{action: {{type: turn, direction: "{{side}}"}}, sentences: ["{turn} {{side}}"]}}
+  go: {{action: custom, sentences: ["{go} {{place}}"]}}
+"""
+TOLD = {
+    "en": {"left": "left", "right": "right", "turn": "turn", "go": "go to the"},
+    "de": {"left": "nach links", "right": "nach rechts", "turn": "dreh dich", "go": "fahr zum"},
+    "fr": {"left": "à gauche", "right": "à droite", "turn": "tourne", "go": "va au"},
+    "es": {"left": "a la izquierda", "right": "a la derecha", "turn": "gira", "go": "ve al"},
+    "it": {"left": "a sinistra", "right": "a destra", "turn": "gira", "go": "vai al"},
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "angle"),
+    [
+        ("de", "dreh dich nach links statt nach rechts", 1),
+        ("de", "dreh dich nach links, anstatt nach rechts", 1),
+        ("fr", "tourne à gauche au lieu de à droite", 1),
+        ("fr", "tourne à gauche plutôt qu'à droite", 1),
+        ("es", "gira a la izquierda en vez de a la derecha", 1),
+        ("es", "gira a la izquierda en lugar de a la derecha", 1),
+        ("it", "gira a sinistra invece di a destra", 1),
+        ("it", "gira a sinistra anziché a destra", 1),
+        ("it", "gira a sinistra piuttosto che a destra", 1),
+        ("de", "dreh dich nach links nicht nach rechts", 0),
+        ("fr", "tourne à gauche pas à droite", 0),
+        ("es", "gira a la izquierda no a la derecha", 0),
+        ("it", "gira a sinistra non a destra", 0),
+        ("de", "dreh dich nach links statt zum bar", 0),
+        ("it", "gira a sinistra invece di", 0),
+        # Before them there is what is polite, also where no filler is.
+        ("en", "please don't turn left, turn right", -1),
+        ("de", "bitte nicht dreh dich nach links, dreh dich nach rechts", -1),
+        ("fr", "s'il te plaît ne tourne pas à gauche, tourne à droite", -1),
+        ("es", "por favor no gires a la izquierda, gira a la derecha", -1),
+        ("it", "per favore non girare a sinistra, gira a destra", -1),
+        ("it", "per favore non girare a sinistra", 0),
+    ],
+)
+def test_what_is_excluded_in_other_languages(language: str, said: str, angle: int, tmp_path: Path) -> None:
+    actions = engine_of(WAYS.format(language=language, **TOLD[language]), tmp_path).parse(said).actions
+    assert [action.angle > 0 for action in actions if isinstance(action, Turn)] == ([angle > 0] if angle else [])
+    assert len(actions) == abs(angle)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", "fahr zum bar statt zum garage"),
+        ("fr", "va au bar au lieu du garage"),
+        ("es", "ve al bar en vez del garage"),
+        ("it", "vai al bar invece del garage"),
+    ],
+)
+def test_of_two_places_the_one_is_meant_that_is_not_excluded(language: str, said: str, tmp_path: Path) -> None:
+    found = engine_of(WAYS.format(language=language, **TOLD[language]), tmp_path).parse(said)
+    assert found.slots == {"place": "bar"}
+    assert found.actions
