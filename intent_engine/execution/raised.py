@@ -1,0 +1,24 @@
+"""What came out of a robot's code: whether the robot has failed, and what is told of it."""
+
+from __future__ import annotations
+
+import threading
+
+__all__ = ["pass_on_interrupt", "told"]
+
+
+def pass_on_interrupt(error: BaseException) -> None:
+    """Raise an error that is none of the robot's: Ctrl-C, and the exit of a signal's handler, come to the main thread
+    wherever it is, so that there nobody can tell whose they are. In any other thread it was the robot that raised:
+    ``sys.exit()``, or the ``CancelledError`` of its event loop.
+    """
+    if not isinstance(error, Exception) and threading.current_thread() is threading.main_thread():
+        raise error
+
+
+def told(error: BaseException) -> str:
+    """What an error says; its type where it says nothing, or fails at that, too."""
+    try:
+        return str(error) or type(error).__name__
+    except Exception:
+        return type(error).__name__
