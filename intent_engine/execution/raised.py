@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 
-__all__ = ["pass_on_interrupt", "told"]
+__all__ = ["pass_on_interrupt", "told", "with_type"]
 
 
 def pass_on_interrupt(error: BaseException) -> None:
@@ -17,8 +17,18 @@ def pass_on_interrupt(error: BaseException) -> None:
 
 
 def told(error: BaseException) -> str:
-    """What an error says; its type where it says nothing, or fails at that, too."""
+    """What an error says; with its type where that is no ordinary one, its type alone where it says nothing."""
+    return (_text(error) or type(error).__name__) if isinstance(error, Exception) else with_type(error)
+
+
+def with_type(error: BaseException) -> str:
+    """An error's type, and what it says."""
+    text = _text(error)
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+def _text(error: BaseException) -> str:
     try:
-        return str(error) or type(error).__name__
-    except Exception:
-        return type(error).__name__
+        return str(error)
+    except Exception:  # it fails at that, too
+        return ""
