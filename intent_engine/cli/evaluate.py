@@ -24,7 +24,7 @@ from intent_engine.cli.options import (
     known_states,
     load_engine,
 )
-from intent_engine.cli.outputs import check_apart, check_file, check_picture
+from intent_engine.cli.outputs import check_apart, check_picture, check_table
 from intent_engine.cli.terminal import error_block, json_line, note, paragraph, progress, say, table
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.pauses import avoid_pauses
@@ -163,7 +163,7 @@ def evaluate(
             Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")
         )
     if csv is not None:
-        check_file(csv, "--csv")
+        check_table(csv, "--csv")
     if plot is not None:
         check_picture(plot, "--plot", "evaluate")
     robot_file = find("robots", robot)

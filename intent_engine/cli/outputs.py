@@ -9,11 +9,27 @@ from pathlib import Path
 
 from intent_engine.errors import ConfigError, Problem
 
-__all__ = ["check_apart", "check_file", "check_picture"]
+__all__ = ["check_apart", "check_file", "check_picture", "check_table"]
 
 PICTURES = [".png", ".svg", ".pdf", ".svgz", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".eps", ".ps"]
 """Endings of the pictures that matplotlib writes."""
 ENDINGS = "end its name in .png, .svg or .pdf"
+
+SPREADSHEETS = [".xlsx", ".xls", ".xlsm", ".ods", ".numbers"]
+"""Endings of workbooks. Their programs refuse a file of that name that holds plain rows."""
+
+
+def check_table(path: Path, option: str) -> None:
+    """Whether a table can be written into a file as CSV.
+
+    Raises:
+        ConfigError: it cannot, or its name is that of a workbook.
+    """
+    if path.suffix.lower() in SPREADSHEETS and not path.is_dir():
+        why = f"{option}: {path} is the name of a workbook, and CSV is written"
+        hint = f"any spreadsheet opens that: {option} {path.with_suffix('.csv')}"
+        raise ConfigError(Problem(why, hint=hint))
+    check_file(path, option)
 
 
 def check_picture(path: Path, option: str, extra: str) -> None:

@@ -23,6 +23,7 @@ from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
 from intent_engine.execution.handlers import Handler
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
+from intent_engine.execution.raised import with_type
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending
 
@@ -105,7 +106,7 @@ def forbidden(goal: Goal, guard: Guard | None) -> Ending | None:
         why = guard()
     except Exception as error:
         log.exception("no guard of goal %d", goal.id)
-        why = f"nobody can tell whether it may be done: {type(error).__name__}: {error}"
+        why = f"nobody can tell whether it may be done: {with_type(error)}"
     return Ending(GoalState.ABORTED, Reason.FORBIDDEN, why) if why else None
 
 

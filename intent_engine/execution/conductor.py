@@ -20,6 +20,7 @@ from intent_engine.execution.failsafe import Failsafe, reason_of
 from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
 from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.motion import Motion, Travel
+from intent_engine.execution.raised import pass_on_interrupt, told
 from intent_engine.execution.runs import Ending, MotionRun, Run, VelocityLoop
 
 __all__ = ["Conductor"]
@@ -118,7 +119,8 @@ class Conductor:
                         break
                     continue
                 ending = run.step(now)
-            except Exception as error:
+            except BaseException as error:
+                pass_on_interrupt(error)
                 self._robot_failed(run, error, now)
                 continue
             if ending is None:
@@ -256,7 +258,8 @@ class Conductor:
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
             run.begin(now)
-        except Exception as error:
+        except BaseException as error:
+            pass_on_interrupt(error)
             self._robot_failed(run, error, now)
         return True
 
@@ -283,7 +286,8 @@ class Conductor:
             gone = run.give_up(now)
             if isinstance(run, MotionRun) and brake and self._loop.moving:
                 run.leave(self._loop.brake(now))
-        except Exception as error:
+        except BaseException as error:
+            pass_on_interrupt(error)
             self._robot_failed(run, error, now)
             return
         if gone:
@@ -312,8 +316,9 @@ class Conductor:
         if run is not None:
             try:
                 goal.feedback = replace(run.feedback(now), pose=self._failsafe.pose(), time_left=0.0)
-            except Exception:
+            except BaseException as error:
                 log.exception("no last feedback of goal %d", goal.id)
+                pass_on_interrupt(error)
         self._move(goal, ending.state, now, ending.reason, ending.detail)
         self._ended()
 
@@ -325,8 +330,9 @@ class Conductor:
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
             feedback = replace(run.feedback(now), pose=self._failsafe.pose())
-        except Exception:
+        except BaseException as error:
             log.exception("no feedback of goal %d", run.goal.id)
+            pass_on_interrupt(error)
             return
         run.goal.feedback = feedback
         self._events.tell(EventKind.FEEDBACK, run.goal, feedback=feedback)
@@ -340,7 +346,8 @@ class Conductor:
                 run.suspend(now, at_once)
             if at_once and self._loop.moving:
                 self._loop.halt(now, write=False)
-        except Exception as error:
+        except BaseException as error:
+            pass_on_interrupt(error)
             self._robot_failed(run, error, now)
 
     def _go_on(self, now: float) -> None:
@@ -351,11 +358,12 @@ class Conductor:
             self._feedback_at = now + self.FEEDBACK_PERIOD
             try:
                 self._run.resume(now)
-            except Exception as error:
+            except BaseException as error:
+                pass_on_interrupt(error)
                 self._robot_failed(self._run, error, now)
         self.advance(now)
 
-    def _robot_failed(self, run: Run | None, error: Exception, now: float) -> None:
+    def _robot_failed(self, run: Run | None, error: BaseException, now: float) -> None:
         """A robot raised, or the velocity loop is lost: zero, and the goal is aborted."""
         stopped = self._failsafe.failed(error)
         self._leave(run, self._failsafe.end_motion(now))
@@ -364,11 +372,11 @@ class Conductor:
         reason = reason_of(error)
         if run is None or self._run is not run:
             if self._failsafe.failures == 1:
-                self._events.tell(EventKind.ERROR, detail=str(error), reason=reason)
+                self._events.tell(EventKind.ERROR, detail=told(error), reason=reason)
             return
         self._run = None
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
-        self._end(run.goal, Ending(state, reason, str(error) or type(error).__name__), now, run)
+        self._end(run.goal, Ending(state, reason, told(error)), now, run)
 
     def _leave(self, run: Run | None, travel: Travel | None) -> None:
         """The wheels are no longer a goal's; None: it moved none, or nobody knows how far it came."""
@@ -379,5 +387,6 @@ class Conductor:
         """A handler is told to end; of a robot whose stop failed, the task is cancelled by its own name."""
         try:
             run.give_up(now)
-        except Exception:
+        except BaseException as error:
             log.exception("goal %d could not be given up", run.goal.id)
+            pass_on_interrupt(error)

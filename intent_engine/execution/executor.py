@@ -35,6 +35,7 @@ from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler, check_waiter
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
+from intent_engine.execution.raised import with_type
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
 from intent_engine.execution.snapshot import Snapshot
@@ -428,7 +429,7 @@ class Executor:
                     with self._books.locked() as now:
                         self._advance(now)
                 except BaseException as error:  # a robot's sys.exit(), say: without this thread no goal would end
-                    self._events.tell(EventKind.ERROR, detail=f"{type(error).__name__}: {error}")
+                    self._events.tell(EventKind.ERROR, detail=with_type(error))
                     self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
                 self.clock.wait_until(self._books.wake, self._due(self.clock.now()))
 

@@ -8,6 +8,7 @@ from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.motion import Travel
+from intent_engine.execution.raised import pass_on_interrupt, told
 from intent_engine.execution.robots.robot import Pose, Robot
 from intent_engine.execution.runs import VelocityLoop
 
@@ -64,14 +65,16 @@ class Failsafe:
         try:
             self._robot.stop()
             return True
-        except Exception as error:
+        except BaseException as error:
             # The protocol forbids it; and still the velocity is tried.
             log.exception("the robot raised in stop()")
             try:
                 self._robot.velocity(0.0, 0.0, self._valid_for)
-            except Exception:
+            except BaseException as again:
                 log.exception("the robot raised in velocity(0, 0)")
-            self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {error}")
+                pass_on_interrupt(again)
+            self._events.tell(EventKind.ERROR, detail=f"the robot raised in stop(): {told(error)}")
+            pass_on_interrupt(error)
             return False
 
     def halt_loop(self, now: float) -> Travel | None:
@@ -79,17 +82,17 @@ class Failsafe:
         try:
             return self._loop.halt(now, write=False)
         except Exception as error:
-            self.fault = str(error)
+            self.fault = told(error)
             self._events.tell(EventKind.ERROR, detail=self.fault, reason=Reason.VELOCITY_LOOP)
             return None
 
-    def failed(self, error: Exception) -> bool:
+    def failed(self, error: BaseException) -> bool:
         """The robot raised, or the velocity loop is lost: stop. False if that raised, too."""
         self._gate.shut()
         self.failures += 1
         stopped = self.stop_robot()
         if reason_of(error) is Reason.VELOCITY_LOOP:
-            self.fault = str(error)
+            self.fault = told(error)
         return stopped
 
     def end_motion(self, now: float) -> Travel | None:
@@ -110,12 +113,13 @@ class Failsafe:
         """Where the robot believes it is; None if it cannot tell."""
         try:
             return self._robot.pose()
-        except Exception:
+        except BaseException as error:
             log.exception("the robot raised in pose()")
+            pass_on_interrupt(error)
             return None
 
 
-def reason_of(error: Exception) -> Reason:
+def reason_of(error: BaseException) -> Reason:
     """What an error of a robot or of a velocity loop means for the goal: its ``goal_reason``, if it has one."""
     reason: Reason = getattr(error, "goal_reason", Reason.ROBOT_ERROR)
     return reason

@@ -9,6 +9,7 @@ from typing import Any
 
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason
+from intent_engine.execution.raised import with_type
 from intent_engine.execution.runs import Ending
 
 __all__ = ["Handler", "HandlerContext", "HandlerRun", "check_waiter"]
@@ -66,7 +67,7 @@ class HandlerRun:
             result = self._handler(*([self.goal.action, self._context][: _arguments(self._handler)]))
             self._ending = _after(result)
         except BaseException as error:  # a handler that calls sys.exit() ends its goal, too
-            text = str(error) if isinstance(error, IntentEngineError) else f"{type(error).__name__}: {error}"
+            text = str(error) if isinstance(error, IntentEngineError) else with_type(error)
             self._ending = Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, text)
             if isinstance(error, KeyboardInterrupt):
                 raise

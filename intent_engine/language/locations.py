@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.hints import did_you_mean
 from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.several_names import on_several_lines
@@ -31,6 +30,7 @@ from intent_engine.language.maps.map_draft import (
     checked,
 )
 from intent_engine.language.maps.map_rows import read_map
+from intent_engine.language.maps.other_forms import other_form
 from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
@@ -207,7 +207,7 @@ def _draft(source: YamlSource) -> Draft:
         return Draft(problems=[empty if problem.message == "is empty" else problem for problem in source.problems])
     if (kind := given_for("map", source.data, source.file)) is not None:
         return Draft(problems=[kind])
-    if isinstance(source.data, dict) and (other := _other_form(source)) is not None:
+    if (other := other_form(source)) is not None:
         return Draft(problems=[*source.problems, other])
     source.problems.extend(schema_problems(source, _schema()))
     if not isinstance(source.data, dict) or not isinstance(source.data.get("locations"), dict):
@@ -228,33 +228,6 @@ def _draft(source: YamlSource) -> Draft:
             rows.append(Row(name, pose, _teller(source, path)))
     draft.rows = rows
     return draft
-
-
-def _other_form(source: YamlSource) -> Problem | None:
-    """What to do about a file without ``locations`` that is plainly something else."""
-    keys = list(source.data)
-    if "locations" in keys or not keys:
-        return None
-    if {"image", "resolution"} <= set(keys):
-        hint = "write a file of places: 'locations: {kitchen: {x: 5.0, y: 2.0}}', poses in this map's frame"
-        return Problem("is the picture of a floor, as map_server reads it, and names no places", source.file, hint=hint)
-    poses = [value for value in source.data.values() if _like_a_pose(value)]
-    if len(poses) == len(keys):
-        place = source.place((keys[0],), key=True)
-        hint = f"as in  locations: {{{keys[0]}: {{x: 5.0, y: 2.0, yaw: 0.0}}}}"
-        message = "the places stand at the top, and belong below 'locations'"
-        return Problem(message, source.file, place.line, place.column, place.source, hint)
-    if len(keys) == 1 and isinstance(source.data[keys[0]], dict) and did_you_mean(keys[0], ["locations"]) is None:
-        place = source.place((keys[0],), key=True)
-        message = f"unknown key {keys[0]!r}: places are listed below 'locations'"
-        return Problem(message, source.file, place.line, place.column, place.source, "write locations: in its place")
-    return None
-
-
-def _like_a_pose(value: Any) -> bool:
-    if isinstance(value, list):
-        return len(value) in (2, 3) and all(isinstance(number, int | float) for number in value)
-    return isinstance(value, dict) and "x" in value and "y" in value
 
 
 def _lines(source: YamlSource, path: YamlPath, pose: dict[str, Any]) -> Iterator[int]:

@@ -131,6 +131,10 @@ class Sampler:
         """Words of a sentence at its shortest; those of patterns come last."""
         return math.inf if self._patterns.has(sentence) else self.length(sentence.template)
 
+    def of_pattern(self, sample: Sample) -> bool:
+        """Whether a sample was made from a pattern, which takes its own words alone and none that sound alike."""
+        return self._patterns.has(sample.sentence)
+
     def check(self, intent: str | None) -> None:
         """See that there is something to say.
 

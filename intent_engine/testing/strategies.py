@@ -133,7 +133,7 @@ def _sentences(draw: DrawFn, sampler: Sampler, intent: str | None, kinds: frozen
         pieces, sample = _some(corrected(sample, sampler, choices))
     whole = not kinds & {Noise.NEGATION, Noise.CORRECTION}
     said: Sequence[Piece] = pieces
-    if Noise.SPELLING in kinds and whole:
+    if Noise.SPELLING in kinds and whole and not sampler.of_pattern(sample):
         said = misheard(said, grammar, choices)
     if Noise.NEGATION in kinds:
         said = negated(said, grammar, choices)

@@ -88,6 +88,11 @@ def test_a_model_alone(intent_engine):
         ([TEN, "--csv", "/dev/full"], 2, "--csv: /dev/full cannot be written: No space left on device"),
         ([TEN, "--csv", "README.md/out.csv"], 2, "--csv: README.md/out.csv cannot be written: "),
         (
+            [TEN, "--csv", "out/all.XLSX"],
+            2,
+            "all.XLSX is the name of a workbook, and CSV is written\n    any spreadsheet opens that: --csv out/all.csv",
+        ),
+        (
             [TEN, "--plot", "x.bmpp"],
             2,
             "--plot: x.bmpp cannot be drawn: '.bmpp' is no kind of picture\n    end its name",

@@ -157,6 +157,24 @@ def test_where_nothing_can_be_corrected_it_is_told_at_once(engine_of):
         sentences(alone, noise="correction")
 
 
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        "regex: 'go (?P<side>left|right)'",
+        "lark: |\n      start: 'go ' side\n      side: 'left' | 'right'".replace("'", '"'),
+    ],
+)
+def test_a_pattern_is_not_misheard_for_it_takes_its_own_words_alone(engine_of, pattern):
+    engine = engine_of(f"slots: {{side: [left, right]}}\nintents:\n  go:\n    action: custom\n    {pattern}\n")
+
+    @settings(FEW, max_examples=300)
+    @given(sentences(engine, noise="spelling"))
+    def law(case):
+        assert_means(engine.parse(case.text), case.expected)
+
+    law()
+
+
 def test_a_state_that_is_given_as_text_is_that_state(engine):
     assert find(sentences(engine, "answer", state="asked"), lambda _: True, settings=FIND).text == "yes"
 

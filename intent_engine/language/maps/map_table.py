@@ -42,9 +42,11 @@ def read_table(path: Path, text: str) -> Draft:
     top, header = rows[0]
     columns = _without_empty([cell.strip().lower() for cell in header], 0)
     missing = [column for column in ("name", "x", "y") if column not in columns]
-    if missing and len(columns) == 1 and ";" in columns[0]:
+    other = next((sign for sign in ";\t|" if len(columns) == 1 and sign in columns[0]), None)
+    if missing and other is not None:
+        parted = "by tabs" if other == "\t" else f"by {other!r}"
         draft.problems.append(
-            problem("has its columns parted by ';'", top, 1, "part them by ',', and write 5.5 for 5,5")
+            problem(f"has its columns parted {parted}", top, 1, "part them by ',', and write 5.5 for 5,5")
         )
         return draft
     if missing:

@@ -70,6 +70,19 @@ MISTAKES = {
         '{"hall": [5.0, 2.0, 0.0], "lab": {"x": 1, "y": 2}}',
         ["1:2 the places stand at the top, and belong below 'locations' (as in  locations: {hall: {x"],
     ),
+    "the same in other forms of a pose": (
+        "hall: (5.0, 2.0)\nlab: {position: {x: 1, y: 2}}\n",
+        ["1:1 the places stand at the top, and belong below 'locations'"],
+    ),
+    "a list without a name": (
+        "- {name: hall, x: 1, y: 2}\n- {name: lab, position: {x: 1, y: 2}}\n",
+        ["1:1 the places stand in a list that has no name (write  waypoints:  on a line above it)"],
+    ),
+    "a list below locations": (
+        "frame: map\nlocations:\n- {name: hall, pose: [1, 2, 0]}\n",
+        ["2:1 the places stand in a list (write waypoints in the place of locations"],
+    ),
+    "a table": ("name,x,y,yaw\nhall,1,2,0\n", ["is a table, as CSV files are (give it a name that ends with .csv)"]),
     "another name for locations": ("places:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'places': places are listed"]),
     "locations in capitals": ("LOCATIONS:\n  hall: {x: 1, y: 2}\n", ["1:1 unknown key 'LOCATIONS' (did you mean 'loc"]),
     "the picture of a map": ("image: map.pgm\nresolution: 0.05\norigin: [-1, -1, 0]\n", ["is the picture of a floor"]),
@@ -100,6 +113,7 @@ def test_mistakes_in_yaml(tmp_path, case):
 
 CSV_MISTAKES = {
     "semicolons": ("name;x;y\nhall;5,5;2\n", ["1:1 has its columns parted by ';' (part them by ','"]),
+    "tabs": ("name\tx\ty\nhall\t5.5\t2\n", ["1:1 has its columns parted by tabs (part them by ','"]),
     "degrees": ("name,x,y,yaw_deg\nhall,1,2,90\n", ["1:1 column 'yaw_deg' is not known (that is yaw, in rad: 90"]),
     "a header alone": ("name,x,y\n", ["1:1 has no place below its header"]),
     "no number": ("name,x,y\nhall,five,2\n", ["2:6 x of 'hall' must be a finite number, not 'five'"]),
@@ -118,6 +132,11 @@ CSV_MISTAKES = {
     "empty name": ("name,x,y\n,1,2\n", ["2:1 the name '' has no word"]),
     "several": ("name,x,y\nhall,1,2\n# a note\n\nhall,1,3\nlab,a,b\n", ["5:1 place 'hall' stands twice", "6:", "6:"]),
 }
+
+
+def test_a_list_without_a_name_in_json_is_told_in_words_of_json(tmp_path):
+    found = problems_of('[{"name": "hall", "x": 1, "y": 2}]', tmp_path / "map.json")
+    assert found == ['1:1 the places stand in a list that has no name (write {"waypoints": before it, and } behind)']
 
 
 def test_empty_cells_at_the_end_as_spreadsheets_write_them(tmp_path):
