@@ -45,7 +45,10 @@ def test_what_was_said_of_it_must_be_so(denied, done, expected):
     assert denies(denied, done) is expected
 
 
-@given(st.lists(st.sampled_from([Turn(2.0, 0.5, 4.0), Move(0.5, 1.0, 2.0), Move(-0.5, 1.0, 2.0)]), min_size=1, max_size=4), st.sampled_from(ACTIONS))
+@given(
+    st.lists(st.sampled_from([Turn(2.0, 0.5, 4.0), Move(0.5, 1.0, 2.0), Move(-0.5, 1.0, 2.0)]), min_size=1, max_size=4),
+    st.sampled_from(ACTIONS),
+)
 def test_all_stops_if_it_is_done_or_waits_its_turn_and_nothing_else_does(doing: list[Action], denied: Action):
     clock = VirtualClock()
     with Executor(SimulatedRobot(clock), clock=clock) as executor:

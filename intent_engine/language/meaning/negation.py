@@ -79,7 +79,7 @@ class Negations:
         if found is None:
             return ()
         position, length = found
-        start = position if core.words[:position] in _BEFORE else 0
+        start = position if tuple(core.words[:position]) in self._before else 0
         told = self._denied(core.part(start, len(core)), position - start, length, state)
         clause = self._commands.exact(told.words, state) if told is not None else None
         return (clause.action,) if clause is not None and clause.action is not None else ()
