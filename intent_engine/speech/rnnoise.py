@@ -25,7 +25,6 @@ import numpy.typing as npt
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
-from intent_engine.speech.resampling import StreamResampler
 
 __all__ = ["FilteredSpeech", "NoiseFilter", "RNNoise", "installed_filter"]
 
@@ -97,13 +96,15 @@ def installed_filter() -> NoiseFilter | None:
 
 class _Speech:
     def __init__(self, library: Any, share: float, frames: list[Samples]) -> None:
+        import soxr
+
         self._library, self._share = library, share
         self._state = library.rnnoise_create(None)
         self._frames: list[Samples] = []
         self._waiting: deque[Samples] = deque()
         self._noise = max(float(np.median([_energy(frame) for frame in frames[:NOISE]])) if frames else 0.0, 1e-12)
         self._loudest = 0.0
-        self._up = StreamResampler(SAMPLE_RATE, RATE)
+        self._up = soxr.ResampleStream(SAMPLE_RATE, RATE, 1, dtype="float32")
         self._rest: npt.NDArray[np.float32] = np.zeros(0, np.float32)
         self._out: list[npt.NDArray[np.float32]] = []
         for frame in frames:
@@ -149,7 +150,7 @@ class _Speech:
     def _catch_up(self, most: int) -> None:
         for _ in range(min(most, len(self._waiting))):
             clean = np.clip(np.nan_to_num(self._waiting.popleft()), -1.0, 1.0).astype(np.float32)
-            more = self._up.push(clean) * np.float32(FULL_SCALE)
+            more = self._up.resample_chunk(clean) * np.float32(FULL_SCALE)
             sound = np.ascontiguousarray(np.concatenate([self._rest, more]), np.float32)
             whole = sound.size - sound.size % BLOCK
             for at in range(0, whole, BLOCK):
