@@ -50,6 +50,16 @@ def test_a_turn_to_the_right_is_negative(talk):
     assert {twist for twist in talk.twists if any(twist)} == {(0.0, -0.5)}
 
 
+def test_what_waits_its_turn_and_is_denied_stops_the_robot(talk):
+    talk.say("go forward five meters, then bring me the screwdriver")
+    until(talk.moving)
+    talk.say("don't bring me the hammer")
+    talk.say("don't bring me the screwdriver")
+    until(talk.standing)
+    until(lambda: len(talk.goals("canceled")) == 2)
+    assert not talk.goals("succeeded")
+
+
 def test_stop_text_stops_and_nothing_follows(talk):
     talk.say("go forward five meters")
     until(talk.moving)
