@@ -112,6 +112,8 @@ class Acting:
             self._holding.forget()
             self._last.forget()
             self._executor.stop()
+        elif understood.corrects:
+            self._last.forget()  # "no, three": whatever was meant, it was not that
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         if meaning.stops:
