@@ -196,6 +196,13 @@ class IntentEngine:
         parsers = self._loaded.parsers(language)
         return any(parser.phrases.comes_later(plain(text)) for parser in parsers)
 
+    def takes_back(self, text: str, *, language: str | None = None) -> bool:
+        """Whether a text begins with words that take back what was said before: "no", "I mean". Whatever it means
+        besides, what was said before was not meant, and nothing of it is to be done again."""
+        _only_text("takes_back", text)
+        parsers = self._loaded.parsers(language)
+        return any(parser.phrases.takes_back(plain(text)) for parser in parsers)
+
     def prefix(self, text: str, *, language: str | None = None, spoken: bool = False) -> Prefix:
         """How far partial text has come, and how it may go on.
 

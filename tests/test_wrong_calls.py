@@ -172,7 +172,7 @@ def test_an_engine_of_grammars_takes_a_map_that_is_read(places):
 @pytest.mark.parametrize("language", [5, ["en"], b"en"])
 def test_a_language_is_a_tag(language):
     engine = IntentEngine.from_files("en", locations="home")
-    for ask in (engine.parse, engine.prefix, engine.explain, engine.dictated, engine.comes_later):
+    for ask in (engine.parse, engine.prefix, engine.explain, engine.dictated, engine.comes_later, engine.takes_back):
         with pytest.raises(TypeError, match="a language is given by its tag, as 'en', not as"):
             ask("stop", language=language)
 

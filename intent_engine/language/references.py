@@ -13,7 +13,7 @@ from intent_engine.actions import Action, Custom, Move, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.needs import Needs
 
-__all__ = ["AGAIN", "Before", "resolve"]
+__all__ = ["AGAIN", "Before", "names_something", "resolve"]
 
 Before: TypeAlias = Interpretation | Sequence[Action] | Action
 """What was done before: as it was understood, with what its intents ask of the states of the robot, or its actions."""
@@ -36,7 +36,7 @@ def resolve(
     Args:
         found: as parsed.
         last: the actions of the utterance before, empty if there was none; None if that is not known: then words
-            that point out of the utterance are left as they are.
+            that point out of the utterance are left as they are. "Again" is the last of them, "it" what was named last.
         pronouns: words for a thing that was named before.
         asked: what each of the actions of ``last`` asks of the states of the robot; empty if that is not known.
         state: those in which it is.
@@ -51,8 +51,8 @@ def resolve(
     before = last[-1] if last else None
     needed = asked[-1] if last and len(asked) == len(last) else None
     things = {" ".join(words) for words in pronouns}
-    thing = _thing(before, things)
     named = list(dict.fromkeys(one for action in last or () if (one := _thing(action, things)) is not None))
+    thing = next((one for action in reversed(last or ()) if (one := _thing(action, things)) is not None), None)
     actions: list[Action] = []
     needs = list(found.needs)
     changed = False
@@ -99,6 +99,11 @@ def _thing(action: Action | None, pronouns: Collection[str]) -> str | None:
     """What an action has to do with."""
     found = next((one for one in _objects(action) if one), None)
     return found if isinstance(found, str) and found not in pronouns else None
+
+
+def names_something(action: Action) -> bool:
+    """Whether an action has to do with something that "it" can be."""
+    return any(_objects(action))
 
 
 def _objects(action: Action | None) -> tuple[object, ...]:

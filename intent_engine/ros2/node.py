@@ -133,8 +133,8 @@ class VoiceCommands:
             )
             self._done = CarriedOut(found, tuple(goals))
             self._last.take(found)
-        elif self.executor.deny(found.denied):
-            self._last.forget()
+        elif self.executor.deny(found.denied) or self.engine.takes_back(found.text):
+            self._last.forget()  # "no, three": whatever was meant, it was not that
         return found
 
     def _amend(self, found: Interpretation, spoken_at: float) -> Interpretation:

@@ -114,6 +114,8 @@ class Acting:
             self._executor.stop()
         elif meaning.denied and self._executor.deny(meaning.denied):  # "don't clean the lab" to a robot that does
             self._forget()
+        elif understood.corrects:
+            self._last.forget()  # "no, three": whatever was meant, it was not that
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)
         self._tell(HeardKind.INTERPRETATION, time, transcript=transcript, interpretation=meaning, **told)
         if meaning.stops:

@@ -55,6 +55,8 @@ class Understood:
     step: Step
     withdrawn: bool = False
     """Whether the command before is taken back, and nothing is done in its place."""
+    corrects: bool = False
+    """Whether it is not understood, and begins with a "no" or the like, however long ago the command before was."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +70,8 @@ class _Said:
     """The words as they were heard freely: "it's too loud" of "that's too loud"."""
     withdrawn: bool = False
     """Whether it was taken back, and not said yet what is meant instead."""
+    last: Before = ()
+    """What was last understood before it, which its words and those that belong to it point back to."""
 
 
 class Continuing:
@@ -87,6 +91,8 @@ class Continuing:
         self._said: _Said | None = None
         self._stopped: tuple[str, float] | None = None
         """The last stop in words, and when they ended; None: something else was done since."""
+        self._last: Before = ()
+        """What was last understood before the utterance that is being understood."""
         self._missed: float | None = None
         """When the last utterance ended, if it was not understood."""
 
@@ -95,7 +101,10 @@ class Continuing:
         whole, given = understood.meaning, tuple(goals)
         before = self._said.command if self._said is not None else None
         command = before.grown_to(whole, given) if before is not None else CarriedOut(whole, given)
-        self._said = _Said(utterance.said(), utterance.last_voice, command, understood.transcript.free_text)
+        goes_on = self._said is not None and understood.step.goes_on
+        last = self._said.last if self._said is not None and goes_on else self._last
+        heard = understood.transcript.free_text
+        self._said = _Said(utterance.said(), utterance.last_voice, command, heard, last=last)
         self._stopped = None
 
     def stopped(self, utterance: SpokenUtterance, meaning: Interpretation) -> None:
@@ -105,7 +114,7 @@ class Continuing:
         self.forget()
         self._stopped = meaning.text, utterance.last_voice
         if said is not None and heard is not None and self._follow_up.only_corrects(heard):
-            self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=True)
+            self._said = replace(said, sound=utterance.said(), ended=utterance.last_voice, heard="", withdrawn=True)
 
     def forget(self) -> None:
         """Nothing goes on from what was said."""
@@ -132,12 +141,13 @@ class Continuing:
         if held:
             alone = self._judge.held(heard, alone)
         clearly = heard.word_by_word or heard.sureness >= SURE_ENOUGH_OF_SEVERAL
-        sure = alone.status is Status.ACCEPTED and (alone.stops or clearly)
+        sure = alone.status is Status.ACCEPTED and (alone.stops or clearly) and not alone.stops_at_first
         return None if sure else said.sound
 
     def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
         """What an utterance means that was decoded, by itself or together with the command before. Nothing, if it goes
         on ("and go to the kitchen") from what was not understood just before: that may have had to be done first."""
+        self._last = last
         found = self._meant(utterance, state, last)
         soon = self._missed is not None and utterance.began - self._missed <= self._within
         accepted = found.meaning.status is Status.ACCEPTED
@@ -146,13 +156,13 @@ class Continuing:
             found = Understood(found.transcript, refused, Step(()))
         said = accepted or not found.transcript.text.strip()
         self._missed = None if said else utterance.last_voice
-        return found
+        return found if accepted else replace(found, corrects=self._follow_up.corrects(found.transcript))
 
     def _meant(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
         heard, alone = utterance.result, utterance.alone
         assert heard is not None
         said = self._before(utterance)
-        meaning = self._judge.meaning(heard, state, last)
+        meaning = self._judge.meaning(heard, state, last if said is None or alone is None else said.last)
         if (stop := self._still_stopping(utterance, heard, meaning, state)) is not None:
             return Understood(heard, stop, Step(stop.actions))
         own, by_itself = (heard, meaning) if alone is None else (alone, self._judge.meaning(alone, state, last))
@@ -162,10 +172,10 @@ class Continuing:
             return Understood(heard, meaning, self._by_itself(said, utterance, heard, meaning, state))
         too_late = False
         if said is not None:
-            exact = self._follow_up.together(said.command.meaning.text, alone, state)
+            exact = self._follow_up.together(said.command.meaning.text, alone, state, said.last)
             done = said.command.meaning
             another = by_itself.status is Status.ACCEPTED or self._lacks_wake_word(said, utterance, alone, state)
-            together = begun_alike(lambda text: self._follow_up.text(text, heard, state), done, meaning)
+            together = begun_alike(lambda text: self._follow_up.text(text, heard, state, said.last), done, meaning)
             for transcript, whole in ((heard, together), (alone, exact)):
                 step = said.command.step_to(whole) if whole is not None else None
                 if whole is not None and step is not None and self._belongs(said, step, whole, alone, another=another):
@@ -178,7 +188,8 @@ class Continuing:
             if withdrawn or len(alone.free_text.split()) <= HARDLY_A_SENTENCE:
                 # "No", and a moment later "the dock".
                 taken_back = withdrawn or said.withdrawn
-                self._said = _Said(utterance.said(), utterance.last_voice, said.command, withdrawn=taken_back)
+                sound, ended = utterance.said(), utterance.last_voice
+                self._said = replace(said, sound=sound, ended=ended, heard="", withdrawn=taken_back)
             if withdrawn:
                 meaning = replace(meaning, reason=_WITHDRAWN)
             elif too_late:
@@ -245,7 +256,8 @@ class Continuing:
             return Step(meaning.actions)
         in_turn = MOVING in state and self._follow_up.comes_later(heard)
         if said is not None and not in_turn:
-            both = in_a_row(lambda text: self._follow_up.text(text, heard, state), said.command.meaning, meaning)
+            before = said.command.meaning
+            both = in_a_row(lambda text: self._follow_up.text(text, heard, state, said.last), before, meaning)
             soon = utterance.began - said.ended <= ONE_BREATH
             in_turn = self._follow_up.comes_after(heard) or (soon and both is not None)
         return Step(meaning.actions, Policy.FOLLOW if in_turn else None)

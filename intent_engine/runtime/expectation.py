@@ -51,7 +51,7 @@ class Expectation:
             begun = self._engine.prefix(transcript.free_text, language=language)
             return meaning, Outlook.INCOMPLETE if begun.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
         prefix = self._engine.prefix(transcript.text, language=language, spoken=True)
-        if meaning.status is Status.ACCEPTED:
+        if meaning.status is Status.ACCEPTED and not meaning.stops_at_first:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE
             amended = amendable and can_be_amended(meaning)

@@ -12,9 +12,11 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.references import Before
 from intent_engine.language.utterance import plain
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.hypotheses.corrections import as_meant
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, HARDLY_A_WORD
 
@@ -34,19 +36,27 @@ class FollowUp:
 
     def __init__(self, engine: IntentEngine) -> None:
         self._engine = engine
+        self._spoken = SpokenGrammar(engine)
 
-    def together(self, before: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
+    def together(
+        self, before: str, transcript: Transcript, state: Collection[str], last: Before | None = None
+    ) -> Interpretation | None:
         """What words that were heard clearly mean after those before, if both are a command word by word. Numbers that
-        sound like another are left to the models."""
+        sound like another are left to the models. ``last`` was understood before all of them."""
         clearly = CORRECTED_CLEARLY if self.corrects(transcript) else CLEARLY
         if transcript.score < clearly or ALIKE.keys() & set(plain(transcript.free_text)):
             return None
-        meaning = self.text(f"{before}, {transcript.free_text}", transcript, state)
+        called = len(plain(transcript.free_text)) - len(self._words(transcript))
+        text = " ".join(transcript.free_text.split()[called:])  # "robot, turn left", and "robot, no, right"
+        meaning = self.text(f"{before}, {text}", transcript, state, last)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None
 
-    def text(self, text: str, transcript: Transcript, state: Collection[str]) -> Interpretation:
-        """What a text means in the language of a transcript."""
-        return self._engine.parse(text, state=state, language=language_of(self._engine, transcript), spoken=True)
+    def text(
+        self, text: str, transcript: Transcript, state: Collection[str], last: Before | None = None
+    ) -> Interpretation:
+        """What a text means in the language of a transcript, after ``last`` was understood."""
+        language = language_of(self._engine, transcript)
+        return self._engine.parse(text, state=state, language=language, spoken=True, last=last)
 
     def stop_going_on(self, stop: str, transcript: Transcript, state: Collection[str]) -> Interpretation | None:
         """A stop with the words after it, if both are one sentence that stops: "stop" and "going forward", but not
@@ -72,7 +82,7 @@ class FollowUp:
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""
         sequence = PhraseSet(grammar_of(self._engine, transcript).operators.sequence)
-        return sequence.at(plain(transcript.free_text), 0) > 0
+        return sequence.at(self._words(transcript), 0) > 0
 
     def lacks_wake_word(self, transcript: Transcript, state: Collection[str]) -> bool:
         """Whether its words are a command that lacks only the wake word, and may be said to somebody else."""
@@ -101,9 +111,14 @@ class FollowUp:
         corrections, words = self._corrections(transcript)
         return corrections.ends(words) > 0
 
+    def _words(self, transcript: Transcript) -> list[str]:
+        """The words that were heard, behind a wake word."""
+        words = plain(transcript.free_text)
+        return words[self._spoken.wake(language_of(self._engine, transcript)).after(words) :]
+
     def _corrections(self, transcript: Transcript) -> tuple[PhraseSet, list[str]]:
         """What takes back what was said, and the words that were heard; none, if they were hardly words."""
         grammar = grammar_of(self._engine, transcript)
         corrections = PhraseSet(grammar.operators.correction)
-        heard = plain(transcript.free_text) if transcript.score > HARDLY_A_WORD else []
+        heard = self._words(transcript) if transcript.score > HARDLY_A_WORD else []
         return corrections, as_meant(heard, corrections, grammar.sound_alikes)

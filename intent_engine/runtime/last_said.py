@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.references import Before
+from intent_engine.language.references import Before, names_something
+from intent_engine.needs import Needs
 
 __all__ = ["LastSaid"]
 
@@ -13,15 +16,31 @@ class LastSaid:
 
     def __init__(self) -> None:
         self.meaning: Before = ()
-        """For ``IntentEngine.parse(text, last=...)``; empty: there was nothing, or it is forgotten."""
+        """For ``IntentEngine.parse(text, last=...)``; empty: there was nothing, or it is forgotten. Where the last
+        utterance names nothing, the actions of the last one that did stand before its own: after "pick up the ball"
+        and "go to the kitchen", "it" is the ball."""
+        self._named: Interpretation | None = None
+        """The last utterance with an action that names something."""
 
     def take(self, meaning: Interpretation) -> None:
         """An utterance is carried out. One that is not accepted, or does nothing, changes nothing."""
         if meaning.stops:
             self.forget()
         elif meaning.status is Status.ACCEPTED and meaning.actions:
-            self.meaning = meaning
+            if any(map(names_something, meaning.actions)):
+                self._named = meaning
+                self.meaning = meaning
+            else:
+                self.meaning = meaning if self._named is None else _together(self._named, meaning)
 
     def forget(self) -> None:
         """The robot was stopped, or a new session begins."""
         self.meaning = ()
+        self._named = None
+
+
+def _together(before: Interpretation, last: Interpretation) -> Interpretation:
+    """The last utterance, with the actions of an earlier one before its own."""
+    known = all(len(one.needs) == len(one.actions) for one in (before, last))
+    needs: tuple[Needs, ...] = (*before.needs, *last.needs) if known else ()
+    return replace(last, actions=(*before.actions, *last.actions), needs=needs)

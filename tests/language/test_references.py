@@ -80,6 +80,7 @@ BED = Navigate("bedroom", 2.0, 8.0, 3.14)
         ("put it on the table", [CUP], (Place("red cup", "table"),)),
         ("bring me that", [CUP], (Custom("bring", {"thing": "red cup"}),)),
         ("put it on the table", [BED], (Place("it", "table"),)),
+        ("put it on the table", [CUP, BED], (Place("red cup", "table"),)),
         ("turn left again", [FORWARD], (Turn(0.75, 0.5, 1.5),)),
     ],
 )

@@ -111,6 +111,16 @@ def test_again_does_what_was_done_last(talk):
     assert json.loads(talk.commands[-1])["actions"] == [first]
 
 
+def test_what_was_taken_back_is_not_done_again(talk):
+    talk.say("turn left ten degrees")
+    until(lambda: talk.goals("succeeded"))
+    talk.say("no, the thing")
+    talk.say("do that again")
+    talk.say("turn right ten degrees")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    assert [goal["action"]["angle"] > 0 for goal in talk.goals("succeeded")] == [True, False]
+
+
 def test_it_is_what_was_picked_up(talk):
     """As is told: this robot has no arm."""
     talk.say("pick up the bottle")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.actions import Move, Stop, Turn
+from intent_engine.actions import Move, Pick, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.runtime.last_said import LastSaid
 
@@ -32,3 +32,11 @@ def test_what_is_forgotten_is_not_pointed_back_to(one):
     last.take(one)
     last.forget()
     assert last.meaning == ()
+
+
+@given(st.lists(st.sampled_from([(Move(0.5, 1.0, 2.0),), (Turn(1.0, 0.5, 2.0),)]), min_size=1))
+def test_what_was_named_stands_before_what_was_done_since(since):
+    last, named = LastSaid(), Interpretation("", Status.ACCEPTED, actions=(Pick("cup"), Pick("plate")))
+    for one in (named, *(Interpretation("", Status.ACCEPTED, actions=actions) for actions in since)):
+        last.take(one)
+    assert last.meaning.actions == (*named.actions, *since[-1])

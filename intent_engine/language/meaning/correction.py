@@ -178,6 +178,7 @@ class Corrections:
         start = 0
         while length := self._correction.at(part.words, start):
             start += length
+        start = self._before_its_verb(part, start, state)
         forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return None
@@ -187,6 +188,15 @@ class Corrections:
         if clause is None or not clause.accepted:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
+
+    def _before_its_verb(self, part: Utterance, start: int, state: Collection[str]) -> int:
+        """Where a command begins behind a word of correction and a pause, if it begins with words that may correct as
+        well: of "no, make it blue" all but the last. Else ``start``, behind all words of correction."""
+        for end in range(1, start):
+            corrects = self._correction.cover(part.words[:end]) and self._pause_after(part, end)
+            if corrects and self._commands.accepts(part.words[end:], state):
+                return end
+        return start
 
     def _is_said_again(self, said: list[str], meant: list[str], state: Collection[str]) -> bool:
         """Whether ``meant`` is the very command that was said, from its verb on: "go forward no go forward" corrects

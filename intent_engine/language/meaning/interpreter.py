@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -241,7 +241,19 @@ class Interpreter:
             if self._stops_beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
-        return self._operated(text, said, core, state, clause)
+        understood = self._operated(text, said, core, state, clause)
+        if MOVING in state and not understood[0].actions and (stop := self._stop_at_first(core, state)):
+            (found, told), reason = self._stopped(text), f"{stop!r} {REST_UNKNOWN}"
+            return replace(found, reason=reason), told
+        return understood
+
+    def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
+        """The words before a pause that would stop a robot that moves, if no more had been said: "wait, the cat is
+        there". What follows is not understood, and takes nothing back. Empty: there are none."""
+        pauses = (place for place in range(1, len(core)) if core.breaks[place])
+        begun = (core.part(0, place) for place in pauses)
+        stops = (" ".join(one.words) for one in begun if self._meant(" ".join(one.words), one, state)[0].stops)
+        return next(stops, "")
 
     def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
         return self._commands.exact(said.words, state, breaks=said.breaks)

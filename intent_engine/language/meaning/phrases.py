@@ -235,11 +235,17 @@ class Phrases:
         return position if position < len(words) else 0
 
     def comes_later(self, words: Sequence[str]) -> bool:
-        """Whether words begin by saying that something else is done first: "then", "um, when you get there"."""
+        """Whether words begin by saying that something else is done first: "then", "um, when you get there". A wake
+        word may stand before them."""
+        words = words[self.after_wake(words) :]
         position = 0
         while length := self.fillers.at(words, position):
             position += length
         return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
+
+    def takes_back(self, words: Sequence[str]) -> bool:
+        """Whether words begin with a correction: "no", "I mean". A wake word may stand before it."""
+        return self.correction.at(words, self.after_wake(words)) > 0
 
     def says_later(self, joint: Sequence[str]) -> bool:
         """Whether a joint says that something else is done first: "and then", but not "and"."""

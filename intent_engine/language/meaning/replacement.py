@@ -40,7 +40,8 @@ class Replacements:
         """``said`` with the part that ``meant`` corrects replaced, or None if that is not clear.
 
         ``meant`` takes the place of one slot of ``said`` (or of the end of it), so that the intent stays and as many
-        words as possible are kept; two ways that keep as many and differ are not clear. Else it is a whole command.
+        words as possible are kept; two ways that keep as many and differ are not clear, nor is what may take the place
+        of either of two names of things. Else it is a whole command.
         A number beyond the limits of the last one said is none of those before, either.
         Where free words would take it, a place or a number takes it first, then a slot that lists it ("the cup to Anna,
         no, the box"), then what begins with a word of the sentence: "on the shelf" is no box, but where it is put.
@@ -62,6 +63,7 @@ class Replacements:
         if first is not None and whole and self._begins_with_its_verb(first, meant):
             return all_of_it
         last = _last_quantity(first)
+        labels: dict[tuple[bool, bool, bool], set[str]] = {}
         for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
             assert first is not None
             words = said[:at] + meant + said[after:]
@@ -87,6 +89,7 @@ class Replacements:
                 listed = any(meant[-1] in slot.slot.known for slot in touched)
                 introduced = not any(slot.start <= at for slot in touched)
                 kept.setdefault((known, listed, introduced, count), {}).setdefault(meaning, (at, after))
+                labels.setdefault((known, listed, introduced), set()).update(changed)
         if kept:
             best, known = kept[max(kept)], max(kept)[0]
             if not known and first is not None and not whole:
@@ -95,6 +98,8 @@ class Replacements:
                 if several is not None:
                     return several
                 if self._says_the_rest(said, meant, first):
+                    return None
+                if len(labels[max(kept)[:3]]) > 1 and self._may_be_either(said, meant, best.values()):
                     return None
             return next(iter(best.values())) if len(best) == 1 else None
         if whole:
@@ -238,6 +243,13 @@ class Replacements:
                 return True
         return False
 
+    def _may_be_either(self, said: list[str], meant: list[str], best: Collection[_Stretch]) -> bool:
+        """Whether of two free slots nobody knows which is corrected, though of one fewer words would be replaced:
+        "put it on the table, no, the shelf" is about no other thing, and "the box" would be any."""
+        grammar = self._matcher.grammar
+        pronoun = any(tuple(said[at:after]) in grammar.operators.pronoun for at, after in best)
+        return pronoun or meant[0] in thing_words(grammar.language).articles
+
     def _alike(self, said: list[str], run: list[SlotReading], words: list[str], again: list[SlotReading]) -> bool:
         """Whether several slots are said again in their order, with the same words between them."""
         articles = thing_words(self._matcher.grammar.language).articles
@@ -254,12 +266,15 @@ class Replacements:
     ) -> Iterator[tuple[int, int, str | None]]:
         """Each stretch of ``said`` in whose place ``meant`` could be put, and the slot that it is for."""
         within: set[int] = set()
+        articles = thing_words(self._matcher.grammar.language).articles
         for slot in reading.slots:
             if slot.slot.type in _FREE:
                 # Any words would do there, so all of them are replaced, and never by what is a command itself.
                 within.update(range(slot.start + (not whole), slot.end))
                 ends = [] if whole else [slot.end]
-                start = slot.start - (said[slot.start - 1 : slot.start] == meant[:1])  # an article of the sentence
+                first, again = said[slot.start - 1 : slot.start], meant[:1]
+                # An article of the sentence: "die Tasse", "den Teller".
+                start = slot.start - (first == again or articles.issuperset(first + again))
             else:
                 ends = [end for end in range(slot.end, slot.start, -1) if self._is_whole(slot, said, end)]
                 start = slot.start

@@ -95,3 +95,19 @@ def test_no_article_is_told_twice(engine_of, language: str, tools: str, said: st
       take: {{action: custom, sentences: ["take {article} {{tool}}"]}}
     """)
     assert engine.parse(said).reason == told
+
+
+LAMP = """
+language: en
+slots:
+  colour: [red, blue]
+intents:
+  colour: {action: custom, sentences: ["make it {colour}"]}
+"""
+
+
+def test_a_command_may_begin_with_words_that_correct(engine_of) -> None:
+    """Behind "no", which with "make it" is one such word more."""
+    lamp = engine_of(LAMP)
+    assert lamp.parse("no, make it blue").actions == lamp.parse("make it blue").actions != ()
+    assert not lamp.parse("no make it blue").actions, "which may forbid it"
