@@ -24,7 +24,7 @@ __all__ = ["Check", "Verdict", "examine"]
 
 PYTHONS = ((3, 11), (3, 14))
 """The first version that works, and the first that is not known to."""
-PACKAGES = ("av", "faster-whisper", "ctranslate2", "onnx", "onnxruntime", "soundfile", "soxr")
+PACKAGES = ("faster-whisper", "ctranslate2", "av", "onnx", "onnxruntime", "soundfile", "soxr")
 METER_SECONDS = 2.0
 METER_PATIENCE = 10.0
 """s that a microphone is given to bring them."""
