@@ -219,9 +219,8 @@ class Interpreter:
         core = phrases.without_fillers(said)
         if clause is not None and clause.accepted and core is said:
             return as_told(text, clause)
-        if len(core) == 1 and phrases.only_agrees(said):
-            reason = f"{core.words[0]!r} may be a command, or only agree; say it in a whole sentence"
-            return self._rejected(text, reason)
+        if core.words and phrases.only_agrees(said):
+            return self._agreed(text, core)
         listed = phrases.as_a_list(said)
         if listed is not None and (either := self._listed(text, *listed, state)) is not None:
             return either
@@ -242,6 +241,9 @@ class Interpreter:
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         understood = self._operated(text, said, core, state, clause)
+        may_agree = understood[0].actions and not (understood[0].stops or understood[0].corrected)
+        if may_agree and phrases.agrees_at_last(said):
+            understood = self._agreed(text, core)
         if MOVING in state and not understood[0].actions and (stop := self._stop_at_first(core, state)):
             (found, told), reason = self._stopped(text), f"{stop!r} {REST_UNKNOWN}"
             return replace(found, reason=reason), told
@@ -433,6 +435,10 @@ class Interpreter:
         if len(parts) > 1 and any(isinstance(part.action, Stop) for part in parts):
             return self._stopped(text)[0], tuple(parts)
         return as_told_together(text, parts)
+
+    def _agreed(self, text: str, core: Utterance) -> Understood:
+        reason = f"{core.words[-1]!r} may be a command, or only agree; say it in a whole sentence"
+        return self._rejected(text, reason)
 
     def _held_at_rest(self, text: str, words: Sequence[str]) -> Understood:
         return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")

@@ -156,12 +156,14 @@ class Phrases:
         return said.words[start:after], said.part(after, len(said))
 
     def only_agrees(self, said: Utterance) -> bool:
-        """Whether an utterance is one command that may say nothing, among words of agreement alone: "yeah right"."""
-        words = said.words
-        at = next((place for place, word in enumerate(words) if word in self._agrees), None)
-        if at is None or len(words) == 1:
-            return False
-        return self._agreeing.cover(words[:at]) and self._agreeing.cover(words[at + 1 :])
+        """Whether an utterance is a command that may say nothing, among words of agreement alone, or said more than
+        once: "yeah right", "right, right"."""
+        words = [word for word in said.words if word not in self._agrees]
+        return 1 < len(said) > len(words) and self._agreeing.cover(words)
+
+    def agrees_at_last(self, said: Utterance) -> bool:
+        """Whether it ends so behind a pause: "go forward, okay right"."""
+        return any(said.breaks[at] and self.only_agrees(said.part(at, len(said))) for at in range(1, len(said)))
 
     def in_full(self, said: Utterance) -> Utterance | None:
         """An utterance with the word that is a command in the place of each filler that has one in it, where no pause
