@@ -87,6 +87,8 @@ class Guardian:
         self._numbers = 0
         self._current = 0
         """Number of the order whose end is waited for; what is said about an earlier one is old."""
+        self._halted = 0
+        """Number of the order that was the current one before a halt: it may have ended before the halt arrived."""
         self._closed = self._moving = self._lost = self._fifo = False
         self._error = ""
         """Why the process can no longer be used."""
@@ -292,10 +294,9 @@ class Guardian:
         with self._heard:
             self._numbers += 1
             number = self._numbers
-            was_moving = self._moving
             if what == "halt":
-                # Whatever is said about the motion before this is old.
-                self._current, self._ended, self._problem = number, None, ""
+                # What went wrong with the motion before this is old; how far it came is not.
+                self._halted, self._current, self._problem = self._current, number, ""
         self._order(do=what, id=number)
         deadline = time.monotonic() + self.ANSWER_TIMEOUT
         with self._heard:
@@ -304,7 +305,6 @@ class Guardian:
                     break
             travel = self._answers.pop(number, None)
             if travel is not None and what == "brake" and not travel.braking:
-                self._moving = was_moving
                 self._travel, self._travel_at = Travel(), time.monotonic()
         if travel is None:
             self._give_up(f"the velocity process did not answer within {self.ANSWER_TIMEOUT * 1000:.0f} ms")
@@ -343,12 +343,15 @@ class Guardian:
             self._heard_at = time.monotonic()
             travel = Travel(*message["travel"]) if "travel" in message else Travel()
             if "done" in message:
+                if self._ended is not None:
+                    # The motion had ended before the order arrived, and the process tells only of what came after.
+                    travel, self._ended = self._ended.travel, None
                 self._answers[message["done"]] = travel
                 if not travel.braking:
                     # The motion is now the brake, whose end comes under this number.
                     self._current = max(self._current, message["done"])
                 self._heard.notify_all()
-            elif message.get("ended") == self._current:
+            elif message.get("ended") in (self._current, self._halted):
                 self._ended, poke = Ended(message["at"], travel, message["late"]), True
             elif message.get("alive") == self._current:
                 self._travel, self._travel_at = travel, message["at"]

@@ -112,6 +112,37 @@ def test_hold_pause_and_replacement_keep_the_distance(guarded, wire):
     assert distance(wire) == pytest.approx(0.6, abs=0.06)
 
 
+@pytest.mark.parametrize(("rest", "go_on"), [("hold", "release"), ("pause", "resume")])
+def test_a_motion_that_has_just_ended_is_not_driven_again_after_a_rest(guarded, wire, rest, go_on):
+    """The process has ended it, and nobody here has looked at that yet."""
+    with guarded._books.lock:
+        (goal,) = guarded.submit(Move(0.5, 0.02, 0.04))
+        until(lambda: guarded.loop._ended is not None)
+        getattr(guarded, rest)()
+    until(lambda: goal.done or guarded.loop.written == (0.0, 0.0))
+    getattr(guarded, go_on)()
+    goal.result(30.0)
+    assert goal.feedback.travelled == pytest.approx(0.02, abs=0.005)
+    assert distance(wire) == pytest.approx(0.02, abs=0.005)
+
+
+@pytest.mark.parametrize("order", ["halt", "brake"])
+def test_what_a_motion_covered_that_ended_before_an_order_is_the_answer_to_it(wire, order):
+    guardian = Guardian(SINK, {"out": wire.write}, limits=LIMITS, pass_fds=(wire.write,))
+    heard = threading.Semaphore(0)
+    guardian.attach(heard.release, lambda: None)
+    guardian.start(Motion(False, 0.5, 0.02, 0.04), time.monotonic())
+    assert heard.acquire(timeout=30.0)
+    travel = getattr(guardian, order)(time.monotonic())
+    assert travel.amount == pytest.approx(0.02, abs=0.005)
+    if order == "brake":
+        assert heard.acquire(timeout=30.0)
+        ended = guardian.step(time.monotonic())
+        assert ended is not None
+        assert ended.travel.amount == 0.0
+    guardian.close()
+
+
 def test_nothing_follows_a_stop(guarded, wire):
     for _ in range(20):
         (goal,) = guarded.submit(LONG)
