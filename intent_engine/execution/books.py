@@ -1,7 +1,8 @@
 """The lock under which an executor keeps its books, and the stop that waits for it only so long.
 
 A robot that hangs holds the lock up. A stop then acts past it: velocities are shut off and the robot is stopped at
-once, and what has ended is entered as soon as the lock is free, before anything else is done under it.
+once, and what has ended is entered as soon as the lock is free, before anything else is done under it. Whoever has the
+lock until then begins nothing.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from intent_engine.execution.clock import Clock
 from intent_engine.execution.events import EventKind
@@ -17,6 +19,14 @@ from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Reason
 
 __all__ = ["Books"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Stop:
+    """One that was asked for: two are never the same."""
+
+    reason: Reason
+    kind: EventKind
 
 
 class Books:
@@ -44,14 +54,14 @@ class Books:
         self.lock = threading.RLock()
         self.wake = threading.Condition(self.lock)
         """Something is due earlier than was thought."""
-        self._late_stop: tuple[Reason, EventKind] | None = None
-        """A stop that could not take the lock: it is still to be entered."""
+        self._late: list[_Stop] = []
+        """Stops that could not take the lock: they are still to be entered."""
         self._poked = False
 
     @property
     def due(self) -> bool:
         """Whether somebody is to look at once."""
-        return self._poked or self._late_stop is not None
+        return self._poked or bool(self._late)
 
     def looked(self) -> None:
         """Somebody looks now."""
@@ -71,41 +81,56 @@ class Books:
         """The lock, and the time; a stop that is still to be entered comes before all else."""
         with self.lock:
             now = self._clock.now()
-            if self._late_stop is not None:
-                late, self._late_stop = self._late_stop, None
-                self._enter(*late, now)
+            if self._late:
+                self._end_what_they_end(self._late[-1], now)
             yield now
 
     @contextmanager
     def held(self) -> Iterator[float]:
         """The same for a hold, with velocities shut off before it; a robot that hangs is stopped before it is had."""
-        self._gate.shut()
-        if not self.lock.acquire(timeout=self.PATIENCE):
-            self._failsafe.stop_robot()  # see stop
-            self.lock.acquire()
+        hold = object()
+        self._gate.keep_shut(hold)
         try:
-            with self.locked() as now:
-                yield now
+            if not self.lock.acquire(timeout=self.PATIENCE):
+                self._failsafe.stop_robot()  # see stop
+                self.lock.acquire()
+            try:
+                with self.locked() as now:
+                    yield now
+            finally:
+                self.lock.release()
         finally:
-            self.lock.release()
+            self._gate.entered(hold)
 
     def stop(self, reason: Reason, kind: EventKind) -> None:
         """Velocities are shut off, the robot is stopped, and what that ends is entered: now, or when the lock is
         free."""
-        self._gate.shut()
-        locked = self.lock.acquire(timeout=self.PATIENCE)
-        if not locked:
-            # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
-            # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
-            self._failsafe.stop_robot()
-            locked = self.lock.acquire(timeout=self.LATER)
+        stop = _Stop(reason, kind)
+        self._gate.keep_shut(stop)
+        locked = False
+        try:
+            locked = self.lock.acquire(timeout=self.PATIENCE)
+            if not locked:
+                # The robot hangs in a call that another thread made, or the machine has no time for that thread. The
+                # robot's stop may be called at any time; the shut gate writes another zero after a call that hangs.
+                self._failsafe.stop_robot()
+                locked = self.lock.acquire(timeout=self.LATER)
+        finally:
+            if not locked:  # or Ctrl-C came meanwhile
+                self._late.append(stop)
+                self.poke()
         if locked:
             try:
-                self._late_stop = None
-                self._enter(reason, kind, self._clock.now())
+                self._end_what_they_end(stop, self._clock.now())
                 self.wake.notify_all()
             finally:
                 self.lock.release()
-        else:
-            self._late_stop = (reason, kind)
-            self.poke()
+
+    def _end_what_they_end(self, stop: _Stop, now: float) -> None:
+        """Enter a stop, under the lock. Those that came too late before it end nothing that it does not."""
+        late = [self._late.pop(0) for _ in range(len(self._late))]  # another may be added meanwhile
+        try:
+            self._enter(stop.reason, stop.kind, now)
+        finally:
+            for each in (*late, stop):
+                self._gate.entered(each)

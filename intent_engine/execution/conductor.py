@@ -244,6 +244,8 @@ class Conductor:
         ending = forbidden(goal, terms.guard)
         if goal.done or self.held or self.paused:
             return True  # whoever was asked has stopped the robot
+        if ending is None and not self._failsafe.begin():
+            return False  # a stop that waits for the lock ends it, or a hold keeps it waiting
         self._queue.popleft()
         if ending is not None:
             self._end(goal, ending, now)
@@ -253,7 +255,6 @@ class Conductor:
         if run.needs_rest:
             self._loop.silence()
         self._run = run
-        self._failsafe.begin()
         self._move(goal, GoalState.EXECUTING, now)
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
@@ -351,9 +352,8 @@ class Conductor:
             self._robot_failed(run, error, now)
 
     def _go_on(self, now: float) -> None:
-        if self.held or self.paused or self.closed:
+        if self.held or self.paused or self.closed or not self._failsafe.let_through():
             return
-        self._failsafe.let_through()
         if self._run is not None:
             self._feedback_at = now + self.FEEDBACK_PERIOD
             try:

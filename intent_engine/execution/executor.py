@@ -15,6 +15,7 @@ Safety, in the order in which it is kept:
 
 from __future__ import annotations
 
+import contextlib
 import math
 import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -425,12 +426,9 @@ class Executor:
     def _main(self) -> None:
         with self._books.lock:
             while not self._conductor.closed:
-                try:
-                    with self._books.locked() as now:
-                        self._advance(now)
-                except BaseException as error:  # a robot's sys.exit(), say: without this thread no goal would end
-                    self._events.tell(EventKind.ERROR, detail=with_type(error))
-                    self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
+                # Without this thread no goal would end. What breaks it off has been told of, and the robot is stopped.
+                with contextlib.suppress(BaseException), self._books.locked() as now:
+                    self._advance(now)
                 self.clock.wait_until(self._books.wake, self._due(self.clock.now()))
 
     def _due(self, now: float) -> float | None:
@@ -438,8 +436,14 @@ class Executor:
 
     def _advance(self, now: float) -> None:
         self._books.looked()
-        self._conductor.advance(now)
-        self._books.wake.notify_all()
+        try:
+            self._conductor.advance(now)
+        except BaseException as error:  # Ctrl-C, or a robot's sys.exit(): perhaps behind a velocity that was written
+            self._events.tell(EventKind.ERROR, detail=with_type(error))
+            self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
+            raise
+        finally:
+            self._books.wake.notify_all()
 
     def _stop(self, reason: Reason, kind: EventKind) -> None:
         self._books.stop(reason, kind)

@@ -46,14 +46,17 @@ class Failsafe:
         """Whether the loop may still write the zeros that end a motion: not after two failures in a row."""
         return self.failures < 2
 
-    def begin(self) -> None:
-        """A goal is begun: what failed before it no longer counts, and velocities go through."""
+    def begin(self) -> bool:
+        """A goal is begun: what failed before it no longer counts, and velocities go through. False: it must not be,
+        since a stop is on its way."""
+        if not self.let_through():
+            return False
         self.failures = 0
-        self.let_through()
+        return True
 
-    def let_through(self) -> None:
-        """Velocities go through again, until the next stop, hold or failure."""
-        self._gate.open()
+    def let_through(self) -> bool:
+        """Velocities go through again, until the next stop, hold or failure; False: one is on its way."""
+        return self._gate.open()
 
     def stop(self) -> bool:
         """No velocity but zero from now on, and the robot's own stop; False if that raised."""

@@ -92,6 +92,42 @@ def test_a_robot_that_raises_in_stop_is_sent_zero(executor, robot, caplog):
     robot.stop_raises = False
 
 
+@pytest.mark.parametrize("raised", [KeyboardInterrupt, SystemExit])
+def test_who_is_broken_off_in_a_write_leaves_a_robot_that_is_stopped(executor, robot, raised):
+    """Ctrl-C in the thread that submits, and that has just written the first velocity."""
+    velocity = robot.velocity
+
+    def broken_off(linear: float, angular: float, valid_for: float) -> None:
+        velocity(linear, angular, valid_for)
+        if linear:
+            robot.velocity = velocity
+            raise raised
+
+    robot.velocity = broken_off
+    with pytest.raises(raised):
+        executor.submit(LONG)
+    assert robot.written[:2] == [0.5, 0.0]
+    assert executor.idle
+    assert executor.run_until_idle()
+    (after,) = executor.submit(Move(0.5, 0.01, 0.02))
+    assert after.result(30.0).succeeded
+
+
+def test_a_robot_that_exits_in_stop_is_sent_zero_and_ends_neither_goal_nor_program_otherwise(executor, robot):
+    (goal,) = executor.submit(LONG)
+    assert robot.moved.wait(30.0)
+    stop = robot.stop
+
+    def exit_in_stop() -> None:
+        robot.stop = stop
+        raise SystemExit(1)
+
+    robot.stop = exit_in_stop
+    executor.stop()
+    assert goal.reason is Reason.STOP
+    assert robot.written[-1] == 0.0
+
+
 def test_a_handler_does_not_block_and_hears_that_it_is_not_wanted(executor):
     began, left = threading.Event(), threading.Event()
 
