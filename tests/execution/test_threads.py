@@ -113,21 +113,6 @@ def test_who_is_broken_off_in_a_write_leaves_a_robot_that_is_stopped(executor, r
     assert after.result(30.0).succeeded
 
 
-def test_a_robot_that_exits_in_stop_is_sent_zero_and_ends_neither_goal_nor_program_otherwise(executor, robot):
-    (goal,) = executor.submit(LONG)
-    assert robot.moved.wait(30.0)
-    stop = robot.stop
-
-    def exit_in_stop() -> None:
-        robot.stop = stop
-        raise SystemExit(1)
-
-    robot.stop = exit_in_stop
-    executor.stop()
-    assert goal.reason is Reason.STOP
-    assert robot.written[-1] == 0.0
-
-
 def test_a_handler_does_not_block_and_hears_that_it_is_not_wanted(executor):
     began, left = threading.Event(), threading.Event()
 
