@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from intent_engine.language.normalize import Token
-from intent_engine.language.numbers import english_ordinals, foreign
+from intent_engine.language.numbers import english_ordinals, foreign_ordinals
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.quantity_parser import PI, parser_of
 from intent_engine.language.numbers.units import Units, units
@@ -163,7 +163,7 @@ def _ordinal(words: Sequence[str], at: int, language: str) -> int:
     number = max((end for _, end in parser_of(language).numbers_at(words, at)), default=0)
     for end in range(min(len(words), number + 2), number, -1) if number else ():
         said = words[at:end]
-        ordinal = english_ordinals.ordinal(said) if language == "en" else foreign.ordinal(said, language)
+        ordinal = english_ordinals.ordinal(said) if language == "en" else foreign_ordinals.ordinal(said, language)
         if ordinal is not None:
             return end if said[-1] != "second" or said[-2] == "and" else 0  # "thirty second" may be a time
     return 0

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from intent_engine.language.numbers import english, english_ordinals, foreign
+from intent_engine.language.numbers import english, english_ordinals, foreign, foreign_ordinals
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, Relative
 from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
@@ -50,7 +50,7 @@ def is_number_word(word: str, language: str = "en") -> bool:
 
 def is_ordinal_word(word: str, language: str = "en") -> bool:
     """Whether a word is a number or an ordinal of a language, or part of one."""
-    return is_number_word(word, language) or (language != "en" and foreign.is_ordinal_word(word, language))
+    return is_number_word(word, language) or (language != "en" and foreign_ordinals.is_ordinal_word(word, language))
 
 
 def people_rest_after(words: Sequence[str], language: str = "en") -> bool:
@@ -88,7 +88,7 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
     if kind == "number":
         return _whole(parser_of(language).numbers_at(words, 0), len(words))
     if kind == "ordinal":
-        return english_ordinals.ordinal(words) if language == "en" else foreign.ordinal(words, language)
+        return english_ordinals.ordinal(words) if language == "en" else foreign_ordinals.ordinal(words, language)
     table = units(language)
     if table is None:
         return None

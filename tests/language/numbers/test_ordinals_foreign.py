@@ -7,6 +7,7 @@ import pytest
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.numbers import foreign_ordinals
 from intent_engine.language.quantities import evaluate
 
 SAID = {
@@ -58,3 +59,26 @@ def test_a_grammar_without_ordinals_knows_none(tmp_path):
     engine = IntentEngine.from_files(path)
     assert engine.parse("sala segunda").slots == {}
     assert engine.parse("sala tercera").actions == ()
+
+
+@pytest.mark.parametrize(
+    ("said", "language", "value"),
+    [
+        ("der dritte", "de", 3),
+        ("numéro trois", "fr", 3),
+        ("3 ème", "fr", 3),
+        ("drei", "de", 3),
+        ("zwei komma fünf", "de", None),
+        ("minus drei", "de", None),
+        ("halle", "de", None),
+        ("", "de", None),
+        ("third", "en", None),
+    ],
+)
+def test_an_ordinal_may_have_an_article_a_number_word_or_figures(said, language, value):
+    assert foreign_ordinals.ordinal(tuple(said.split()), language) == value
+
+
+@pytest.mark.parametrize(("word", "is_one"), [("dritte", True), ("letzte", True), ("drei", True), ("halle", False)])
+def test_words_of_ordinals_are_known_and_numbers_are_some(word, is_one):
+    assert foreign_ordinals.is_ordinal_word(word, "de") is is_one
