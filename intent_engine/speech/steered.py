@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from intent_engine.speech.acoustic.moonshine import ScoringMoonshine
-from intent_engine.speech.acoustic.scoring import ScoringWhisper
+from intent_engine.speech.acoustic.scoring_whisper import ScoringWhisper
 from intent_engine.speech.steering import Steering
 
 if TYPE_CHECKING:

@@ -87,8 +87,9 @@ def test_a_file_of_another_form_is_left_to_ctranslate2(engine, monkeypatch, enco
     def quantised(folder):
         raise ValueError("the weights are quantised")
 
-    monkeypatch.setattr("intent_engine.speech.acoustic.scoring.WhisperDecoder", quantised)
+    monkeypatch.setattr("intent_engine.speech.acoustic.whisper_decoder.WhisperDecoder", quantised)
     recognizer = SteeredWhisper(engine)
+    assert recognizer._decoder is None
     said, other = recognizer.score(encoded, ["Go forward two meters", "Go to the kitchen"], "en")
     assert said > other
     recognizer.close()
