@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from fitting import gather, options, report
 from rich.progress import track
@@ -29,10 +30,11 @@ from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.interpretation import Status
 from intent_engine.resources import default_robot
 from intent_engine.speech.audio import Samples
+from intent_engine.speech.hypotheses.combination import Combination
 from intent_engine.speech.hypotheses.evidence import WEIGHTS_OF_SEVERAL
-from intent_engine.speech.hypotheses.opinion import Opinion, Reading
+from intent_engine.speech.hypotheses.opinion import Opinion, Reading, Steered
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.second_opinion import SecondOpinion, Steered
+from intent_engine.speech.second_opinion import SecondOpinion
 from intent_engine.speech.steered import SteeredMoonshine, SteeredWhisper
 
 
@@ -54,6 +56,20 @@ class Example:
         return [*(self.evidence[name] for name in WEIGHTS_OF_SEVERAL), 1.0]
 
 
+class Noting(Combination):
+    """Keeps the likeliest sentence of each sound."""
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self.noted: dict[str, Reading] = {}
+
+    def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
+        found = super().joint(first, second, far=far)
+        if found:
+            self.noted[" ".join(found[0].words)] = found[0]
+        return found
+
+
 class Noted(SecondOpinion):
     """Two models, whose likeliest sentence is kept."""
 
@@ -63,23 +79,17 @@ class Noted(SecondOpinion):
 
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         super().__init__(engine, first, second)
-        self._noted: dict[str, Reading] = {}
+        self._both = self._noting = Noting(self._grammar, self._each)
 
     def transcribe(self, samples: Samples, *, final: bool = True) -> Transcript:
         heard = super().transcribe(samples, final=final)
-        self.last = self._noted.get(heard.text)
+        self.last = self._noting.noted.get(heard.text)
         return heard
 
     def forget(self) -> None:
         """As if nothing had been heard."""
-        self._noted.clear()
+        self._noting.noted.clear()
         self.last = None
-
-    def joint(self, first: Opinion, second: Opinion) -> list[Reading]:
-        found = super().joint(first, second)
-        if found:
-            self._noted[" ".join(found[0].words)] = found[0]
-        return found
 
 
 def examples(

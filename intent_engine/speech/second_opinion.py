@@ -5,16 +5,15 @@ person would have to say it again; a model of another make knows the answer soon
 the first, and is left where that heard a sentence of the grammar word by word. Where both are sure, it is done; where
 they are not, both search the grammar, which takes most of the time, and only when the person is silent.
 
-Each says which sentences of the grammar it may have been, and what it thinks of the other's. Two models that hear the
-same are seldom both wrong: what both think of a sentence, in the mean, becomes one confidence.
+Each says which sentences of the grammar it may have been, and what it thinks of the other's; what both think of it
+becomes one (:mod:`~intent_engine.speech.hypotheses.combination`). Here is who is asked, and when.
 """
 
 from __future__ import annotations
 
 import contextlib
-import math
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from threading import Event
@@ -23,29 +22,18 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.approximate import FreeWord
 from intent_engine.speech.acoustic.moonshine import MoonshineModel, MoonshineRecognizer
 from intent_engine.speech.again import heard_again
 from intent_engine.speech.audio import SAMPLE_RATE, Samples
 from intent_engine.speech.beside import Beside, cores
-from intent_engine.speech.hypotheses.clearness import RIVAL_MARGIN
-from intent_engine.speech.hypotheses.dictating import (
-    DICTATED,
-    as_heard,
-    dictated_to_both,
-    hardly_begun,
-)
-from intent_engine.speech.hypotheses.evidence import letters_apart
-from intent_engine.speech.hypotheses.forbidding import said_otherwise
-from intent_engine.speech.hypotheses.opinion import Opinion, Reading, Steered, as_read
+from intent_engine.speech.hypotheses.combination import Combination
+from intent_engine.speech.hypotheses.opinion import Opinion, Steered
 from intent_engine.speech.hypotheses.pace import too_few
-from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
-from intent_engine.speech.hypotheses.weighing import begun_otherwise, crossed, doubted
 from intent_engine.speech.leaving import LeftError
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.steering import CLEAR_TALK
-from intent_engine.speech.thresholds import SURE_ENOUGH, enough_to_stop
+from intent_engine.speech.thresholds import enough_to_stop
 
 if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
@@ -59,8 +47,6 @@ SURE_TOGETHER = 0.9
 NEARLY = 2.0
 """where one of them heard the sentence but for so many letters. Else there may be a better one beside it, which is like
 neither's words: "a bit of sun earth" is nearer to "sugar" than to "soy milk"."""
-AGREED = 0.95
-"""Confidence in what both heard word by word, where a slot takes any words."""
 SURE_OF_A_WORD = 0.95
 """Confidence of the first in a single word, from which the second is not asked: in noise tiny.en hears nearly twice as
 many single words as Moonshine, which then says "Don't" for "go"."""
@@ -107,6 +93,7 @@ class SecondOpinion:
     def __init__(self, engine: IntentEngine, first: Steered, second: Callable[[], Steered]) -> None:
         self._grammar = SpokenGrammar(engine)
         self._first = first
+        self._both = Combination(self._grammar, self._each)
         self._beside = Beside("second model")
         self._prepared = self._beside.submit(first.prepare)
         self._second = self._beside.submit(_ready, second)
@@ -203,7 +190,7 @@ class SecondOpinion:
             clear = self._first.clear(first)
             return _Look(samples, first, None, clear, False)
         second = (asked or self._ask(samples)).result()
-        both, apart = self._weighed(first, second)
+        both, apart = self._both.weighed(first, second)
         sure = both.sureness >= SURE_TOGETHER and apart <= NEARLY and not (both.unclear or both.left_out)
         known = (first.settled and second.settled) or self._meaning(both).refuses
         return _Look(samples, first, second, both, not (sure or known))
@@ -247,14 +234,14 @@ class SecondOpinion:
         if known or time.perf_counter() - began > SOON:
             return both
         dug = self._aside(lambda second: second.dig(before, other))
-        both, _ = self._weighed(self._first.dig(look.first, first), dug.result(), far=True)
+        both, _ = self._both.weighed(self._first.dig(look.first, first), dug.result(), far=True)
         return both
 
     def _side_by_side(self, first: Opinion, second: Opinion) -> tuple[Opinion, Opinion, Transcript]:
         """What each finds in the grammar, and what both make of that."""
         searched = self._aside(lambda model: model.search(second))
         found, other = self._first.search(first), searched.result()
-        both, _ = self._weighed(found, other, far=True)
+        both, _ = self._both.weighed(found, other, far=True)
         return found, other, both
 
     def _heard(self, samples: Samples, searching: bool) -> Transcript:
@@ -274,86 +261,6 @@ class SecondOpinion:
         self._beside.close()
         with contextlib.suppress(Exception):  # one that was never made has nothing to let go of; one that hangs cannot
             closed.result(timeout=CLOSING)
-
-    def _weighed(self, first: Opinion, second: Opinion, *, far: bool = False) -> tuple[Transcript, float]:
-        """What two models heard in the same sound, as one; and the letters by which it differs from the words that the
-        nearer of them heard.
-
-        Where one heard that something shall not be done, nothing shall; if that was for the robot.
-        """
-        heard = first.transcript
-        for one in (first, second):
-            if self._addressed(one) and self._meaning(one.transcript).refuses and self._heard_to_be_refused(one):
-                return one.transcript, 0.0
-        if (dictated := dictated_to_both(first, second, AGREED)) is not None:
-            words = (*first.dictated, DICTATED)
-            clear = self._each(lambda one: one.clearness(words), (first, second))
-            return replace(dictated, unclear=_unclear(*clear)), 0.0
-        if (agreed := self._agreed(first, second)) is not None:
-            return agreed, 0.0
-        readings = self.joint(first, second, far=far)
-        if not readings:
-            return heard, math.inf
-        best = readings[0]
-        unclear: tuple[str, ...] = ()
-        left_out: tuple[str, ...] = ()
-        if self._grammar.acted_on(best.evidence.confidence, heard.language):
-            otherwise = said_otherwise(self._grammar, [one.words for one in readings], heard.language)
-            clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
-            unclear = (*_unclear(*clear), *self._unheard(best, first, second))
-            unclear += hardly_begun(best.words, (first, second))
-            said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language)
-            unclear += said.begins_unheard() + said.unheard_inside()
-            left_out = said.left_out() or said.opposite() or said.heard_otherwise(best.evidence.confidence)
-        both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
-        if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
-            # From less the first alone is believed, but not two: "wow" is "whoa" to both.
-            return heard, math.inf
-        return both, min(letters_apart(as_heard(best.words, one.heard), one.heard) for one in (first, second))
-
-    def _addressed(self, one: Opinion) -> bool:
-        """Whether what a model heard is for the robot."""
-        language = one.transcript.language
-        return self._grammar.wake(language).addressed(self._grammar.words(one.transcript.text, language))
-
-    def _heard_to_be_refused(self, one: Opinion) -> bool:
-        """Whether a model heard a word with which nothing is done, or all that it heard is refused; and did not only
-        take "a hundred percent" for "never", which is for both to weigh."""
-        language = one.transcript.language
-        return (
-            self._grammar.negated(one.heard, language)
-            or self._grammar.parse(one.transcript.free_text, language).refuses
-        )
-
-    def _agreed(self, first: Opinion, second: Opinion) -> Transcript | None:
-        """What both heard word by word, where a slot without a list takes just that: nothing in the grammar can be for
-        or against "call Jessica". Numbers and a "don't" must have been clear in it, as ever."""
-        words, heard = tuple(first.heard), first.transcript
-        if words != tuple(second.heard) or not self._grammar.takes_as_heard(words, heard.language):
-            return None
-        clear = self._each(lambda one: one.clearness(words), (first, second))
-        said = " ".join(words)
-        return replace(
-            heard, text=said, gap=0.0, alternatives=(), behind=(), unclear=_unclear(*clear), confidence=AGREED
-        )
-
-    def _unheard(self, best: Reading, *opinions: Opinion) -> list[str]:
-        """Words in free slots that no list has and that not all heard: nothing else tells that they were said. None of
-        a stop, which waits for nothing."""
-        meaning = self._grammar.parse(" ".join(best.words), opinions[0].transcript.language)
-        heard = [one.heard for one in opinions]
-        unlisted = [] if meaning.stops else self._grammar.unlisted(meaning, opinions[0].transcript.language)
-        return [word for word in unlisted if not all(word in one for one in heard)]
-
-    def joint(self, first: Opinion, second: Opinion, *, far: bool = False) -> list[Reading]:
-        """The sentences that one of two models thought of, or that are beside the likeliest of these, with what both
-        think of them, likeliest first; ``far`` as for :func:`~intent_engine.speech.hypotheses.weighing.doubted`."""
-        opinions = (first, second)
-        readings = doubted(self._grammar, opinions, self._each, far=far)
-        if not far:
-            return readings
-        readings = begun_otherwise(self._grammar, readings, opinions, self._each)
-        return crossed(self._grammar, readings, opinions, self._each)
 
     def _each(self, ask: Callable[[Opinion], Any], opinions: Iterable[Opinion], /) -> list[Any]:
         """The same asked of two models, side by side."""
@@ -378,19 +285,3 @@ def _same(samples: Samples, known: Samples) -> bool:
     if not 0 < same <= samples.size <= known.size + int(LATER * SAMPLE_RATE):
         return False
     return np.allclose(samples[:same], known[:same], atol=1e-4)
-
-
-def _unclear(one: Mapping[str, float], other: Mapping[str, float]) -> tuple[str, ...]:
-    """Words that two models together did not hear clearly.
-
-    A word that no list has must be clear in the mean. Of a number that sounds like another, and of a beginning that may
-    have been a "don't", what both have heard adds up, if neither would rather have heard the other.
-    """
-
-    def clear(word: str) -> bool:
-        both = (one[word], other.get(word, one[word]))
-        if isinstance(word, FreeWord):
-            return sum(both) >= 0
-        return min(both) >= -RIVAL_MARGIN and sum(both) >= -RIVAL_MARGIN
-
-    return tuple(word for word in one if not clear(word))

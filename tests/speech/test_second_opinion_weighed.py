@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from two_models import FORWARD, LEFT, LIKELY, SOUND, Knows, Thinks, heard, two
 
 from intent_engine.engine import IntentEngine
+from intent_engine.speech.hypotheses.combination import AGREED
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.second_opinion import AGREED, SURE_TOGETHER
+from intent_engine.speech.second_opinion import SURE_TOGETHER
 from intent_engine.speech.thresholds import ANOTHER_WORD, SURE_ENOUGH_TO_STOP
 
 SENTENCES = [FORWARD, LEFT, "go back", "stop", "turn left fifteen degrees"]
