@@ -205,6 +205,21 @@ class Guardian:
         self._line.close()
         self._launch()
 
+    def close(self) -> None:
+        """Zero, and end the process. Idempotent."""
+        if self._closed:
+            return
+        self._closed = True
+        self._order(do="close")
+        try:
+            self._process.wait(1.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._line.close()
+
+    # -- inside ------------------------------------------------------------------------------------------------------
+
     def _launch(self) -> None:
         ours, theirs = socket.socketpair()
         ready = threading.Event()
@@ -215,23 +230,14 @@ class Guardian:
             self._error = self._problem = ""
             self._ended = None
             self._answers.clear()
-        settings = {
-            "sink": self._sink,
-            "options": self._options,
-            "line": theirs.fileno(),
-            "parent": os.getpid(),
-            "limits": {name: getattr(self._limits, name) for name in _RAMPS if getattr(self._limits, name) is not None},
-            "rates": asdict(self._rates),
-            "priority": self._priority,
-        }
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
-            stdin=subprocess.DEVNULL,
-            pass_fds=(theirs.fileno(), *self._pass_fds),
-            # Not in the terminal's foreground: Ctrl-Z would freeze the program and its guardian at once.
-            process_group=0,
-        )
-        theirs.close()
+        try:
+            self._process = self._spawn(theirs)
+        except OSError as error:
+            self._error = f"the velocity process could not be started: {error}"
+            ours.close()
+            raise RobotError(f"{self._error}. {_WITHOUT}") from error
+        finally:
+            theirs.close()
         threading.Thread(target=self._listen, args=(ours, ready), name="velocity-process", daemon=True).start()
         try:
             ready.wait(self.START_TIMEOUT)
@@ -241,9 +247,26 @@ class Guardian:
         if self._error or not ready.is_set():
             self._discard()
             raise RobotError(
-                f"the velocity process did not start ({self._sink}); what it said is on standard error. "
-                "To drive without it, give the executor no loop"
+                f"the velocity process did not start ({self._sink}); what it said is on standard error. {_WITHOUT}"
             )
+
+    def _spawn(self, line: socket.socket) -> subprocess.Popen[bytes]:
+        settings = {
+            "sink": self._sink,
+            "options": self._options,
+            "line": line.fileno(),
+            "parent": os.getpid(),
+            "limits": {name: getattr(self._limits, name) for name in _RAMPS if getattr(self._limits, name) is not None},
+            "rates": asdict(self._rates),
+            "priority": self._priority,
+        }
+        return subprocess.Popen(
+            [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
+            stdin=subprocess.DEVNULL,
+            pass_fds=(line.fileno(), *self._pass_fds),
+            # Not in the terminal's foreground: Ctrl-Z would freeze the program and its guardian at once.
+            process_group=0,
+        )
 
     def _discard(self) -> None:
         """End a process that nothing depends on yet."""
@@ -251,22 +274,6 @@ class Guardian:
         self._process.kill()
         self._process.wait()
         self._line.close()
-
-    def close(self) -> None:
-        """Zero, and end the process. Idempotent."""
-        if self._closed:
-            return
-        self._closed = True
-        with contextlib.suppress(OSError):
-            self._order(do="close")
-        try:
-            self._process.wait(1.0)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        self._line.close()
-
-    # -- inside ------------------------------------------------------------------------------------------------------
 
     def _begin(self) -> int:
         with self._heard:
@@ -309,8 +316,7 @@ class Guardian:
         if travel is None:
             self._give_up(f"the velocity process did not answer within {self.ANSWER_TIMEOUT * 1000:.0f} ms")
             self._moving = False
-            self._check()
-            raise AssertionError
+            raise VelocityLoopError(self._error)
         return travel
 
     def _listen(self, line: socket.socket, ready: threading.Event) -> None:
@@ -386,6 +392,7 @@ class Guardian:
         self._dead(why, self._line, kill=True)
 
 
+_WITHOUT = "To drive without it, give the executor no loop"
 _RAMPS = ("linear_acceleration", "linear_deceleration", "angular_acceleration", "angular_deceleration")
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from intent_engine.execution.clock import VirtualClock
@@ -75,3 +77,11 @@ class Stage:
         self.robot = RecordingRobot(self.clock, locations=MAP, **robot_options)
         self.events: list = []
         self.executor = Executor(self.robot, limits, on_event=self.events.append, handle_sigterm=False, **options)
+
+
+def until(condition: Callable[[], bool]) -> None:
+    """Wait for something that must happen; the limit is only there to end a broken test."""
+    end = time.monotonic() + 30.0
+    while not condition():
+        assert time.monotonic() < end, "it never happened"
+        time.sleep(0.002)

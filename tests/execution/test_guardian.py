@@ -11,10 +11,10 @@ import sys
 import textwrap
 import threading
 import time
-from collections.abc import Callable
 from itertools import pairwise
 
 import pytest
+from execution_stage import until
 
 from intent_engine.actions import Move, Turn
 from intent_engine.errors import RobotError
@@ -56,14 +56,6 @@ class Wire:
 
     def stopped(self) -> bool:
         return bool(self.lines) and ("stop" in self.lines[-1] or not any(self.velocities()[-1]))
-
-
-def until(condition: Callable[[], bool]) -> None:
-    """Wait for something that must happen; the limit is only there to end a broken test."""
-    end = time.monotonic() + 30.0
-    while not condition():
-        assert time.monotonic() < end, "it never happened"
-        time.sleep(0.002)
 
 
 @pytest.fixture
@@ -165,6 +157,27 @@ def test_a_lost_loop_is_noticed_and_the_robot_stopped_by_its_own_stop(guarded, w
     assert (refused.state, refused.reason) == (GoalState.REJECTED, Reason.VELOCITY_LOOP)
     guarded.reset()
     (again,) = guarded.submit(Move(0.5, 0.05, 0.1))
+    assert again.result(30.0).succeeded
+
+
+def test_a_process_that_could_not_be_started_again_is_started_by_the_next_reset(guarded, wire, monkeypatch):
+    """The machine had no memory or no process left for it, say."""
+
+    def none_left(*arguments, **options):
+        raise OSError("no process is left")
+
+    (goal,) = guarded.submit(LONG)
+    until(wire.moving)
+    os.kill(guarded.loop.pid, signal.SIGKILL)
+    goal.result(30.0)
+    with monkeypatch.context() as patch:
+        patch.setattr(subprocess, "Popen", none_left)
+        with pytest.raises(RobotError, match="could not be started: no process is left"):
+            guarded.reset()
+    (refused,) = guarded.submit(LONG)
+    assert (refused.state, refused.reason) == (GoalState.REJECTED, Reason.VELOCITY_LOOP)
+    guarded.reset()
+    (again,) = guarded.submit(Move(0.5, 0.02, 0.04))
     assert again.result(30.0).succeeded
 
 

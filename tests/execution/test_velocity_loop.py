@@ -6,8 +6,8 @@ import json
 import math
 import socket
 import threading
-import time
-from collections.abc import Callable
+
+from execution_stage import until
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.limits import Limits
@@ -15,14 +15,6 @@ from intent_engine.execution.motion import Motion, Rates
 from intent_engine.execution.velocity_loop import VelocityProcess
 
 LIMITS = Limits(linear_acceleration=2.0, angular_acceleration=4.0)
-
-
-def until(condition: Callable[[], bool]) -> None:
-    """Wait for something that must happen; the limit is only there to end a broken test."""
-    end = time.monotonic() + 30.0
-    while not condition():
-        assert time.monotonic() < end, "it never happened"
-        time.sleep(0.002)
 
 
 class Failing:

@@ -6,7 +6,26 @@ from collections.abc import Iterator, Sequence
 
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 
-__all__ = ["ALIKE", "DIGITS", "NUMBER_WORDS", "leaves_hundred_out", "number", "numbers_at"]
+__all__ = [
+    "ALIKE",
+    "DIGITS",
+    "HALVES",
+    "NUMBER_WORDS",
+    "ORDINAL_SCALES",
+    "ORDINAL_TENS",
+    "ORDINAL_UNITS",
+    "SCALES",
+    "SMALL",
+    "SUFFIXES",
+    "TEENS",
+    "TENS",
+    "ZERO",
+    "cardinal",
+    "fraction",
+    "leaves_hundred_out",
+    "number",
+    "numbers_at",
+]
 
 DIGITS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9}
 TEENS = {
