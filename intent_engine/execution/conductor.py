@@ -256,6 +256,8 @@ class Conductor:
             self._loop.silence()
         self._run = run
         self._move(goal, GoalState.EXECUTING, now)
+        if self._run is not run:
+            return True  # a signal handler has stopped the robot
         self._feedback_at = now + self.FEEDBACK_PERIOD
         try:
             run.begin(now)

@@ -151,7 +151,7 @@ class Goal:
         self.times = Times(submitted, spoken)
         self._future: Future[Goal] = Future()
         self._future.set_running_or_notify_cancel()
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a signal handler may stop while the goal changes its state
         self._wait: Callable[[Goal, float | None], None] | None = None
 
     @property
@@ -216,21 +216,25 @@ class Goal:
 
 
 def move_goal(goal: Goal, state: GoalState, now: float, reason: Reason = Reason.NONE, detail: str = "") -> None:
-    """Change a goal's state; the executor's part of :class:`Goal`. Does not wake those who wait: see ``settle``.
+    """Change a goal's state; the executor's part of :class:`Goal`. Does not wake those who wait: see ``settle``. A goal
+    that a signal handler ends in the midst of this stays as that has left it.
 
     Raises:
         RuntimeError: the change is not one of the diagram above (a goal ends once).
     """
     with goal._lock:
-        if state not in _NEXT.get(goal.state, ()):
+        before, times = goal.state, goal.times
+        if state not in _NEXT.get(before, ()):
             raise RuntimeError(f"goal {goal.id} cannot go from {goal.state.value} to {state.value}")
-        times = goal.times
         if state is GoalState.ACCEPTED:
-            goal.times = Times(times.submitted, times.spoken, now)
+            times = Times(times.submitted, times.spoken, now)
         elif state is GoalState.EXECUTING:
-            goal.times = Times(times.submitted, times.spoken, times.accepted, now)
+            times = Times(times.submitted, times.spoken, times.accepted, now)
         elif state.ended:
-            goal.times = Times(times.submitted, times.spoken, times.accepted, times.started, now)
+            times = Times(times.submitted, times.spoken, times.accepted, times.started, now)
+        if goal.state is not before:
+            return
+        goal.times = times
         if reason:
             goal.reason = reason
         if detail:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import signal
 import subprocess
 import sys
 import threading
@@ -10,12 +12,13 @@ import time
 import pytest
 
 from intent_engine.actions import Custom, Move, Navigate
+from intent_engine.execution import goal
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.gate import Gate
-from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.goal import GoalState, Reason, Times
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.robots.robot import TaskState
+from intent_engine.execution.robots.robot import Pose, TaskState
 from intent_engine.execution.robots.simulated import SimulatedRobot
 
 LONG = Move(0.5, 50.0, 100.0)
@@ -111,6 +114,31 @@ def test_who_is_broken_off_in_a_write_leaves_a_robot_that_is_stopped(executor, r
     assert executor.run_until_idle()
     (after,) = executor.submit(Move(0.5, 0.01, 0.02))
     assert after.result(30.0).succeeded
+
+
+@pytest.mark.parametrize("command", [Move(0.5, 50.0, 100.0), Navigate("kitchen", 5.0, 2.0, 0.0)], ids=["move", "task"])
+def test_a_signal_handler_may_stop_while_a_goal_begins(stage, monkeypatch, command):
+    s = stage()
+    calls = itertools.count()
+
+    def interrupted(*times: float | None) -> Times:
+        if next(calls) == 2:  # submitted, accepted, begun
+            signal.raise_signal(signal.SIGUSR1)
+        return Times(*times)
+
+    before = signal.signal(signal.SIGUSR1, lambda number, frame: s.executor.stop())
+    try:
+        with monkeypatch.context() as patch:
+            patch.setattr(goal, "Times", interrupted)
+            (submitted,) = s.executor.submit(command)
+    finally:
+        signal.signal(signal.SIGUSR1, before)
+    assert s.executor.run_until_idle()
+    assert s.executor.idle
+    assert not any(write.linear for write in s.robot.written)
+    assert s.robot.pose() == Pose(0.0, 0.0, 0.0)
+    assert (submitted.state, submitted.reason) == (GoalState.CANCELED, Reason.STOP)
+    assert submitted.times.ended is not None
 
 
 def test_a_handler_does_not_block_and_hears_that_it_is_not_wanted(executor):
