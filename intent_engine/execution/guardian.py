@@ -159,7 +159,7 @@ class Guardian:
     def travel(self, now: float) -> Travel:
         if not self._moving:
             return Travel()
-        ahead = min(max(now - self._travel_at, 0.0), self._rates.valid_for)
+        ahead = min(max(time.monotonic() - self._travel_at, 0.0), self._rates.valid_for)
         speed = self._written[0] or self._written[1]
         there = self._travel
         return Travel(
@@ -184,12 +184,13 @@ class Guardian:
             raise WatchdogError(problem) if self._lost else RobotError(problem)
         if ended is not None:
             return ended
-        looked_at, self._looked_at = self._looked_at, now
+        here = time.monotonic()  # what the process says is of this clock, whatever the executor's is
+        looked_at, self._looked_at = self._looked_at, here
         if self._moving:
-            if now - looked_at > self.SILENCE / 2.0:
+            if here - looked_at > self.SILENCE / 2.0:
                 # It was this program that was away: let the listening thread read first what came meanwhile.
-                self._silent_since = now
-            if now - max(self._heard_at, self._silent_since) > self.SILENCE:
+                self._silent_since = here
+            if here - max(self._heard_at, self._silent_since) > self.SILENCE:
                 self._give_up(f"the velocity process said nothing for {self.SILENCE * 1000:.0f} ms and was killed")
                 self._moving = False
                 self._check()

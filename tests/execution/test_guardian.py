@@ -18,7 +18,7 @@ from execution_stage import until
 
 from intent_engine.actions import Move, Turn
 from intent_engine.errors import RobotError
-from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.guardian import Guardian
@@ -84,6 +84,24 @@ def test_it_drives_the_distance_and_ends_in_zeros(guarded, wire):
     assert [goal.state for goal in goals] == [GoalState.SUCCEEDED] * 2
     assert goals[0].feedback.travelled == pytest.approx(0.2, abs=0.02)
     until(lambda: wire.velocities()[-3:] == [(0.0, 0.0)] * 3)
+
+
+class Elsewhere(MonotonicClock):
+    """A clock that began at another time, as those of other programs did."""
+
+    def now(self) -> float:
+        return super().now() + 1e6
+
+    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool:
+        return super().wait_until(condition, None if deadline is None else deadline - 1e6)
+
+
+def test_the_executors_clock_may_begin_at_another_time(wire):
+    guardian = Guardian(SINK, {"out": wire.write}, limits=LIMITS, pass_fds=(wire.write,))
+    robot = JsonLinesRobot(wire.write)
+    with Executor(robot, LIMITS, Elsewhere(), loop=guardian, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Move(0.5, 0.3, 0.6))
+        assert goal.result(30.0).succeeded
 
 
 def test_hold_pause_and_replacement_keep_the_distance(guarded, wire):
