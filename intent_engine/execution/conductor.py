@@ -166,10 +166,11 @@ class Conductor:
             self._move(goal, GoalState.ACCEPTED, now)
             self._queue.append(_Waiting(goal, its, covered if goal is goals[0] else None))
 
-    def has(self, wanted: Callable[[Goal], bool]) -> bool:
-        """Whether such a goal is being carried out, or waits its turn."""
+    @property
+    def goals(self) -> list[Goal]:
+        """What is being carried out, and what waits its turn."""
         running = [self.running] if self.running is not None else []
-        return any(map(wanted, [*running, *(each.goal for each in self._queue)]))
+        return [*running, *(each.goal for each in self._queue)]
 
     def cancel(self, goal: Goal, now: float) -> None:
         """End one goal and what was said with it after it."""

@@ -15,8 +15,6 @@ Safety, in the order in which it is kept:
 
 from __future__ import annotations
 
-import contextlib
-import math
 import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
@@ -33,13 +31,14 @@ from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
-from intent_engine.execution.handlers import Handler, check_waiter
+from intent_engine.execution.handlers import Handler
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
-from intent_engine.execution.raised import with_type
+from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
 from intent_engine.execution.snapshot import Snapshot
+from intent_engine.execution.waiting import Waiting
 
 __all__ = ["Executor", "Policy", "Snapshot"]
 
@@ -108,14 +107,14 @@ class Executor:
         events, loop = self._events, self.loop
         self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
         self._books = Books(self.clock, self._gate, self._failsafe, lambda *stop: self._conductor.stop(*stop))
-        self._ended = threading.Condition(self._books.lock)
-        """A goal has ended."""
+        goal_ended = threading.Condition(self._books.lock)
+        self._waiting = Waiting(self.clock, goal_ended, lambda: self.idle)
         poke = self._books.poke
         carriers = Carriers(robot, self._admission, loop, events.launch, poke, self._failsafe.stop_robot)
-        ended = self._ended.notify_all
         self._conductor = Conductor(
-            self._admission, carriers, loop, self._failsafe, events, ended, hold_limit, queue_limit
+            self._admission, carriers, loop, self._failsafe, events, goal_ended.notify_all, hold_limit, queue_limit
         )
+        self._pulse = Pulse(self._books, self._conductor, events, self.clock)
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
@@ -126,7 +125,7 @@ class Executor:
         if self._stepped is not None:
             self._stepped.attach(self)
         else:
-            self._thread = threading.Thread(target=self._main, name="executor", daemon=True)
+            self._thread = threading.Thread(target=self._pulse.run, name="executor", daemon=True)
             self._thread.start()
         shutdown.register(self, handle_sigterm)
 
@@ -185,7 +184,7 @@ class Executor:
                 for goal in goals:
                     goal._wait = self._wait_for
                 self._conductor.take(goals, terms, taken, now, amends)
-                self._advance(now)
+                self._pulse.advance(now)
         finally:
             self._events.flush()
         return goals
@@ -237,7 +236,7 @@ class Executor:
             if not (self._conductor.closed or self._conductor.paused):
                 self._events.tell(EventKind.PAUSE)
                 self._conductor.pause(now)
-                self._advance(now)
+                self._pulse.advance(now)
         self._events.flush()
 
     def resume(self) -> None:
@@ -259,7 +258,7 @@ class Executor:
         goal = given.goal_of("cancel", goal, self)
         with self._books.locked() as now:
             self._conductor.cancel(goal, now)
-            self._advance(now)
+            self._pulse.advance(now)
         self._events.flush()
 
     def deny(self, actions: Action | Iterable[Action]) -> bool:
@@ -277,7 +276,7 @@ class Executor:
         """
         listed = actions_of("deny", actions)
         with self._books.locked():
-            found = self._conductor.has(lambda goal: any(denies(denied, goal.action) for denied in listed))
+            found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
         if found:
             self.stop()
         return found
@@ -317,21 +316,7 @@ class Executor:
                 one that waits its turn behind it.
         """
         listed = None if goals is None else given.goals_of("wait", goals, self)
-        given.check_timeout(timeout)
-        check_waiter(listed, timeout)
-        deadline = None if timeout is None else self.clock.now() + timeout
-        if self._stepped is not None:
-            while not self._all_ended(listed):
-                if not self._stepped.step_once(math.inf if deadline is None else deadline):
-                    if deadline is not None:
-                        self._stepped.run_until_idle(deadline)
-                    return self._all_ended(listed)
-            return True
-        with self._books.lock:
-            while not self._all_ended(listed):
-                if self.clock.wait_until(self._ended, deadline) and not self._all_ended(listed):
-                    return False
-        return True
+        return self._waiting.wait(listed, timeout)
 
     def settle(self, timeout: float = 1.0) -> bool:
         """Wait until every listener was called with all that has happened; False if that takes more than ``timeout`` s.
@@ -415,43 +400,17 @@ class Executor:
     def due(self) -> float | None:
         """When :meth:`step` has something to do."""
         with self._books.lock:
-            return self._due(self.clock.now())
+            return self._pulse.due()
 
     def step(self) -> None:
         """Do what is due now."""
         with self._books.locked() as now:
-            self._advance(now)
+            self._pulse.advance(now)
         self._events.flush()
-
-    def _main(self) -> None:
-        with self._books.lock:
-            while not self._conductor.closed:
-                # Without this thread no goal would end. What breaks it off has been told of, and the robot is stopped.
-                with contextlib.suppress(BaseException), self._books.locked() as now:
-                    self._advance(now)
-                self.clock.wait_until(self._books.wake, self._due(self.clock.now()))
-
-    def _due(self, now: float) -> float | None:
-        return now if self._books.due else self._conductor.due(now)
-
-    def _advance(self, now: float) -> None:
-        self._books.looked()
-        try:
-            self._conductor.advance(now)
-        except BaseException as error:  # Ctrl-C, or a robot's sys.exit(): perhaps behind a velocity that was written
-            self._events.tell(EventKind.ERROR, detail=with_type(error))
-            self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self.clock.now())
-            raise
-        finally:
-            self._books.wake.notify_all()
 
     def _stop(self, reason: Reason, kind: EventKind) -> None:
         self._books.stop(reason, kind)
         self._events.flush()
 
-    def _all_ended(self, goals: list[Goal] | None) -> bool:
-        return self.idle if goals is None else all(goal.done for goal in goals)
-
     def _wait_for(self, goal: Goal, timeout: float | None) -> None:
-        if not self.wait(goal, timeout) and not goal.done:
-            raise TimeoutError(f"{goal!r} has not ended")
+        self._waiting.wait_for(goal, timeout)
