@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from itertools import pairwise
 
-from intent_engine.actions import Move, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.likeness import sound
 from intent_engine.language.utterance import plain
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.ways import opposite_ways, ways
 
 __all__ = ["other_way", "run_together"]
 
@@ -26,12 +26,13 @@ def other_way(
     """What may have been said as well and drives or turns the other way; None: nothing."""
     if meaning.status is not Status.ACCEPTED or transcript.word_by_word:
         return None
-    language, ways = language_of(engine, transcript), _ways(meaning)
-    for other, nats in zip(transcript.alternatives, transcript.behind, strict=False):
-        if nats < OTHER_WAY and any(ways):
-            others = _ways(engine.parse(other, state=state, language=language, heard=True))
-            if others != ways and list(map(abs, others)) == list(map(abs, ways)):
-                return other
+    language = language_of(engine, transcript)
+    near = (one for one, nats in zip(transcript.alternatives, transcript.behind, strict=False) if nats < OTHER_WAY)
+    if not any(ways(meaning.actions)):
+        return None
+    for other in near:
+        if opposite_ways(meaning.actions, engine.parse(other, state=state, language=language, heard=True).actions):
+            return other
     return None
 
 
@@ -71,16 +72,3 @@ def _sounds_like_begun(joint: str, beginning: str) -> bool:
     """Whether a joint sounds like the beginning of a word, up to a last sound that is easily lost: "and", and "un"."""
     shorter, longer = sorted((sound(joint), sound(beginning) if beginning else ""), key=len)
     return len(shorter) > 1 and longer.startswith(shorter)
-
-
-def _ways(meaning: Interpretation) -> list[int]:
-    """Which way each action goes: 1 forward, 2 left, -1 and -2 the other way, 0 for what has none."""
-    ways = []
-    for action in meaning.actions:
-        if isinstance(action, Move):
-            ways.append(1 if action.linear_velocity > 0 else -1)
-        elif isinstance(action, Turn):
-            ways.append(2 if action.angular_velocity > 0 else -2)
-        else:
-            ways.append(0)
-    return ways

@@ -19,7 +19,7 @@ from intent_engine.speech.hypotheses.forbidding import said_otherwise
 from intent_engine.speech.hypotheses.opinion import Opinion, Reading, as_read
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
-from intent_engine.speech.hypotheses.weighing import Each, begun_otherwise, crossed, doubted
+from intent_engine.speech.hypotheses.weighing import Each, begun_otherwise, crossed, doubted, opposed_too
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import SURE_ENOUGH
 
@@ -119,7 +119,8 @@ class Combination:
         if not far:
             return readings
         readings = begun_otherwise(self._grammar, readings, opinions, self._each)
-        return crossed(self._grammar, readings, opinions, self._each)
+        readings = crossed(self._grammar, readings, opinions, self._each)
+        return opposed_too(self._grammar, readings, opinions, self._each)
 
     def _meaning(self, heard: Transcript) -> Interpretation:
         return self._grammar.parse(heard.text, heard.language)

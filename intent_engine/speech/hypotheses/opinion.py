@@ -13,6 +13,7 @@ from intent_engine.speech.audio import Samples
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.hypotheses.evidence import Evidence, View, letters_apart
 from intent_engine.speech.recognizer import Encoded, Recognizer, Transcript
+from intent_engine.ways import opposite_ways
 
 if TYPE_CHECKING:
     from intent_engine.speech.steering import Steering
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["Opinion", "Reading", "Steered", "as_read", "read_alone"]
 
 ALTERNATIVES = 3
-"""Further readings of a transcript."""
+"""Further readings of a transcript; and the likeliest that goes the other way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,6 +171,9 @@ def as_read(
     """What one or several models heard, the first of them freely, taken for the likeliest of some sentences, of whose
     words some were not clear, and which leaves some out that were heard."""
     best, *others = readings[: 1 + ALTERNATIVES]
+    opposite = next((one for one in readings if opposite_ways(best.actions, one.actions)), None)
+    if opposite is not None and opposite not in others:
+        others.append(opposite)
     return replace(
         opinions[0].transcript,
         text=text_of(best.words, opinions),

@@ -19,6 +19,7 @@ from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar
 from intent_engine.speech.hypotheses.narration import NARRATING, leaves_out
+from intent_engine.speech.hypotheses.opposing import opposing
 from intent_engine.speech.hypotheses.usual import circles
 from intent_engine.speech.hypotheses.vocabulary import said_in_slots, said_of_signs
 from intent_engine.speech.hypotheses.wake_words import WakeWords
@@ -158,6 +159,13 @@ class SpokenGrammar:
         asks = meaning.status is Status.AMBIGUOUS and len(meaning.alternatives) > 1
         known = meaning.status is Status.ACCEPTED or asks or meaning.refuses or meaning.beyond_limits
         return known and (meaning.stops or not self._mostly_noise(words, language))
+
+    def opposing(
+        self, words: Sequence[str], heard: Sequence[Sequence[str]], language: str | None = None
+    ) -> list[tuple[str, ...]]:
+        """As :func:`~intent_engine.speech.hypotheses.opposing.opposing`."""
+        found = opposing(self.search(language), lambda text: self.parse(text, language), words, heard, language)
+        return [sentence for sentence in found if self.possible(sentence, (), language)]
 
     def corrections(self, language: str | None = None) -> PhraseSet:
         """Phrases that take back what was said before them."""

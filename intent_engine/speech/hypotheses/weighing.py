@@ -15,7 +15,7 @@ from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
-__all__ = ["Each", "begun_otherwise", "crossed", "doubted"]
+__all__ = ["Each", "begun_otherwise", "crossed", "doubted", "opposed_too"]
 
 ROUNDS = 4
 """Times that other commands are looked for at most: again where another sentence is the likeliest then. With two "a
@@ -102,6 +102,24 @@ def crossed(
         and grammar.possible(words, (), language)
         and not _beside_heard(grammar, words, opinions).left_out()
     ]
+    return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
+
+
+def opposed_too(
+    grammar: SpokenGrammar, readings: Sequence[Reading], opinions: Sequence[Opinion], each: Each = map
+) -> list[Reading]:
+    """Sentences, likeliest first; with such as do the opposite of the likeliest, where that would be done.
+
+    Args:
+        grammar, opinions, each: as for :func:`doubted`.
+        readings: what that gave.
+    """
+    language = opinions[0].transcript.language
+    if not readings or not grammar.acted_on(readings[0].evidence.confidence, language):
+        return list(readings)
+    known = dict.fromkeys(one.words for one in readings)
+    heard = [one.heard for one in opinions]
+    others = [words for words in grammar.opposing(readings[0].words, heard, language) if words not in known]
     return _compared(grammar, [*known, *others], opinions, each) if others else list(readings)
 
 
