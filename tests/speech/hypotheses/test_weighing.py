@@ -14,7 +14,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.speech.hypotheses.evidence import View, letters_apart
 from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
-from intent_engine.speech.hypotheses.weighing import ROUNDS, begun_otherwise, crossed, doubted
+from intent_engine.speech.hypotheses.weighing import ROUNDS, begun_otherwise, crossed, doubted, opposed_too
 from intent_engine.speech.recognizer import Transcript
 
 DRINKS = ("espresso", "latte", "mocha", "iced mocha", "coffee", "iced coffee", "americano")
@@ -152,3 +152,39 @@ def test_where_the_likeliest_leaves_something_out_it_is_crossed_with_others(orde
     assert " ".join(readings[0].words) == likeliest
     best, *_ = crossed(orders, readings, opinions)  # type: ignore[arg-type]
     assert " ".join(best.words) == found
+
+
+@dataclass
+class Driving(Scripted):
+    """As :class:`Scripted`, of commands to drive."""
+
+    heard: tuple[str, ...] = ("move", "forward", "one", "meter")
+
+    @property
+    def sentences(self) -> tuple[tuple[str, ...], ...]:
+        return tuple(tuple(one.split()) for one in self.thought_of)
+
+    def views(self, sentences: Sequence[tuple[str, ...]]) -> list[View]:
+        self.asked += map(" ".join, sentences)
+        return [View(self.scores.get(" ".join(words), -20.0), -1.0, 0.0) for words in sentences]
+
+
+FORWARD, BACKWARD = "move forward one meter", "move backward one meter"
+
+
+def driven(engine: IntentEngine, forward: float, backward: float) -> list[str]:
+    grammar = SpokenGrammar(engine)
+    model = Driving([FORWARD], {FORWARD: forward, BACKWARD: backward}, {})
+    opinions = (model, model)
+    readings = opposed_too(grammar, doubted(grammar, opinions), opinions)  # type: ignore[arg-type]
+    assert [one.behind for one in readings] == sorted(one.behind for one in readings)
+    return [" ".join(one.words) for one in readings]
+
+
+def test_what_would_drive_the_other_way_is_compared_though_nobody_thought_of_it(engine):
+    assert driven(engine, -1.0, -3.0)[:2] == [FORWARD, BACKWARD]
+    assert driven(engine, -3.0, -1.0)[:2] == [BACKWARD, FORWARD]
+
+
+def test_of_what_is_not_done_nothing_more_is_compared(engine):
+    assert driven(engine, -40.0, -1.0) == [FORWARD]
