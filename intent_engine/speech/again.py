@@ -32,7 +32,12 @@ is noise."""
 
 
 def heard_again(
-    once: Transcript, samples: Samples, grammar: SpokenGrammar, hear: Callable[[Samples, bool], Transcript]
+    once: Transcript,
+    samples: Samples,
+    grammar: SpokenGrammar,
+    hear: Callable[[Samples, bool], Transcript],
+    *,
+    late: bool = False,
 ) -> Transcript:
     """What was heard, after it was heard again if it is not sure: done if it was sure either time, and asked back if it
     may have been something else. A stop waits for nothing, what shall not be done is not tried until it is heard
@@ -44,13 +49,15 @@ def heard_again(
         grammar: that knows what it means.
         hear: how it was heard: a sound, and whether with as much care. What is done already is only looked at, which
             takes half the time.
+        late: whether it took so long that nothing more is to be found. What would be done is looked at all the same:
+            a slow machine is no reason to be less careful.
     """
     meaning = grammar.parse(once.text, once.language)
     done = grammar.acted_on(once.sureness, once.language)
     confirmed = once.sureness >= CONFIRMED or grammar.forgiving(once.language)
     asked_back = once.unclear or once.left_out
     enough = meaning.refuses or (done and (confirmed or meaning.stops or asked_back))
-    if enough or once.sureness < HOPELESS:
+    if enough or once.sureness < HOPELESS or (late and not done):
         return once
     again = hear(later(samples), not done)
     said = grammar.parse(again.text, again.language)

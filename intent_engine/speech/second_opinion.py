@@ -221,9 +221,8 @@ class SecondOpinion:
         would be asked back else; and what they make of it when they hear it again, if it is not sure then."""
         began = time.perf_counter()
         both = self._sought(look, began)
-        if time.perf_counter() - began > SOON:
-            return both
-        return heard_again(both, look.samples, self._grammar, self._heard)
+        late = time.perf_counter() - began > SOON
+        return heard_again(both, look.samples, self._grammar, self._heard, late=late)
 
     def _sought(self, look: _Look, began: float) -> Transcript:
         """What both find in the grammar."""

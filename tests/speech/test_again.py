@@ -155,11 +155,19 @@ def test_what_is_sure_or_refused_or_a_stop_or_nothing_is_not_heard_again(engine,
     assert (one.listened, one.listened_again) == ([SOUND.size], [])
 
 
-def test_on_a_slow_machine_nothing_is_heard_again(engine, monkeypatch):
+def test_on_a_slow_machine_what_would_be_asked_back_is_not_heard_again(engine, monkeypatch):
     monkeypatch.setattr(second_opinion, "SOON", -1.0)
     both, one, _ = hearing(engine, HARDLY, SURELY)
     both.transcribe(SOUND)
     assert (one.listened, one.listened_again) == ([SOUND.size], [])
+
+
+def test_but_what_would_be_done_is(engine, monkeypatch):
+    """Who has a slow machine is not to have a less careful robot."""
+    monkeypatch.setattr(second_opinion, "SOON", -1.0)
+    both, one, _ = hearing(engine, RATHER, OTHER)
+    assert both.transcribe(SOUND).sureness < 0.7
+    assert (one.listened, one.listened_again) == ([SOUND.size], [SOUND.size])
 
 
 def test_the_cases_are_what_they_are_called(engine):

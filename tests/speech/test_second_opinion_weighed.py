@@ -224,3 +224,15 @@ def test_what_was_heard_before_a_command_may_be_its_own_beginning(engine, before
     thinks = Knows(freely, {short: -2.0, FORWARD: score}, begins={short: (FORWARD,)}, thought_of=frozenset({short}))
     found = both_think(engine, thinks, replace(thinks))
     assert (found.text, found.left_out) == ((FORWARD, ()) if taken else (short, (before,)))
+
+
+def test_how_likely_the_other_way_is_is_told_though_nobody_thought_of_it(engine):
+    forward, backward = "go forward two meters", "go back two meters"
+    others = {f"{way} two meters": -7.5 for way in ("go on", "go straight", "go ahead", "move forward")}
+    freely = replace(heard(forward, 0.5), free_text="go fourth two meters")
+    scores = {forward: -6.0, backward: -7.5, **others}
+    thinks = Knows(freely, scores, thought_of=frozenset({forward, *others}))
+    found = both_think(engine, thinks, thinks)
+    assert found.text == forward
+    behind = dict(zip(found.alternatives, found.behind, strict=True))
+    assert behind[backward] >= 1.5, "also behind all of those that mean the same"
