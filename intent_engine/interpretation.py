@@ -42,7 +42,7 @@ class Interpretation:
     status: Status
     intent: str | None = None
     """Name of the intent; ``compound`` when several commands were said at once; None when rejected."""
-    slots: Mapping[str, Any] = field(default_factory=dict)
+    slots: Mapping[str, Any] = field(default_factory=dict, hash=False)
     """Slot name to value: strings, SI floats, booleans. For a compound:
     ``{"steps": [{"intent", "slots"}, ...]}`` in the order said."""
     actions: tuple[Action, ...] = ()

@@ -210,6 +210,12 @@ class Goal:
             data["text"] = self.text
         return data
 
+    def __reduce__(self) -> str:
+        raise TypeError(
+            "a Goal belongs to its executor, and cannot be copied or pickled, nor can an event of it: hand on "
+            "goal.action, or what goal.to_json() and event.to_json() give"
+        )
+
     def __repr__(self) -> str:
         why = f" ({self.reason.value}: {self.detail})" if self.reason else ""
         return f"<Goal {self.id} {self.action!r} {self.state.value}{why}>"

@@ -53,7 +53,7 @@ OTHER_MEANINGS: Mapping[str, str] = {
 class LocationMap(Mapping[str, Location]):
     """Places by name."""
 
-    places: Mapping[str, Location] = field(default_factory=dict)
+    places: Mapping[str, Location] = field(default_factory=dict, hash=False)
     frame: str = DEFAULT_FRAME
     """Of the places that name none."""
     files: tuple[str, ...] = ()
