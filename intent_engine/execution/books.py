@@ -45,13 +45,20 @@ class Books:
         self._gate = gate
         self._failsafe = failsafe
         self._enter = enter
-        self.lock = threading.RLock()
-        self.wake = threading.Condition(self.lock)
-        """Something is due earlier than was thought."""
+        self.renew()
         self.stops = Stops()
         self._late: list[StopCall] = []
         """Stops that could not take the lock: they are still to be entered."""
         self._poked = False
+
+    def renew(self) -> None:
+        """Begin with a lock that nobody has: in a child that was forked, where a thread of the parent has the old one
+        for ever."""
+        self.lock = threading.RLock()
+        self.wake = threading.Condition(self.lock)
+        """Something is due earlier than was thought."""
+        self.ended = threading.Condition(self.lock)
+        """A goal has ended."""
 
     @property
     def due(self) -> bool:

@@ -108,8 +108,7 @@ class Executor:
         events, loop = self._events, self.loop
         self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
         self._books = Books(self.clock, self._gate, self._failsafe, lambda *stop: self._conductor.stop(*stop))
-        goal_ended = threading.Condition(self._books.lock)
-        self._waiting = Waiting(self.clock, goal_ended, lambda: self.idle)
+        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
         poke = self._books.poke
         stops = self._books.stops
         carriers = Carriers(
@@ -126,7 +125,7 @@ class Executor:
             loop,
             self._failsafe,
             events,
-            goal_ended.notify_all,
+            lambda: self._books.ended.notify_all(),
             stops,
             hold_limit,
             queue_limit,
@@ -430,6 +429,10 @@ class Executor:
         """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
         self._gate.shut()
         self._conductor.closed = True
+        self._closing.acquire(blocking=False)
+        self._books.renew()
+        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
+        self._events.disown()
 
     def __reduce__(self) -> str:
         raise TypeError(

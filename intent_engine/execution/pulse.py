@@ -65,3 +65,4 @@ class Pulse:
                 self._clock.wait_until(self._books.wake, self.due())
             with self._books.locked():
                 pass  # a stop that did not get the lock of a robot that hung, as it was closed, is entered
+        self._events.flush()
