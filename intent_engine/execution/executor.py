@@ -196,6 +196,8 @@ class Executor:
             since = self._stop(Reason.STOP, EventKind.STOP, given.time_of(spoken_at))
         actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
+        if text is not None:
+            given.check_text("text", text)
         taken = given.named(Policy, "policy", policy) if policy is not None else None
         amends = given.goal_of("amends", amends, self) if amends is not None else None
         if not listed:

@@ -14,7 +14,7 @@ from intent_engine.execution.goal import Goal
 from intent_engine.execution.motion import Rates
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.hints import did_you_mean
-from intent_engine.values import check_number, check_timeout, is_number, named
+from intent_engine.values import check_number, check_text, check_timeout, is_number, named
 
 __all__ = [
     "capabilities_of",
@@ -28,6 +28,7 @@ __all__ = [
     "check_pose",
     "check_robot",
     "check_spoken",
+    "check_text",
     "check_timeout",
     "goal_of",
     "goals_of",
@@ -77,7 +78,8 @@ def check_spoken(spoken_at: object) -> None:
         return
     if not is_number(spoken_at):
         policies = ("replace", "queue", "follow", "refuse")
-        hint = f"; a policy is given by its name: policy={str(spoken_at)!r}" if spoken_at in policies else ""
+        by_name = isinstance(spoken_at, str) and spoken_at in policies
+        hint = f"; a policy is given by its name: policy={str(spoken_at)!r}" if by_name else ""
         raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
     raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
 

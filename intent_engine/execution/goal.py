@@ -175,6 +175,8 @@ class Goal:
 
     def add_done_callback(self, callback: Callable[[Goal], None]) -> None:
         """Call when the goal has ended (at once if it has). An exception in it is logged and goes no further."""
+        if not callable(callback):
+            raise TypeError(f"add_done_callback takes a function that takes the goal, not {callback!r:.80}")
         self._future.add_done_callback(lambda future: callback(future.result()))
 
     def future(self) -> Future[Goal]:
