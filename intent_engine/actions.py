@@ -160,7 +160,7 @@ class Custom:
             raise TypeError(f"Custom.slots are a dictionary, as {{'person': 'Ada'}}, not {self.slots!r:.80}")
 
     def __hash__(self) -> int:
-        return hash((self.name, json.dumps(dict(self.slots), sort_keys=True)))
+        return hash((self.name, frozenset(self.slots)))  # of the names alone: what a slot holds may be anything
 
 
 Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | Custom

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import threading
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -35,7 +34,7 @@ class IntentEngine:
     """
 
     def __init__(self, grammars: Sequence[Grammar], locations: LocationMap | None = None) -> None:
-        loaded = tuple(grammars) if not isinstance(grammars, str | os.PathLike) else ()
+        loaded = tuple(grammars) if isinstance(grammars, Iterable) and not isinstance(grammars, str) else ()
         if not loaded or not all(isinstance(grammar, Grammar) for grammar in loaded):
             raise TypeError("IntentEngine takes grammars that are read; IntentEngine.from_files(...) reads files")
         if locations is not None:

@@ -20,6 +20,9 @@ UNKNOWN_PLACE = "no place is called"
 """What is wrong with a place that is not on the map, as reasons have it."""
 
 
+_KEYS = ("text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason")
+
+
 class Status(StrEnum):
     """How sure the engine is. Only ``ACCEPTED`` moves a robot."""
 
@@ -42,7 +45,7 @@ class Interpretation:
     status: Status
     intent: str | None = None
     """Name of the intent; ``compound`` when several commands were said at once; None when rejected."""
-    slots: Mapping[str, Any] = field(default_factory=dict)
+    slots: Mapping[str, Any] = field(default_factory=dict, hash=False)
     """Slot name to value: strings, SI floats, booleans. For a compound:
     ``{"steps": [{"intent", "slots"}, ...]}`` in the order said."""
     actions: tuple[Action, ...] = ()
@@ -117,7 +120,16 @@ class Interpretation:
 
     @staticmethod
     def from_json(data: Mapping[str, Any]) -> Interpretation:
-        """The interpretation that :meth:`to_json` wrote."""
+        """The interpretation that :meth:`to_json` wrote.
+
+        Raises:
+            TypeError: it is no JSON object.
+            ValueError: a key is missing, or what it holds is of the wrong kind.
+        """
+        if not isinstance(data, Mapping):
+            raise TypeError(f"Interpretation.from_json takes what to_json gave, a dictionary, not {data!r:.80}")
+        if missing := [key for key in _KEYS if key not in data]:
+            raise ValueError(f"an interpretation in JSON has {', '.join(_KEYS)}; {', '.join(missing)} is missing")
         return Interpretation(
             text=data["text"],
             status=Status(data["status"]),

@@ -7,10 +7,11 @@ something else than was meant: a choice by a wrong name would count as the other
 from __future__ import annotations
 
 import math
+import os
 from numbers import Real
 from typing import TypeVar
 
-__all__ = ["check_number", "check_text", "check_timeout", "is_number", "named"]
+__all__ = ["check_number", "check_path", "check_text", "check_timeout", "is_number", "named"]
 
 E = TypeVar("E")
 
@@ -53,6 +54,16 @@ def check_timeout(value: object) -> None:
         raise TypeError(f"timeout is a number of s, or None to wait as long as it takes, not {value!r:.80}")
     if value is not None and math.isnan(value):  # type: ignore[arg-type]
         raise ValueError("timeout is a number of s, or None to wait as long as it takes, not nan")
+
+
+def check_path(name: str, value: object) -> None:
+    """See that a file is named.
+
+    Raises:
+        TypeError: it is not by a path.
+    """
+    if not isinstance(value, str | os.PathLike):
+        raise TypeError(f"{name} is given by its path, not as {value!r:.80}")
 
 
 def check_text(name: str, value: object, *, empty: bool = True) -> None:

@@ -201,3 +201,8 @@ def test_numbers_of_numpy_are_written_as_others():
 def test_what_is_no_action_is_not_written(given):
     with pytest.raises(TypeError, match="to_json takes an action, not"):
         to_json(given)
+
+
+def test_equal_custom_actions_have_one_hash_whatever_their_slots_hold():
+    assert len({Custom("wave", {"times": 2}), Custom("wave", {"times": 2.0})}) == 1
+    assert len({Custom("wave", {"place": (1, object), "who": {1, 2}})}) == 1

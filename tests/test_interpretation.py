@@ -44,3 +44,9 @@ def test_nothing_is_done_unless_something_says_so():
 
 def test_confidence_is_written_to_four_places():
     assert Interpretation("x", Status.ACCEPTED, confidence=2 / 3).to_json()["confidence"] == 0.6667
+
+
+@given(interpretations)
+def test_equal_ones_have_one_hash(interpretation):
+    again = Interpretation.from_json(interpretation.to_json())
+    assert len({interpretation, again}) == 1

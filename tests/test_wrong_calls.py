@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine import Executor, IntentEngine, Interpretation, Runtime, SimulatedRobot
 from intent_engine.actions import Move
 from intent_engine.errors import AudioError, ConfigError
 from intent_engine.execution.clock import VirtualClock
+from intent_engine.execution.journal import Journal
 from intent_engine.execution.limits import Limits
-from intent_engine.language.locations import LocationMap
+from intent_engine.language.locations import LocationMap, from_text, load
 from intent_engine.speech.endpoint import Settings
+from intent_engine.speech.sources.file import FileSource
 from intent_engine.speech.sources.stream import StreamSource
 from intent_engine.testing import sentences
 
@@ -88,6 +91,14 @@ MOVE = Move(0.5, 1.0, 2.0)
         (lambda one: one.submit(MOVE, guards=lambda: ""), "guards are a list with one for each action"),
         (lambda one: one.submit(MOVE, policy="quee"), "policy is one of 'replace', 'queue', 'follow', 'refuse', not"),
         (lambda one: one.submit(MOVE, keep="way"), "keep is one of 'distance', 'duration', not 'way'"),
+        (lambda one: one.submit(MOVE, text=5), "text is a text, not 5"),
+        (
+            lambda one: one.submit(MOVE, np.array([1, 2])),
+            r"spoken_at is a time on .* in s, not array",
+        ),
+        (lambda one: one.submit(MOVE)[0].add_done_callback("print"), "add_done_callback takes a function .* 'print'"),
+        (lambda one: one.clock.advance("1 s"), "a clock is moved by a number of s, not by '1 s'"),
+        (lambda one: one.clock.advance_to(None), "a clock is moved by a number of s, not by None"),
         (lambda one: one.subscribe(None), "a listener is a function that takes an event, not None"),
         (lambda one: one.register("wave", lambda: None), "called as handler.action., or handler.action, context."),
     ],
@@ -196,3 +207,24 @@ def test_guards_ask_for_the_states():
 def test_what_no_endpoint_is_set_to(given, says):
     with pytest.raises((TypeError, ValueError), match=says):
         Settings(**given)
+
+
+@pytest.mark.parametrize(
+    ("call", "says"),
+    [
+        (lambda: VirtualClock("noon"), "a clock is moved by a number of s, not by 'noon'"),
+        (lambda: VirtualClock(float("nan")), "a clock cannot be moved to nan"),
+        (lambda: IntentEngine(None), "IntentEngine takes grammars that are read"),
+        (lambda: Interpretation.from_json(None), "Interpretation.from_json takes what to_json gave, a dictionary"),
+        (lambda: Interpretation.from_json({"text": "stop"}), "status, intent, .*, reason is missing"),
+        (lambda: Journal(None), "a journal is given by its path, not as None"),
+        (lambda: FileSource(5), "a recording is given by its path, not as 5"),
+        (lambda: load(b"home.yaml"), "a map is given by its path, not as b'home.yaml'"),
+        (lambda: load([None]), "a map is given by its path, not as None"),
+        (lambda: from_text(None), "a map is a text, not None"),
+        (lambda: LocationMap.from_mapping([("kitchen", 5.0, 2.0)]), "places are a dictionary, as .'kitchen'"),
+    ],
+)
+def test_what_nothing_is_made_of_is_told(call, says):
+    with pytest.raises((TypeError, ValueError), match=says):
+        call()

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import logging
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from numbers import Real
 from typing import Any
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
@@ -17,6 +15,7 @@ from intent_engine.execution.given import (
     check_number,
     check_policies,
     check_robot,
+    check_spoken,
     named,
 )
 from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
@@ -90,11 +89,7 @@ def checked(
             raise TypeError(f"a guard is called and answers with text, not a {type(guard).__name__}")
         if guard is not None:
             check_awaitless("a guard", guard)
-    if isinstance(spoken_at, bool) or not isinstance(spoken_at, Real | None):
-        hint = f"; a policy is given by its name: policy={spoken_at!r}" if spoken_at in [*Policy] else ""
-        raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
-    if spoken_at is not None and not math.isfinite(spoken_at):
-        raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
+    check_spoken(spoken_at)
     return [Terms(*each) for each in zip(keeps, guards or [None] * len(actions), strict=True)]
 
 

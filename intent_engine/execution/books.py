@@ -10,23 +10,15 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from intent_engine.execution.clock import Clock
 from intent_engine.execution.events import EventKind
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Reason
+from intent_engine.execution.stops import StopCall, Stops
 
 __all__ = ["Books"]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Stop:
-    """One that was asked for: two are never the same."""
-
-    reason: Reason
-    kind: EventKind
 
 
 class Books:
@@ -43,6 +35,8 @@ class Books:
     """s that a stop, or a hold, waits for the lock, before it stops the robot past it."""
     LATER = 0.5
     """s that a stop then waits for the lock, to end the goals before it returns."""
+    CLOSING = 1.0
+    """s that closing waits for it besides."""
 
     def __init__(
         self, clock: Clock, gate: Gate, failsafe: Failsafe, enter: Callable[[Reason, EventKind, float], None]
@@ -51,12 +45,20 @@ class Books:
         self._gate = gate
         self._failsafe = failsafe
         self._enter = enter
+        self.renew()
+        self.stops = Stops()
+        self._late: list[StopCall] = []
+        """Stops that could not take the lock: they are still to be entered."""
+        self._poked = False
+
+    def renew(self) -> None:
+        """Begin with a lock that nobody has: in a child that was forked, where a thread of the parent has the old one
+        for ever."""
         self.lock = threading.RLock()
         self.wake = threading.Condition(self.lock)
         """Something is due earlier than was thought."""
-        self._late: list[_Stop] = []
-        """Stops that could not take the lock: they are still to be entered."""
-        self._poked = False
+        self.ended = threading.Condition(self.lock)
+        """A goal has ended."""
 
     @property
     def due(self) -> bool:
@@ -102,11 +104,14 @@ class Books:
         finally:
             self._gate.entered(hold)
 
-    def stop(self, reason: Reason, kind: EventKind) -> None:
+    def stop(self, reason: Reason, kind: EventKind, said: float | None = None) -> StopCall:
         """Velocities are shut off, the robot is stopped, and what that ends is entered: now, or when the lock is
-        free."""
-        stop = _Stop(reason, kind)
+        free. ``said``: s on the clock, when its words ended; None: it was not spoken."""
+        self._gate.shut()
+        now = self._clock.now()
+        stop = StopCall(reason, kind, now if said is None else min(said, now))
         self._gate.keep_shut(stop)
+        self.stops.asked(stop)
         locked = False
         try:
             locked = self.lock.acquire(timeout=self.PATIENCE)
@@ -125,12 +130,23 @@ class Books:
                 self.wake.notify_all()
             finally:
                 self.lock.release()
+        return stop
 
-    def _end_what_they_end(self, stop: _Stop, now: float) -> None:
+    def enter_late(self) -> None:
+        """Enter what is still to be entered, if the lock can be had soon; the executor's thread does it otherwise."""
+        if self._late and self.lock.acquire(timeout=self.CLOSING):
+            try:
+                with self.locked():
+                    pass
+            finally:
+                self.lock.release()
+
+    def _end_what_they_end(self, stop: StopCall, now: float) -> None:
         """Enter a stop, under the lock. Those that came too late before it end nothing that it does not."""
         late = [self._late.pop(0) for _ in range(len(self._late))]  # another may be added meanwhile
         try:
             self._enter(stop.reason, stop.kind, now)
         finally:
+            self.stops.entered((*late, stop))
             for each in (*late, stop):
                 self._gate.entered(each)

@@ -12,6 +12,8 @@ import threading
 import time
 from typing import Protocol, runtime_checkable
 
+from intent_engine.values import is_number
+
 __all__ = ["Clock", "MonotonicClock", "Stepped", "SteppedClock", "VirtualClock"]
 
 
@@ -91,7 +93,7 @@ class VirtualClock:
     """A step that never moves its due time is a bug; it is named instead of turning for ever."""
 
     def __init__(self, start: float = 0.0) -> None:
-        self._now = start
+        self._now = _moment(start)
         self._lock = threading.RLock()
         self._attached: list[Stepped] = []
 
@@ -109,12 +111,11 @@ class VirtualClock:
 
     def advance(self, seconds: float) -> None:
         """Move on by ``seconds``."""
-        self.advance_to(self._now + seconds)
+        self.advance_to(self._now + _moment(seconds))
 
     def advance_to(self, moment: float) -> None:
         """Move on to ``moment`` (never back), doing what is due on the way, what is due at ``moment`` included."""
-        if not math.isfinite(moment):
-            raise ValueError(f"a clock cannot be moved to {moment}")
+        moment = _moment(moment)
         with self._lock:
             self._run(moment)
             self._now = max(self._now, moment)
@@ -170,3 +171,17 @@ class VirtualClock:
             at = self._now
             if steps > self.MAX_STEPS_AT_ONE_TIME:
                 raise RuntimeError(f"time stands still at {at}: {self._next()[1]!r} is due again and again")
+
+
+def _moment(given: float) -> float:
+    """A time that a program gave, or by how much it is to go on.
+
+    Raises:
+        TypeError: it is no number.
+        ValueError: it is not finite.
+    """
+    if not is_number(given):
+        raise TypeError(f"a clock is moved by a number of s, not by {given!r:.80}")
+    if not math.isfinite(given):
+        raise ValueError(f"a clock cannot be moved to {given}")
+    return given

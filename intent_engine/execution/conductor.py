@@ -22,6 +22,7 @@ from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.motion import Motion, Travel
 from intent_engine.execution.raised import pass_on_interrupt, told
 from intent_engine.execution.runs import Ending, MotionRun, Run, VelocityLoop
+from intent_engine.execution.stops import Stops
 
 __all__ = ["Conductor"]
 
@@ -36,6 +37,8 @@ class _Waiting:
     terms: Terms
     covered: Travel | None
     """How far the goal that it amends has come; None: it amends none."""
+    since: object
+    """The last stop when it was asked for."""
 
 
 class Conductor:
@@ -52,21 +55,26 @@ class Conductor:
         failsafe: Failsafe,
         events: Dispatcher,
         ended: Callable[[], None],
+        stops: Stops,
         hold_limit: float,
         queue_limit: int,
     ) -> None:
-        """``events`` hear of everything; ``ended`` wakes those who wait for the end of a goal."""
+        """``events`` hear of everything; ``ended`` wakes those who wait for the end of a goal; ``stops`` knows what was
+        asked for before a stop."""
         self._admission = admission
         self._carriers = carriers
         self._loop = loop
         self._failsafe = failsafe
         self._events = events
         self._ended = ended
+        self._stops = stops
         self._hold_limit, self._queue_limit = hold_limit, queue_limit
         self._queue: deque[_Waiting] = deque()
         self._run: Run | None = None
         self._held_since: float | None = None
         self._feedback_at = math.inf
+        self._mute: Run | None = None
+        """The last one of which it was said that it tells nothing."""
         self.paused = self.estopped = self.closed = False
 
     @property
@@ -133,9 +141,16 @@ class Conductor:
     # -- commands ----------------------------------------------------------------------------------------------------
 
     def take(
-        self, goals: list[Goal], terms: list[Terms], policy: Policy | None, now: float, amends: Goal | None = None
+        self,
+        goals: list[Goal],
+        terms: list[Terms],
+        policy: Policy | None,
+        now: float,
+        since: object,
+        amends: Goal | None = None,
     ) -> None:
-        """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already."""
+        """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already.
+        ``since``: the last stop when they were asked for."""
         for goal in goals:
             self._events.tell(EventKind.GOAL, goal)
         if isinstance(goals[0].action, Stop):
@@ -147,7 +162,7 @@ class Conductor:
         if not goals:
             return
         policy = policy or self._admission.policy(goals[0].action)
-        refusals = [self._refusal(goal, now) for goal in goals]
+        refusals = [self._refusal(goal, now, since) for goal in goals]
         if not any(refusals) and (full := self._no_room(len(goals), policy)) is not None:
             refusals = [full] * len(goals)
         refused = next((ending for ending in refusals if ending is not None), None)
@@ -164,7 +179,7 @@ class Conductor:
             if policy is Policy.FOLLOW and before is not None:
                 goal.utterance = before.utterance
             self._move(goal, GoalState.ACCEPTED, now)
-            self._queue.append(_Waiting(goal, its, covered if goal is goals[0] else None))
+            self._queue.append(_Waiting(goal, its, covered if goal is goals[0] else None, since))
 
     @property
     def goals(self) -> list[Goal]:
@@ -201,27 +216,36 @@ class Conductor:
         self._go_on(now)
 
     def stop(self, reason: Reason, kind: EventKind, now: float) -> None:
-        """Zero, and the end of everything."""
-        stopped = self._failsafe.stop()
-        run, self._run = self._run, None
-        self._leave(run, self._failsafe.halt_loop(now))
-        self._held_since, self.paused = None, False
-        if run is not None:
-            if isinstance(run, HandlerRun) or not stopped:
-                self._let_go(run, now)
-            # A goal that was making way already keeps its own reason.
-            was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
-            self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
-        self._clear_queue(reason, now)
-        self._events.tell(kind, reason=reason)
+        """Zero, and the end of everything, also where the robot's stop is broken off by Ctrl-C or a ``sys.exit()``."""
+        stopped = False
+        try:
+            stopped = self._failsafe.stop()
+        finally:
+            run, self._run = self._run, None
+            self._held_since, self.paused = None, False
+            try:
+                self._leave(run, self._failsafe.halt_loop(now))
+                if isinstance(run, HandlerRun) or not (run is None or stopped):
+                    self._let_go(run, now)
+            finally:
+                if run is not None:
+                    # A goal that was making way already keeps its own reason.
+                    was = run.goal.reason if run.goal.state is GoalState.CANCELING else reason
+                    self._end(run.goal, Ending(GoalState.CANCELED, was), now, run)
+                self._clear_queue(reason, now)
+                self._events.tell(kind, reason=reason)
 
     # -- from goal to goal -------------------------------------------------------------------------------------------
 
-    def _refusal(self, goal: Goal, now: float) -> Ending | None:
+    def _refusal(self, goal: Goal, now: float, since: object) -> Ending | None:
         if self.closed:
             return Ending(GoalState.REJECTED, Reason.CLOSED, "the executor is closed")
         if self.estopped:
             return Ending(GoalState.REJECTED, Reason.ESTOP, "emergency stop; reset() lets the robot move again")
+        if self._stops.came_after(since):
+            return Ending(GoalState.REJECTED, Reason.STOP, "a stop came after it was asked for")
+        if self._stops.came_after_words(goal.times.spoken):
+            return Ending(GoalState.REJECTED, Reason.STOP, "it was said before the last stop; say it again")
         if self._failsafe.fault and self._admission.drives(goal.action):
             return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self._failsafe.fault}; reset() starts it again")
         return self._admission.expired(goal, now) or self._admission.impossible(goal)
@@ -247,6 +271,10 @@ class Conductor:
             return True  # whoever was asked has stopped the robot
         if ending is None and not self._failsafe.begin():
             return False  # a stop that waits for the lock ends it, or a hold keeps it waiting
+        if ending is None and self._stops.came_after(waiting.since):  # a signal handler's, as this was accepted
+            ending = Ending(GoalState.CANCELED, Reason.STOP)
+        if not self._queue:
+            return True  # the same, just now
         self._queue.popleft()
         if ending is not None:
             self._end(goal, ending, now)
@@ -335,7 +363,9 @@ class Conductor:
         try:
             feedback = replace(run.feedback(now), pose=self._failsafe.pose())
         except BaseException as error:
-            log.exception("no feedback of goal %d", run.goal.id)
+            if self._mute is not run:
+                log.exception("no feedback of goal %d; this is said once", run.goal.id)
+            self._mute = run
             pass_on_interrupt(error)
             return
         run.goal.feedback = feedback

@@ -163,9 +163,10 @@ class Dispatcher:
             reason, detail = goal.reason, goal.detail
         state = goal.state if goal is not None else None
         event = Event(kind, self._now(), goal, state, reason, detail, feedback)
+        lanes = self._lanes
         if not self._threaded:
             self._outbox.put(event)
-        for lane in self._lanes:
+        for lane in lanes:
             lane.put(event)
 
     def launch(self, work: Callable[[], None]) -> None:
@@ -176,7 +177,8 @@ class Dispatcher:
             self._outbox.put(work)
 
     def flush(self) -> None:
-        """Without threads: do what is waiting. If another thread is at it, that one does it all."""
+        """Without threads, or when they have ended: do what is waiting. If another thread is at it, that one does it
+        all."""
         while not self._outbox.empty() and self._flushing.acquire(blocking=False):
             try:
                 while True:
@@ -198,10 +200,16 @@ class Dispatcher:
     def close(self, timeout: float = 1.0) -> None:
         """Deliver what is waiting, for ``timeout`` s at the most, then end the threads."""
         self.flush()
+        self._threaded = False  # what ends from now on is told by who ends it
         lanes, self._lanes = self._lanes, ()
         end = time.monotonic() + timeout
         for lane in lanes:
             lane.end(max(end - time.monotonic(), 0.0))
+
+    def disown(self) -> None:
+        """In a child that was forked, which has none of the threads: who waits for a goal is woken all the same."""
+        self._threaded, self._lanes, self._listeners = False, (), ()
+        self._outbox, self._flushing = queue.SimpleQueue(), threading.Lock()
 
     def _do(self, item: Event | Callable[[], None]) -> None:
         if isinstance(item, Event):

@@ -38,6 +38,7 @@ from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
 from intent_engine.execution.snapshot import Snapshot
+from intent_engine.execution.stops import StopCall
 from intent_engine.execution.waiting import Waiting
 
 __all__ = ["Executor", "Policy", "Snapshot"]
@@ -107,14 +108,31 @@ class Executor:
         events, loop = self._events, self.loop
         self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
         self._books = Books(self.clock, self._gate, self._failsafe, lambda *stop: self._conductor.stop(*stop))
-        goal_ended = threading.Condition(self._books.lock)
-        self._waiting = Waiting(self.clock, goal_ended, lambda: self.idle)
+        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
         poke = self._books.poke
-        carriers = Carriers(robot, self._admission, loop, events.launch, poke, self._failsafe.stop_robot)
+        stops = self._books.stops
+        carriers = Carriers(
+            robot,
+            self._admission,
+            loop,
+            lambda work: events.launch(stops.carrying_out(work)),
+            poke,
+            self._failsafe.stop_robot,
+        )
         self._conductor = Conductor(
-            self._admission, carriers, loop, self._failsafe, events, goal_ended.notify_all, hold_limit, queue_limit
+            self._admission,
+            carriers,
+            loop,
+            self._failsafe,
+            events,
+            lambda: self._books.ended.notify_all(),
+            stops,
+            hold_limit,
+            queue_limit,
         )
         self._pulse = Pulse(self._books, self._conductor, events, self.clock)
+        self._closing = threading.Lock()
+        """Taken by who closes, for good."""
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
@@ -144,11 +162,14 @@ class Executor:
     ) -> list[Goal]:
         """Carry out the actions of one utterance, in order; a newer utterance takes the place of an older one.
 
-        Either all of them are accepted or none: half of what was said is never done.
+        Either all of them are accepted or none: half of what was said is never done. What was asked for before a stop
+        is rejected as well, if that comes before this call has returned; so is what a handler submits that was begun
+        before the stop, unless it was the handler that stopped.
 
         Args:
             actions: what to do. A :class:`Stop` that comes first stops at once, whatever else is going on.
-            spoken_at: when the words ended, on the executor's clock.
+            spoken_at: when the words ended, or the program decided, on the executor's clock. What was said before a
+                stop is rejected.
             policy: what to do with what is being carried out; None: the policy of the first action's type.
             keep: whether ramps cost a motion time (``distance``) or way (``duration``); one for all, or one for each.
             text: what was said, for the journal.
@@ -167,12 +188,16 @@ class Executor:
             ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
                 that is none.
         """
+        since: object = self._books.stops.since
         several = isinstance(actions, Iterable) and not isinstance(actions, Mapping)
         listed: list[Action] = list(actions) if several else [actions]  # type: ignore[arg-type, list-item]
         if listed and isinstance(listed[0], Stop):
-            self.stop()  # whatever may be wrong with the rest
+            # Whatever may be wrong with the rest.
+            since = self._stop(Reason.STOP, EventKind.STOP, given.time_of(spoken_at))
         actions_of("submit", listed)
         terms = checked(listed, keep, spoken_at, guards)
+        if text is not None:
+            given.check_text("text", text)
         taken = given.named(Policy, "policy", policy) if policy is not None else None
         amends = given.goal_of("amends", amends, self) if amends is not None else None
         if not listed:
@@ -183,15 +208,26 @@ class Executor:
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait = self._wait_for
-                self._conductor.take(goals, terms, taken, now, amends)
+                with self._pulse.whole():
+                    self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)
         finally:
             self._events.flush()
         return goals
 
-    def stop(self) -> None:
-        """Zero velocity now, every goal and task ended, the queue, a hold and a pause forgotten. From any thread."""
-        self._stop(Reason.STOP, EventKind.STOP)
+    def stop(self, *, spoken_at: float | None = None) -> None:
+        """Zero velocity now, every goal and task ended, the queue, a hold and a pause forgotten. From any thread.
+
+        Args:
+            spoken_at: when its words ended, on the executor's clock; None: now. What was said before it, and is
+                submitted after it, is rejected.
+
+        Raises:
+            TypeError: that is no number. The robot is stopped.
+            ValueError: it is no time. The robot is stopped.
+        """
+        self._stop(Reason.STOP, EventKind.STOP, given.time_of(spoken_at))
+        given.check_spoken(spoken_at)
 
     def estop(self) -> None:
         """Stop, and refuse every command but another stop until :meth:`reset`."""
@@ -261,24 +297,27 @@ class Executor:
             self._pulse.advance(now)
         self._events.flush()
 
-    def deny(self, actions: Action | Iterable[Action]) -> bool:
+    def deny(self, actions: Action | Iterable[Action], *, spoken_at: float | None = None) -> bool:
         """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
 
         Args:
             actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
                 denies all of its name.
+            spoken_at: as of :meth:`stop`.
 
         Returns:
             Whether it stopped.
 
         Raises:
-            TypeError: something that is not an action was denied.
+            TypeError: something that is not an action was denied, or the time is no number.
+            ValueError: it is no time.
         """
         listed = actions_of("deny", actions)
         with self._books.locked():
             found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
         if found:
-            self.stop()
+            self.stop(spoken_at=spoken_at)
+        given.check_spoken(spoken_at)
         return found
 
     def register(self, name: str, handler: Handler) -> None:
@@ -358,23 +397,29 @@ class Executor:
     # -- end ---------------------------------------------------------------------------------------------------------
 
     def close(self) -> None:
-        """Stop, end the thread, write the last zeros. What is submitted afterwards is rejected. Idempotent."""
-        with self._books.lock:
-            if self._conductor.closed:
-                return
-            self._conductor.closed = True
-        self._stop(Reason.CLOSED, EventKind.STOP)
-        with self._books.locked():
-            self._books.wake.notify_all()
-        if self._thread is not None and self._thread is not threading.current_thread():
-            self._thread.join(1.0)
-        if self._stepped is not None:
-            self._stepped.detach(self)
-        self.last_zeros()
-        shutdown.unregister(self)
-        if hasattr(self.loop, "close"):
-            self.loop.close()
-        self._events.close()
+        """Stop, end the thread, write the last zeros. What is submitted afterwards is rejected. Idempotent.
+
+        A robot that hangs in a call is not waited for longer than some seconds; what was asked of it ends when it
+        answers.
+        """
+        if not self._closing.acquire(blocking=False):
+            return
+        self._conductor.closed = True
+        try:
+            self._stop(Reason.CLOSED, EventKind.STOP)
+            self._books.enter_late()
+        finally:  # also where Ctrl-C, or a robot's sys.exit(), breaks that off
+            if self._thread is not None and self._thread is not threading.current_thread():
+                self._thread.join(1.0)
+            if self._stepped is not None:
+                self._stepped.detach(self)
+            try:
+                self.last_zeros()
+                shutdown.unregister(self)
+            finally:
+                if hasattr(self.loop, "close"):
+                    self.loop.close()
+                self._events.close()
 
     def last_zeros(self) -> None:
         """Zero, as often as the rates say, without lock or thread: for the end of the process."""
@@ -386,6 +431,16 @@ class Executor:
         """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
         self._gate.shut()
         self._conductor.closed = True
+        self._closing.acquire(blocking=False)
+        self._books.renew()
+        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
+        self._events.disown()
+
+    def __reduce__(self) -> str:
+        raise TypeError(
+            "an Executor drives a robot and cannot be copied or pickled: share it between threads, and hand actions "
+            "to its process, which pickle and have to_json"
+        )
 
     def __enter__(self) -> Executor:
         return self
@@ -408,9 +463,11 @@ class Executor:
             self._pulse.advance(now)
         self._events.flush()
 
-    def _stop(self, reason: Reason, kind: EventKind) -> None:
-        self._books.stop(reason, kind)
+    def _stop(self, reason: Reason, kind: EventKind, said: float | None = None) -> StopCall:
+        """Stop; what comes after it is asked for since what is returned."""
+        stop = self._books.stop(reason, kind, said)
         self._events.flush()
+        return stop
 
     def _wait_for(self, goal: Goal, timeout: float | None) -> None:
         self._waiting.wait_for(goal, timeout)

@@ -40,6 +40,8 @@ class Failsafe:
         """How often the robot has failed since a goal was begun."""
         self.fault = ""
         """Why the velocity loop must not be used."""
+        self._lost = False
+        """Whether the robot raised when it was asked where it is, and that has been said."""
 
     @property
     def loop_is_asked(self) -> bool:
@@ -52,6 +54,7 @@ class Failsafe:
         if not self.let_through():
             return False
         self.failures = 0
+        self._lost = False
         return True
 
     def let_through(self) -> bool:
@@ -113,11 +116,13 @@ class Failsafe:
         return None
 
     def pose(self) -> Pose | None:
-        """Where the robot believes it is; None if it cannot tell."""
+        """Where the robot believes it is; None if it cannot tell. That it raised is said once for each goal."""
         try:
             return self._robot.pose()
         except BaseException as error:
-            log.exception("the robot raised in pose()")
+            if not self._lost:
+                log.exception("the robot raised in pose(); this is said once until the next command")
+            self._lost = True
             pass_on_interrupt(error)
             return None
 

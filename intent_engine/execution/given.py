@@ -14,7 +14,7 @@ from intent_engine.execution.goal import Goal
 from intent_engine.execution.motion import Rates
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.hints import did_you_mean
-from intent_engine.values import check_number, check_timeout, is_number, named
+from intent_engine.values import check_number, check_text, check_timeout, is_number, named
 
 __all__ = [
     "capabilities_of",
@@ -27,10 +27,13 @@ __all__ = [
     "check_policies",
     "check_pose",
     "check_robot",
+    "check_spoken",
+    "check_text",
     "check_timeout",
     "goal_of",
     "goals_of",
     "named",
+    "time_of",
 ]
 
 _ARGUMENTS = {"velocity": 3, "stop": 0, "pose": 0, "navigate": 1, "pick": 1, "place": 2, "cancel": 1}
@@ -62,6 +65,28 @@ def check_clock(clock: object) -> None:
     """
     if clock is not None and (isinstance(clock, type) or not (hasattr(clock, "now") and hasattr(clock, "wait_until"))):
         raise TypeError(f"a clock is MonotonicClock() or VirtualClock(), not {clock!r:.80}")
+
+
+def check_spoken(spoken_at: object) -> None:
+    """See that the end of words, if it was given, is a time.
+
+    Raises:
+        TypeError: it is no number.
+        ValueError: it is not finite.
+    """
+    if spoken_at is None or time_of(spoken_at) is not None:
+        return
+    if not is_number(spoken_at):
+        policies = ("replace", "queue", "follow", "refuse")
+        by_name = isinstance(spoken_at, str) and spoken_at in policies
+        hint = f"; a policy is given by its name: policy={str(spoken_at)!r}" if by_name else ""
+        raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
+    raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")
+
+
+def time_of(given: object) -> float | None:
+    """A time that a program gave, if it is one."""
+    return float(given) if is_number(given) and math.isfinite(given) else None  # type: ignore[arg-type]
 
 
 def check_robot(robot: object) -> None:

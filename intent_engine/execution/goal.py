@@ -175,6 +175,8 @@ class Goal:
 
     def add_done_callback(self, callback: Callable[[Goal], None]) -> None:
         """Call when the goal has ended (at once if it has). An exception in it is logged and goes no further."""
+        if not callable(callback):
+            raise TypeError(f"add_done_callback takes a function that takes the goal, not {callback!r:.80}")
         self._future.add_done_callback(lambda future: callback(future.result()))
 
     def future(self) -> Future[Goal]:
@@ -209,6 +211,12 @@ class Goal:
         if self.text is not None:
             data["text"] = self.text
         return data
+
+    def __reduce__(self) -> str:
+        raise TypeError(
+            "a Goal belongs to its executor, and cannot be copied or pickled, nor can an event of it: hand on "
+            "goal.action, or what goal.to_json() and event.to_json() give"
+        )
 
     def __repr__(self) -> str:
         why = f" ({self.reason.value}: {self.detail})" if self.reason else ""

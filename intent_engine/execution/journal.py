@@ -14,6 +14,7 @@ from typing import Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.execution.events import Event, EventKind
+from intent_engine.values import check_path
 
 __all__ = ["Journal", "default_journal"]
 
@@ -38,6 +39,7 @@ class Journal:
     """
 
     def __init__(self, path: str | os.PathLike[str], max_bytes: int = 1_000_000, backups: int = 5) -> None:
+        check_path("a journal", path)
         self.path = Path(path)
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)

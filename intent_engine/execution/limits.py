@@ -65,7 +65,7 @@ class Limits:
     task_duration: float = 600.0
     """s, longest navigation, pick, place or handler; then it is cancelled"""
     over: OverLimit = OverLimit.REFUSE
-    over_each: dict[str, OverLimit] = field(default_factory=dict)
+    over_each: dict[str, OverLimit] = field(default_factory=dict, hash=False)
     """Limit name -> what to do beyond this one, where it differs from ``over``."""
 
     def __post_init__(self) -> None:

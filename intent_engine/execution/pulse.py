@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Iterator
 
 from intent_engine.execution.books import Books
 from intent_engine.execution.clock import Clock
@@ -35,15 +36,22 @@ class Pulse:
         now = self._clock.now()
         return now if self._books.due else self._conductor.due(now)
 
-    def advance(self, now: float) -> None:
-        """Do what is due. Whatever breaks it off has stopped the robot before it goes on."""
-        self._books.looked()
+    @contextlib.contextmanager
+    def whole(self) -> Iterator[None]:
+        """Something is done to its end: whatever breaks it off has stopped the robot before it goes on."""
         try:
-            self._conductor.advance(now)
+            yield
         except BaseException as error:  # Ctrl-C, or a robot's sys.exit(): perhaps behind a velocity that was written
             self._events.tell(EventKind.ERROR, detail=with_type(error))
             self._conductor.stop(Reason.ROBOT_ERROR, EventKind.STOP, self._clock.now())
             raise
+
+    def advance(self, now: float) -> None:
+        """Do what is due."""
+        self._books.looked()
+        try:
+            with self.whole():
+                self._conductor.advance(now)
         finally:
             self._books.wake.notify_all()
 
@@ -55,3 +63,6 @@ class Pulse:
                 with contextlib.suppress(BaseException), self._books.locked() as now:
                     self.advance(now)
                 self._clock.wait_until(self._books.wake, self.due())
+            with self._books.locked():
+                pass  # a stop that did not get the lock of a robot that hung, as it was closed, is entered
+        self._events.flush()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import reprlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
@@ -35,6 +35,7 @@ from intent_engine.language.maps.places import Places
 from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import words_of
+from intent_engine.values import check_path, check_text
 
 __all__ = ["OTHER_MEANINGS", "Location", "LocationMap", "from_text", "load"]
 
@@ -53,7 +54,7 @@ OTHER_MEANINGS: Mapping[str, str] = {
 class LocationMap(Mapping[str, Location]):
     """Places by name."""
 
-    places: Mapping[str, Location] = field(default_factory=dict)
+    places: Mapping[str, Location] = field(default_factory=dict, hash=False)
     frame: str = DEFAULT_FRAME
     """Of the places that name none."""
     files: tuple[str, ...] = ()
@@ -65,6 +66,8 @@ class LocationMap(Mapping[str, Location]):
         Raises:
             ConfigError: with everything that is wrong: a pose that is not finite numbers, names that are said alike.
         """
+        if not isinstance(places, Mapping):
+            raise TypeError(f"places are a dictionary, as {{'kitchen': (5.0, 2.0, 0.0)}}, not {places!r:.80}")
         found, problems = checked([_dictionary(places, frame)])
         if problems:
             raise ConfigError(problems)
@@ -126,7 +129,10 @@ def load(paths: str | Path | Sequence[str | Path]) -> LocationMap:
     Raises:
         ConfigError: with every problem of every file.
     """
-    files = [Path(paths)] if isinstance(paths, (str, Path)) else [Path(path) for path in paths]
+    listed = list(paths) if isinstance(paths, Iterable) and not isinstance(paths, str | bytes) else [paths]
+    for path in listed:
+        check_path("a map", path)
+    files = [Path(path) for path in listed]
     names = tuple(str(path) for path in files)
     quick = _quickly(files[0]) if len(files) == 1 else None
     if quick is not None:
@@ -144,6 +150,7 @@ def from_text(text: str, name: str = "<text>") -> LocationMap:
     Raises:
         ConfigError: with everything that is wrong.
     """
+    check_text("a map", text)
     draft = _draft(parse_yaml(text, YamlSource(name)))
     places, problems = checked([draft])
     if problems:

@@ -106,14 +106,15 @@ class Acting:
             "goes_on": understood.step.goes_on,
             "in_turn": understood.step.in_turn,
         }
+        spoken_at = self._base + utterance.last_voice
         if meaning.stops:
             self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
         if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time
             self._holding.forget()
             self._last.forget()
-            self._executor.stop()
-        elif meaning.denied and self._executor.deny(meaning.denied):  # "don't clean the lab" to a robot that does
-            self._forget()
+            self._executor.stop(spoken_at=spoken_at)
+        elif meaning.denied and self._executor.deny(meaning.denied, spoken_at=spoken_at):
+            self._forget()  # "don't clean the lab" to a robot that does
         elif understood.corrects:
             self._last.forget()  # "no, three": whatever was meant, it was not that
         self._tell(HeardKind.TRANSCRIPT, time, transcript=transcript, **told)

@@ -31,7 +31,7 @@ def test_trials_in_one_process_pass_here():
 
 
 def test_an_executor_that_does_not_stop_is_found(monkeypatch):
-    monkeypatch.setattr(Executor, "_stop", lambda self, reason, kind: None)
+    monkeypatch.setattr(Executor, "_stop", lambda self, *stop: None)
     trial = stop_under_load(FILE, 1)
     assert not trial.passed
     assert "the goal ended as executing" in trial.detail

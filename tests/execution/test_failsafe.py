@@ -110,3 +110,10 @@ def test_a_motion_is_halted_however_often_the_robot_failed(broken):
     broken.failsafe.failures, broken.loop.moving = 5, True
     broken.failsafe.end_motion(1.0)
     assert broken.loop.asked == ["halt"]
+
+
+def test_a_robot_that_never_knows_where_it_is_says_so_once_for_each_goal(broken, caplog):
+    for count in (1, 2):
+        broken.failsafe.begin()
+        assert [broken.failsafe.pose() for _ in range(3)] == [None] * 3
+        assert len([record for record in caplog.records if "raised in pose()" in record.getMessage()]) == count

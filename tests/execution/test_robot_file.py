@@ -14,6 +14,7 @@ from intent_engine.execution.goal import Reason
 from intent_engine.execution.limits import OverLimit
 from intent_engine.execution.robots.robot import Capability, Pose
 from intent_engine.execution.robots.robot_file import load_robot
+from intent_engine.language.locations import load
 
 ROBOTS = sorted((Path(__file__).resolve().parents[2] / "robots").glob("*.yaml"))
 
@@ -113,3 +114,8 @@ def test_all_problems_come_at_once(tmp_path):
 def test_a_missing_file_is_told():
     with pytest.raises(ConfigError, match="no such file"):
         load_robot("robots/turtlebot33.yaml")
+
+
+def test_files_limits_and_maps_that_are_equal_have_one_hash():
+    assert len({load_robot("turtlebot3"), load_robot("turtlebot3")}) == 1
+    assert len({load("locations/home.yaml"), load("locations/home.yaml")}) == 1

@@ -352,3 +352,18 @@ def test_a_simulated_task_tells_its_end_to_who_asks_late(stage):
     told: list = []
     task.add_done_callback(told.append)
     assert (told, task.state) == ([task], TaskState.SUCCEEDED)
+
+
+def test_a_task_that_tells_nothing_of_itself_is_logged_once(stage, caplog):
+    class Mute:
+        state, reason = TaskState.RUNNING, ""
+        progress = property(fail)
+
+        def add_done_callback(self, callback):
+            pass
+
+    s = stage()
+    s.robot.navigate = lambda goal: Mute()
+    s.executor.submit(KITCHEN)
+    s.clock.advance(1.0)
+    assert len([record for record in caplog.records if "no feedback of goal" in record.getMessage()]) == 1

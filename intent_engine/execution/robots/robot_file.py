@@ -48,12 +48,12 @@ class RobotFile:
     rates: Rates = field(default_factory=Rates)
     footprint: Footprint = field(default_factory=Footprint)
     capabilities: frozenset[Capability] = frozenset(Capability)
-    policies: Mapping[str, str] = field(default_factory=dict)
+    policies: Mapping[str, str] = field(default_factory=dict, hash=False)
     expire_after: float = 5.0
     """s"""
     hold_limit: float = 10.0
     """s"""
-    simulation: Mapping[str, Any] = field(default_factory=dict)
+    simulation: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def executor_options(self) -> dict[str, Any]:
         """Keyword arguments for the executor."""

@@ -15,6 +15,7 @@ from intent_engine.speech.audio import Frame, Resampler
 from intent_engine.speech.scale import check_scale, faint, holds_16_bits
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
 from intent_engine.speech.sources.whole import check_mp3, check_whole
+from intent_engine.values import check_path
 
 __all__ = ["FileSource", "is_headerless"]
 
@@ -58,6 +59,7 @@ class FileSource:
     def __init__(self, path: str | Path, *, realtime: bool = False, form: PcmFormat | None = None) -> None:
         import soundfile
 
+        check_path("a recording", path)
         self.path = Path(path)
         self._realtime = realtime
         self._form = _libsndfile(form) if form is not None else {}
