@@ -264,6 +264,8 @@ class Executor:
     def deny(self, actions: Action | Iterable[Action]) -> bool:
         """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
 
+        Listeners are told of it in any case, since others may do it: an action may have been handed over to them.
+
         Args:
             actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
                 denies all of its name.
@@ -275,10 +277,14 @@ class Executor:
             TypeError: something that is not an action was denied.
         """
         listed = actions_of("deny", actions)
+        if not listed:
+            return False
         with self._books.locked():
+            self._events.tell(EventKind.DENY, denied=listed)
             found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
         if found:
             self.stop()
+        self._events.flush()
         return found
 
     def register(self, name: str, handler: Handler) -> None:

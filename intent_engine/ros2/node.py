@@ -9,13 +9,12 @@ In: ``voice_commands/text``, and ``voice_commands/amended_text`` for the last te
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
-from intent_engine.actions import Action, to_json
+from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.admission import Policy
@@ -25,12 +24,13 @@ from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.journal import Journal
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
+from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.clock import RosClock
-from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
+from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import leave, run_node
 from intent_engine.ros2.robot_states import States
@@ -74,6 +74,9 @@ class VoiceCommands:
         self._commands = node.create_publisher(String, "voice_commands/command", 10)
         self._actions = node.create_publisher(String, "voice_commands/action", 10)
         self._status = node.create_publisher(String, "voice_commands/status", 50)
+        arm = {Capability.PICK, Capability.PLACE} & parameters.robot.capabilities
+        self._handed_over = frozenset({"custom", *(each.value for each in arm)})
+        """Types of the actions that other nodes do."""
         self.robot = Ros2Robot(
             node,
             stamped=parameters.stamped,
@@ -98,6 +101,7 @@ class VoiceCommands:
         """Zero velocity and the end of every goal. Idempotent."""
         self.executor.close()
         self.robot.close()
+        acknowledge(self._actions)
 
     # -- in ------------------------------------------------------------------------------------------------------------
 
@@ -201,6 +205,8 @@ class VoiceCommands:
 
     def _executed(self, event: Event) -> None:
         """An event of the executor, in its own thread."""
+        if (work := action_text(event, self._handed_over)) is not None:
+            self._actions.publish(self._string(data=work))
         self._tell(event_text(event, self._ros_time(event.time)))
 
     def _ros_time(self, time: float) -> float:
@@ -208,8 +214,8 @@ class VoiceCommands:
         return float(self._node.get_clock().now().nanoseconds) * 1e-9 + time - self.executor.clock.now()
 
     def _hand_over(self, action: Action) -> str:
-        """It is an action's turn that other nodes do."""
-        self._actions.publish(self._string(data=json.dumps(to_json(action))))
+        """It is an action's turn that other nodes do. They are told of it with its event, since in the executor's
+        events it stands before whatever ends it."""
         return "handed over on voice_commands/action"
 
     def _say(self, event: str, **data: Any) -> None:
@@ -251,9 +257,8 @@ class VoiceCommands:
         )
         if clock is not None:
             clock.on_reset = executor.stop
-        executor.register("custom", self._hand_over)
-        for arm in {Capability.PICK, Capability.PLACE} & robot_file.capabilities:
-            executor.register(arm.value, self._hand_over)
+        for name in self._handed_over:
+            executor.register(name, self._hand_over)
         return executor
 
     def _warm_up(self) -> None:
