@@ -29,6 +29,7 @@ from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
+from intent_engine.ros2.best_effort import HearAll
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
@@ -89,10 +90,10 @@ class VoiceCommands:
         except BaseException:
             self.robot.close()
             raise
-        node.create_subscription(String, "voice_commands/text", self._heard, 10)
-        node.create_subscription(String, "voice_commands/amended_text", self._heard_more, 10)
-        node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
-        node.create_subscription(Empty, "voice_commands/stop", lambda message: self._stop(), 10)
+        HearAll(node, String, "voice_commands/text", self._heard)
+        HearAll(node, String, "voice_commands/amended_text", self._heard_more)
+        HearAll(node, Bool, "voice_commands/hold", self._held)
+        HearAll(node, Empty, "voice_commands/stop", lambda message, info: self._stop())
         self._states = StateKeeper(node, states, self._say)
         self._offer_services()
         self._log.info(self._summary(parameters))
@@ -171,7 +172,7 @@ class VoiceCommands:
         self.executor.stop()
         self._last.forget()
 
-    def _held(self, message: Any) -> None:
+    def _held(self, message: Any, info: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
         if message.data:
             self.executor.hold()

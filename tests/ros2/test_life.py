@@ -239,6 +239,26 @@ def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
     assert "Traceback" not in node.output
 
 
+def test_a_parameter_of_another_name_is_told_and_what_was_meant(peer, tmp_path):
+    from ros_stage import NodeProcess, until
+
+    file = tmp_path / "robot.yaml"
+    file.write_text(
+        "/**:\n  ros__parameters: {max_liner: 0.2, wheels: 4, max_angular: 0.3,\n"
+        "    qos_overrides./parameter_events.publisher.depth: 10}\n"
+    )
+    with NodeProcess(peer, "--params-file", str(file)) as node:
+        peer.meet()
+        peer.say("turn left")
+        until(lambda: (0.0, 0.3) in peer.twists)
+        assert node.end() == 0
+    told = [line.split("]: ")[1] for line in node.output.splitlines() if "this node has none" in line]
+    assert sorted(told) == [
+        "parameter max_liner: this node has none of that name, and goes on without it; did you mean 'max_linear'?",
+        "parameter wheels: this node has none of that name, and goes on without it",
+    ]
+
+
 @pytest.mark.parametrize(
     ("arguments", "code", "said"),
     [
@@ -299,6 +319,8 @@ def test_actions_of_others_are_handed_over_when_their_turn_comes(peer, tmp_path)
         peer.say("go forward one meter then wave your arm and pick up the bottle")
         until(lambda: len(peer.goals("succeeded")) == 3)
         until(lambda: len(actions) == 2)
+    until(lambda: len(actions) == 3)
+    assert actions.pop()[0] == {"type": "stop"}  # the node has ended
     assert [action for action, _ in actions] == [
         {"type": "custom", "name": "wave", "slots": {}},
         {"type": "pick", "object": "bottle"},

@@ -116,6 +116,11 @@ class _Link:
                 node.create_subscription(kinds.FeedbackMessage, f"{name}/_action/feedback", self._heard_feedback, 10)
             )
 
+    @property
+    def open(self) -> bool:
+        """Whether the middleware is; where it was closed before us, nothing can be asked of the server any more."""
+        return bool(self._node.context.ok())
+
     def unavailable(self) -> str:
         if not self._canceller.service_is_ready():
             return f"no action server {self._name}; is the navigation running, and active?"
@@ -280,6 +285,9 @@ class Ros2Navigation:
             try:
                 item(self._keeper, time.monotonic())
             except Exception:
-                # The middleware has gone, or a callback raised: what must end is tried again at the next step.
+                if not self._link.open:
+                    self._quiet.set()
+                    return
+                # A callback raised: what must end is tried again at the next step.
                 log.exception("navigation")
                 time.sleep(GoalKeeper.RESEND)

@@ -106,9 +106,13 @@ class TwistWriter:
         self._closed.set()
         if self._thread is not None:
             self._thread.join(1.0)
-        acknowledge(self._publisher)
+        self.acknowledge()
         with contextlib.suppress(Exception):
             self._node.destroy_publisher(self._publisher)
+
+    def acknowledge(self) -> None:
+        """Wait a moment for the last message to arrive."""
+        acknowledge(self._publisher)
 
     def _message(self, linear: float, angular: float) -> Any:
         message = self._classes[self._kind]()
