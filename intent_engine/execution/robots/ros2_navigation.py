@@ -117,6 +117,11 @@ class _Link:
             )
 
     @property
+    def cancel_service(self) -> str:
+        """Where goals are cancelled."""
+        return str(self._node.resolve_service_name(f"{self._name}/_action/cancel_goal"))
+
+    @property
     def open(self) -> bool:
         """Whether the middleware is; where it was closed before us, nothing can be asked of the server any more."""
         return bool(self._node.context.ok())
@@ -210,8 +215,9 @@ class Ros2Navigation:
         RobotError: the action is wanted, and its type is not installed.
     """
 
-    CLOSE = 1.0
-    """s that :meth:`close` waits for goals to end"""
+    CLOSE = 4.0
+    """s that :meth:`close` waits for goals to end: a busy server accepts a goal late, and then drives. ``ros2 launch``
+    asks again after 5 s, and kills after 10 s."""
 
     def __init__(
         self,
@@ -267,7 +273,12 @@ class Ros2Navigation:
         if self._thread.is_alive():
             self.stop()
             if not self.wait(self.CLOSE):
-                log.error("a navigation goal has not confirmed its end within %g s", self.CLOSE)
+                log.error(
+                    "a navigation goal has not confirmed its end within %g s, and may be driven: cancel it in RViz, or "
+                    "call the service %s",
+                    self.CLOSE,
+                    self._link.cancel_service,
+                )
             self._inbox.put(None)
             self._thread.join(1.0)
 

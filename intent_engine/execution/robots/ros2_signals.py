@@ -57,7 +57,7 @@ def stand_before_the_end(robot: _Robot, context: Any = None) -> None:
 class _Taken:
     """Has taken signals from rclpy."""
 
-    PATIENCE = 3.0
+    PATIENCE = 5.0
     """s that what a signal does in the main thread waits for robots to stand"""
 
     def __init__(self, numbers: list[signal.Signals]) -> None:
