@@ -42,6 +42,7 @@ from intent_engine.runtime.last_said import LastSaid
 __all__ = ["VoiceCommands", "main"]
 
 _DONE_ALREADY = "it goes on from a command that is carried out already, and means the same"
+_NO_TIME = "use_sim_time is set, and no time has come on /clock: is the simulator running?"
 _TOO_LATE = "it does not go on from what is being done; say all of it again"
 
 
@@ -117,7 +118,10 @@ class VoiceCommands:
     def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
         now = self.executor.clock.now()
         try:
-            found = take(self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning), now - age)
+            found = self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning)
+            if found.actions and not found.stops and self._has_no_time():
+                found = Interpretation(text, Status.REJECTED, reason=_NO_TIME)
+            found = take(found, now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self._stop()
@@ -273,6 +277,10 @@ class VoiceCommands:
         """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
         linear, angular = self.executor.snapshot().velocity
         return self._told() | ({MOVING} if linear or angular or not self.executor.idle else set())
+
+    def _has_no_time(self) -> bool:
+        """Whether what begins would never end."""
+        return isinstance(self.executor.clock, RosClock) and not self.executor.clock.runs
 
     def _told(self) -> frozenset[str]:
         """What others say of the robot. Also asked in the executor's thread."""

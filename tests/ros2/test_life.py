@@ -178,6 +178,21 @@ def test_simulated_time(peer):
         until(peer.standing)
 
 
+def test_without_a_simulators_time_nothing_begins_and_the_reason_is_told(peer):
+    from ros_stage import NodeProcess, until
+
+    with NodeProcess(peer, use_sim_time=True):
+        peer.meet(velocities=1)
+        for text in ("go forward one meter", "stop"):
+            peer.say(text)
+        until(lambda: "stop" in peer.heard_texts())
+        found = [each["interpretation"] for each in peer.status if each["event"] == "interpretation"]
+        assert [each["status"] for each in found] == ["rejected", "accepted"]
+        assert "no time has come on /clock" in found[0]["reason"]
+        until(lambda: peer.goals("succeeded"))
+        assert not any(any(twist) for twist in peer.twists)
+
+
 def test_stamped_by_parameter():
     from ros_stage import NodeProcess, Peer, until
 
