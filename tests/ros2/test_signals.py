@@ -45,7 +45,9 @@ def program(peer):
         process.wait()
 
 
-@pytest.mark.parametrize("words", [["given"], ["given", "close"], ["own"], ["own", "close"]], ids=" ".join)
+@pytest.mark.parametrize(
+    "words", [["given"], ["given", "close"], ["own"], ["own", "close"], ["given", "slow"]], ids=" ".join
+)
 @pytest.mark.parametrize(("number", "said"), [(signal.SIGINT, "Ctrl-C"), (signal.SIGTERM, "")])
 def test_the_robot_stands_before_the_middleware_is_closed(peer, program, number, said, words):
     from ros_stage import until

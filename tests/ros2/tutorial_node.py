@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import time
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -45,6 +46,8 @@ def main() -> None:
     except ExternalShutdownException:
         print("shutdown", flush=True)
     finally:
+        if "slow" in sys.argv:
+            time.sleep(1.0)  # a program has more to end than its node
         if "close" in sys.argv:
             node.motions.close()
             node.robot.close()

@@ -139,7 +139,8 @@ class TwistWriter:
             try:
                 self._look()
             except Exception:
-                log.warning("cannot see who subscribes to %s", self.topic, exc_info=True)
+                if self._node.context.ok():  # else the program ends
+                    log.warning("cannot see who subscribes to %s", self.topic, exc_info=True)
                 return
 
     def _look(self) -> None:
