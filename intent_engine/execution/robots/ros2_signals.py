@@ -9,6 +9,7 @@ rclpy would have done: its handlers cannot be put back.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import signal
@@ -70,12 +71,14 @@ class _Taken:
         self._other = signal.set_wakeup_fd(self._writer.fileno(), warn_on_full_buffer=False)
         """What somebody else reads; -1: nobody."""
         threading.Thread(target=self._listen, name="ros2-signals", daemon=True).start()
-        os.register_at_fork(after_in_child=self._give_back)
+        if hasattr(os, "register_at_fork"):  # Windows cannot fork
+            os.register_at_fork(after_in_child=self._give_back)
 
     def _listen(self) -> None:
         while data := self._reader.recv(16):
             if self._other >= 0:
-                os.write(self._other, data)
+                with contextlib.suppress(OSError):  # closed by whoever read it
+                    os.write(self._other, data)
             if not self._stood.is_set() and any(number in self._before for number in data):
                 _stand()
                 self._stood.set()
