@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from intent_engine.actions import Action, to_json
 from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason, settle
 
 __all__ = ["Event", "EventKind", "Listener"]
@@ -24,6 +25,8 @@ class EventKind(StrEnum):
     GOAL = "goal"
     """A goal changed its state."""
     FEEDBACK = "feedback"
+    DENY = "deny"
+    """It was said that something shall not be done; a stop follows if it was."""
     STOP = "stop"
     ESTOP = "estop"
     RESET = "reset"
@@ -47,6 +50,8 @@ class Event:
     reason: Reason = Reason.NONE
     detail: str = ""
     feedback: Feedback | None = None
+    denied: tuple[Action, ...] = ()
+    """What shall not be done."""
 
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary without what is empty."""
@@ -56,6 +61,8 @@ class Event:
             data["action"] = self.goal.action.type
         if self.state is not None:
             data["state"] = self.state.value
+        if self.denied:
+            data["denied"] = [to_json(action) for action in self.denied]
         if self.reason:
             data["reason"] = self.reason.value
         if self.detail:
@@ -157,12 +164,13 @@ class Dispatcher:
         reason: Reason = Reason.NONE,
         detail: str = "",
         feedback: Feedback | None = None,
+        denied: tuple[Action, ...] = (),
     ) -> None:
         """Let the listeners know, later and outside the executor's lock."""
         if goal is not None:
             reason, detail = goal.reason, goal.detail
         state = goal.state if goal is not None else None
-        event = Event(kind, self._now(), goal, state, reason, detail, feedback)
+        event = Event(kind, self._now(), goal, state, reason, detail, feedback, denied)
         lanes = self._lanes
         if not self._threaded:
             self._outbox.put(event)

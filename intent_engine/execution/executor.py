@@ -300,6 +300,8 @@ class Executor:
     def deny(self, actions: Action | Iterable[Action], *, spoken_at: float | None = None) -> bool:
         """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
 
+        Listeners are told of it in any case, since others may do it: an action may have been handed over to them.
+
         Args:
             actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
                 denies all of its name.
@@ -313,10 +315,14 @@ class Executor:
             ValueError: it is no time.
         """
         listed = actions_of("deny", actions)
+        if not listed:
+            return False
         with self._books.locked():
+            self._events.tell(EventKind.DENY, denied=listed)
             found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
         if found:
             self.stop(spoken_at=spoken_at)
+        self._events.flush()
         given.check_spoken(spoken_at)
         return found
 

@@ -24,8 +24,8 @@ log = logging.getLogger(__name__)
 class Journal:
     """Writes events of an executor to a file, for ``Executor(robot, journal=Journal(path))``.
 
-    A line for each goal that ended (action, state, reason, and its times) and one for each stop, emergency stop,
-    hold, release, pause, resume, reset and error. Each line has ``at``, the time of day in UTC; all other times are
+    A line for each goal that ended (action, state, reason, and its times) and one for each stop, emergency stop, hold,
+    release, pause, resume, reset, denial and error. Each line has ``at``, the time of day in UTC; all other times are
     seconds on the executor's clock. The file is rotated by size; a full disk or a lost folder is told once in the
     log, and the robot drives on.
 

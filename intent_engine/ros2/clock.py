@@ -36,6 +36,11 @@ class RosClock:
         self._handle = self._clock.create_jump_callback(back, post_callback=lambda jump: self._jumped())
         self._last = self._ros()
 
+    @property
+    def runs(self) -> bool:
+        """Whether there is a time at all: in ROS it is 0 until somebody publishes ``/clock``."""
+        return self._ros() > 0
+
     def now(self) -> float:
         with self._lock:
             time = self._ros() + self._ahead

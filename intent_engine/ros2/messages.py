@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Collection
 from enum import StrEnum
+from functools import cache
+from pathlib import Path
 from typing import Any
 
-from intent_engine.actions import to_json
+from intent_engine.actions import Stop, json_schema, to_json
 from intent_engine.execution.events import Event, EventKind
+from intent_engine.execution.goal import GoalState
 from intent_engine.interpretation import Interpretation, Status
 
-__all__ = ["CommandForm", "command_texts", "event_text", "interpretation_text", "status_text"]
+__all__ = [
+    "CommandForm",
+    "action_message_schema",
+    "action_text",
+    "command_texts",
+    "event_text",
+    "interpretation_text",
+    "status_text",
+]
 
 
 class CommandForm(StrEnum):
@@ -53,6 +65,34 @@ def event_text(event: Event, time: float) -> str:
     if event.kind is EventKind.GOAL and event.goal is not None:
         data["action"] = to_json(event.goal.action)
     return status_text(event.kind.value, time, **data)
+
+
+def action_text(event: Event, handed_over: Collection[str]) -> str | None:
+    """What ``voice_commands/action`` says of an event of the executor to those who do actions for it; None: nothing.
+
+    An action whose turn has come is said as it is, and what is to end as ``stop`` (all of it) or as ``cancel`` with the
+    actions that were denied. All three come from the executor's events and so in the order in which they happened: a
+    cancel cannot overtake the action that it ends.
+
+    Args:
+        event: whatever it told.
+        handed_over: types of the actions that others do.
+    """
+    if event.kind is EventKind.GOAL and event.goal is not None and event.state is GoalState.EXECUTING:
+        action = event.goal.action
+        return json.dumps(to_json(action)) if action.type in handed_over else None
+    if event.kind in (EventKind.STOP, EventKind.ESTOP):
+        return json.dumps(to_json(Stop()))
+    denied = [to_json(action) for action in event.denied if action.type in handed_over]
+    return json.dumps({"type": "cancel", "actions": denied}) if denied else None
+
+
+@cache
+def action_message_schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of one message on ``voice_commands/action``, that of the actions included."""
+    text = (Path(__file__).parent / "action_message.schema.json").read_text("utf-8")
+    schema: dict[str, Any] = json.loads(text)
+    return {**schema, "$defs": {"actions": json_schema()}}
 
 
 def status_text(event: str, time: float, **data: Any) -> str:

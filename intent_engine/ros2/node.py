@@ -9,13 +9,12 @@ In: ``voice_commands/text``, and ``voice_commands/amended_text`` for the last te
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
-from intent_engine.actions import Action, to_json
+from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
 from intent_engine.execution.admission import Policy
@@ -25,12 +24,14 @@ from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.journal import Journal
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
+from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
+from intent_engine.ros2.best_effort import HearAll
 from intent_engine.ros2.clock import RosClock
-from intent_engine.ros2.messages import command_texts, event_text, interpretation_text, status_text
+from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import leave, run_node
 from intent_engine.ros2.robot_states import States
@@ -41,6 +42,7 @@ from intent_engine.runtime.last_said import LastSaid
 __all__ = ["VoiceCommands", "main"]
 
 _DONE_ALREADY = "it goes on from a command that is carried out already, and means the same"
+_NO_TIME = "use_sim_time is set, and no time has come on /clock: is the simulator running?"
 _TOO_LATE = "it does not go on from what is being done; say all of it again"
 
 
@@ -74,6 +76,9 @@ class VoiceCommands:
         self._commands = node.create_publisher(String, "voice_commands/command", 10)
         self._actions = node.create_publisher(String, "voice_commands/action", 10)
         self._status = node.create_publisher(String, "voice_commands/status", 50)
+        arm = {Capability.PICK, Capability.PLACE} & parameters.robot.capabilities
+        self._handed_over = frozenset({"custom", *(each.value for each in arm)})
+        """Types of the actions that other nodes do."""
         self.robot = Ros2Robot(
             node,
             stamped=parameters.stamped,
@@ -86,10 +91,10 @@ class VoiceCommands:
         except BaseException:
             self.robot.close()
             raise
-        node.create_subscription(String, "voice_commands/text", self._heard, 10)
-        node.create_subscription(String, "voice_commands/amended_text", self._heard_more, 10)
-        node.create_subscription(Bool, "voice_commands/hold", self._held, 10)
-        node.create_subscription(Empty, "voice_commands/stop", lambda message: self._stop(), 10)
+        HearAll(node, String, "voice_commands/text", self._heard)
+        HearAll(node, String, "voice_commands/amended_text", self._heard_more)
+        HearAll(node, Bool, "voice_commands/hold", self._held)
+        HearAll(node, Empty, "voice_commands/stop", lambda message, info: self._stop())
         self._states = StateKeeper(node, states, self._say)
         self._offer_services()
         self._log.info(self._summary(parameters))
@@ -98,6 +103,7 @@ class VoiceCommands:
         """Zero velocity and the end of every goal. Idempotent."""
         self.executor.close()
         self.robot.close()
+        acknowledge(self._actions)
 
     # -- in ------------------------------------------------------------------------------------------------------------
 
@@ -112,7 +118,10 @@ class VoiceCommands:
     def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
         now = self.executor.clock.now()
         try:
-            found = take(self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning), now - age)
+            found = self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning)
+            if found.actions and not found.stops and self._has_no_time():
+                found = Interpretation(text, Status.REJECTED, reason=_NO_TIME)
+            found = take(found, now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self._stop()
@@ -167,7 +176,7 @@ class VoiceCommands:
         self.executor.stop()
         self._last.forget()
 
-    def _held(self, message: Any) -> None:
+    def _held(self, message: Any, info: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
         if message.data:
             self.executor.hold()
@@ -201,6 +210,8 @@ class VoiceCommands:
 
     def _executed(self, event: Event) -> None:
         """An event of the executor, in its own thread."""
+        if (work := action_text(event, self._handed_over)) is not None:
+            self._actions.publish(self._string(data=work))
         self._tell(event_text(event, self._ros_time(event.time)))
 
     def _ros_time(self, time: float) -> float:
@@ -208,8 +219,8 @@ class VoiceCommands:
         return float(self._node.get_clock().now().nanoseconds) * 1e-9 + time - self.executor.clock.now()
 
     def _hand_over(self, action: Action) -> str:
-        """It is an action's turn that other nodes do."""
-        self._actions.publish(self._string(data=json.dumps(to_json(action))))
+        """It is an action's turn that other nodes do. They are told of it with its event, since in the executor's
+        events it stands before whatever ends it."""
         return "handed over on voice_commands/action"
 
     def _say(self, event: str, **data: Any) -> None:
@@ -251,9 +262,8 @@ class VoiceCommands:
         )
         if clock is not None:
             clock.on_reset = executor.stop
-        executor.register("custom", self._hand_over)
-        for arm in {Capability.PICK, Capability.PLACE} & robot_file.capabilities:
-            executor.register(arm.value, self._hand_over)
+        for name in self._handed_over:
+            executor.register(name, self._hand_over)
         return executor
 
     def _warm_up(self) -> None:
@@ -267,6 +277,10 @@ class VoiceCommands:
         """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
         linear, angular = self.executor.snapshot().velocity
         return self._told() | ({MOVING} if linear or angular or not self.executor.idle else set())
+
+    def _has_no_time(self) -> bool:
+        """Whether what begins would never end."""
+        return isinstance(self.executor.clock, RosClock) and not self.executor.clock.runs
 
     def _told(self) -> frozenset[str]:
         """What others say of the robot. Also asked in the executor's thread."""

@@ -15,6 +15,7 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.robot_file import RobotFile, load_robot
 from intent_engine.execution.robots.ros2_navigation import NavigationWay
 from intent_engine.execution.robots.ros2_velocity import Stamped
+from intent_engine.hints import did_you_mean
 from intent_engine.resources import find
 from intent_engine.ros2.messages import CommandForm
 from intent_engine.ros2.robot_states import PARAMETER, state_names
@@ -30,6 +31,7 @@ class Parameters:
     def __init__(self, node: Any) -> None:
         self._node = node
         self.problems: list[Problem] = []
+        self._declared: list[str] = []
 
     def text(self, name: str, default: str, meaning: str) -> str:
         value = self._declare(name, default, meaning)
@@ -88,15 +90,25 @@ class Parameters:
     def check(self) -> None:
         """Call when all are declared.
 
+        Parameters that were given and are none of this node are told of: a misspelled limit limits nothing. They are no
+        mistake, since a file's ``/**`` is for other nodes too.
+
         Raises:
             ConfigError: with everything that is wrong.
         """
         if self.problems:
             raise ConfigError(self.problems)
+        given = getattr(self._node, "_parameter_overrides", {})  # rclpy tells of them in no other way
+        for name in given:
+            if not self._node.has_parameter(name) and not name.startswith("qos_overrides."):
+                meant = did_you_mean(name, self._declared)
+                message = f"parameter {name}: this node has none of that name, and goes on without it"
+                self._node.get_logger().warning(f"{message}; {meant}" if meant else message)
 
     def _declare(self, name: str, default: Any, meaning: str, read_only: bool = True) -> Any:
         from rcl_interfaces.msg import ParameterDescriptor
 
+        self._declared.append(name)
         # Typed here and not by rclpy, which takes no 20 for a 20.0 and says so with a traceback.
         descriptor = ParameterDescriptor(description=meaning, read_only=read_only, dynamic_typing=True)
         return self._node.declare_parameter(name, default, descriptor).value

@@ -75,3 +75,19 @@ def test_what_is_no_action_is_refused():
         pytest.raises(TypeError, match="deny takes actions"),
     ):
         executor.deny("clean")
+
+
+def test_listeners_are_told_of_what_nobody_here_does():
+    told = []
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock, on_event=told.append) as executor:
+        executor.deny(())
+        assert told == []
+        executor.deny([LAB, HALL])
+        assert [event.to_json() for event in told] == [
+            {
+                "event": "deny",
+                "time": 0.0,
+                "denied": [{"type": "custom", "name": "clean", "slots": {"room": room}} for room in ("lab", "hall")],
+            }
+        ]

@@ -5,6 +5,8 @@ acceptance, status, cancel, result) is the same for every action. A goal at x = 
 second; one that ends in 7 fails, one below zero is refused. With ``goal_pose`` it also does what Nav2's bt_navigator
 does with that topic: sends the goal to itself, through a client of its own.
 
+With ``slow`` it says so when it is asked for a goal, and takes a while to accept it.
+
 Prints a JSON line for each goal that begins or ends, so that what it did is not hearsay.
 """
 
@@ -125,13 +127,19 @@ def main() -> None:
         say(goal=uuid, state="succeeded", order=order)
         return kind.type.Result()
 
+    def accept(goal):
+        if "slow" in sys.argv:
+            say(asked=True)
+            time.sleep(2.0)
+        return GoalResponse.REJECT if kind.order(goal) < 0 else GoalResponse.ACCEPT
+
     ActionServer(
         node,
         kind.type,
         "navigate_to_pose",
         drive,
         callback_group=group,
-        goal_callback=lambda goal: GoalResponse.REJECT if kind.order(goal) < 0 else GoalResponse.ACCEPT,
+        goal_callback=accept,
         handle_accepted_callback=begin,
         cancel_callback=lambda handle: CancelResponse.ACCEPT,
     )

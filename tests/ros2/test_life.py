@@ -178,6 +178,21 @@ def test_simulated_time(peer):
         until(peer.standing)
 
 
+def test_without_a_simulators_time_nothing_begins_and_the_reason_is_told(peer):
+    from ros_stage import NodeProcess, until
+
+    with NodeProcess(peer, use_sim_time=True):
+        peer.meet(velocities=1)
+        for text in ("go forward one meter", "stop"):
+            peer.say(text)
+        until(lambda: "stop" in peer.heard_texts())
+        found = [each["interpretation"] for each in peer.status if each["event"] == "interpretation"]
+        assert [each["status"] for each in found] == ["rejected", "accepted"]
+        assert "no time has come on /clock" in found[0]["reason"]
+        until(lambda: peer.goals("succeeded"))
+        assert not any(any(twist) for twist in peer.twists)
+
+
 def test_stamped_by_parameter():
     from ros_stage import NodeProcess, Peer, until
 
@@ -237,6 +252,26 @@ def test_wrong_parameters_are_told_all_at_once_and_end_it(peer):
                  "max_angular: 'fast'", "nonesuch"):  # fmt: skip
         assert name in node.output
     assert "Traceback" not in node.output
+
+
+def test_a_parameter_of_another_name_is_told_and_what_was_meant(peer, tmp_path):
+    from ros_stage import NodeProcess, until
+
+    file = tmp_path / "robot.yaml"
+    file.write_text(
+        "/**:\n  ros__parameters: {max_liner: 0.2, wheels: 4, max_angular: 0.3,\n"
+        "    qos_overrides./parameter_events.publisher.depth: 10}\n"
+    )
+    with NodeProcess(peer, "--params-file", str(file)) as node:
+        peer.meet()
+        peer.say("turn left")
+        until(lambda: (0.0, 0.3) in peer.twists)
+        assert node.end() == 0
+    told = [line.split("]: ")[1] for line in node.output.splitlines() if "this node has none" in line]
+    assert sorted(told) == [
+        "parameter max_liner: this node has none of that name, and goes on without it; did you mean 'max_linear'?",
+        "parameter wheels: this node has none of that name, and goes on without it",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -299,6 +334,8 @@ def test_actions_of_others_are_handed_over_when_their_turn_comes(peer, tmp_path)
         peer.say("go forward one meter then wave your arm and pick up the bottle")
         until(lambda: len(peer.goals("succeeded")) == 3)
         until(lambda: len(actions) == 2)
+    until(lambda: len(actions) == 3)
+    assert actions.pop()[0] == {"type": "stop"}  # the node has ended
     assert [action for action, _ in actions] == [
         {"type": "custom", "name": "wave", "slots": {}},
         {"type": "pick", "object": "bottle"},

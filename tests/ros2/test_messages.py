@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import json
 
+import jsonschema
 import pytest
 
-from intent_engine.actions import Move
+from intent_engine.actions import Custom, Move, Navigate, Pick, Stop, to_json
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.ros2.messages import CommandForm, command_texts, event_text, interpretation_text
+from intent_engine.ros2.messages import (
+    CommandForm,
+    action_message_schema,
+    action_text,
+    command_texts,
+    event_text,
+    interpretation_text,
+)
 from intent_engine.ros2.speech import worth_saying
 from intent_engine.runtime.amending import in_a_row
 from intent_engine.runtime.judgement import Judge
@@ -64,6 +72,36 @@ def test_status_of_what_is_done():
     assert goals[-1]["action"] == {"type": "move", "linear_velocity": 0.5, "distance": 1.0, "duration": 2.0}
     feedback = [each for each in told if each["event"] == "feedback"]
     assert 0.0 < feedback[0]["progress"] < 1.0
+
+
+def test_those_who_do_actions_are_told_of_their_turn_and_of_what_ends_it_in_order():
+    clock = VirtualClock()
+    told = []
+
+    def listen(event):
+        if (text := action_text(event, {"custom", "pick"})) is not None:
+            told.append(json.loads(text))
+
+    lab = Custom("clean", {"room": "lab"})
+    with Executor(
+        SimulatedRobot(clock), handlers={"custom": lambda action: None}, on_event=listen, handle_sigterm=False
+    ) as executor:
+        executor.submit([Move(0.5, 1.0, 2.0), lab])
+        clock.advance(1.0)
+        assert told == []  # its turn has not come
+        clock.advance(2.0)
+        executor.deny([lab, Navigate("lab", 1.0, 2.0, 0.0), Pick("cup")])
+        executor.deny(Move(0.5, 1.0, 2.0))  # nobody else does that
+        executor.stop()
+        executor.estop()
+    cancel = {"type": "cancel", "actions": [to_json(lab), to_json(Pick("cup"))]}
+    assert told == [to_json(lab), cancel, *[to_json(Stop())] * 3]  # the last is the end of the executor
+    for each in told:
+        jsonschema.validate(each, action_message_schema())
+    for wrong in ({"type": "cancel"}, {**cancel, "actions": []}, {**cancel, "name": "clean"}, {"type": "clean"}):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(wrong, action_message_schema())
+    assert action_message_schema()["$id"] == "urn:intent-engine:ros2:action-message:1"
 
 
 def test_what_the_runtime_did_not_believe_is_not_said(engine, tmp_path, root):

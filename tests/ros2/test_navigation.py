@@ -22,7 +22,7 @@ WAYS = ["action", "goal_pose"]
 class Stage:
     """A robot in this process, its server in another, and an executor."""
 
-    def __init__(self, way: str) -> None:
+    def __init__(self, way: str, *words: str) -> None:
         from ros_stage import Peer, Server, until
         from test_msgs.action import Fibonacci
 
@@ -30,7 +30,7 @@ class Stage:
         from intent_engine.execution.robots.ros2_navigation import NavigationAction
 
         self.peer = Peer()
-        self.server = Server(self.peer.namespace, "goal_pose")
+        self.server = Server(self.peer.namespace, "goal_pose", *words)
         action = NavigationAction(
             Fibonacci,
             lambda pose: Fibonacci.Goal(order=int(pose.pose.position.x)),
@@ -211,3 +211,19 @@ def test_a_server_that_is_started_anew_ends_the_goal_and_drives_the_next(way):
         assert stage.go(10).result(20.0).state == "succeeded"
     finally:
         stage.close()
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_goal_that_is_being_accepted_when_the_program_ends_is_not_driven(way):
+    from ros_stage import until
+
+    slow = Stage(way, "slow")
+    try:
+        slow.go(500)
+        until(lambda: any("asked" in each for each in slow.server.said))
+        slow.executor.close()
+        slow.robot.close()
+        assert slow.server.count("driving") == slow.server.count("canceled")
+        assert slow.robot.navigation.wait(0.0)
+    finally:
+        slow.close()

@@ -23,12 +23,15 @@ from intent_engine.errors import RobotError
 from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.execution.robots.ros2_navigation import NavigationAction, NavigationWay, Ros2Navigation
+from intent_engine.execution.robots.ros2_signals import stand_before_the_end
 from intent_engine.execution.robots.ros2_support import import_rclpy, own_node, pose_of
 from intent_engine.execution.robots.ros2_velocity import Stamped, TwistWriter
 
 __all__ = ["Ros2Robot"]
 
 log = logging.getLogger(__name__)
+
+_ENDS = "the program was told to end"
 
 
 class Ros2Robot:
@@ -86,6 +89,9 @@ class Ros2Robot:
         self._valid_until: float | None = None
         """s, monotonic; None: nothing but zero was written."""
         self._closed = False
+        self._ends = False
+        """The process was told to end: nothing is begun any more."""
+        stand_before_the_end(self, None if self._own is not None else node.context)
         self._watchdog = threading.Thread(target=self._watch, name="cmd_vel-ttl", daemon=True)
         self._watchdog.start()
 
@@ -113,7 +119,12 @@ class Ros2Robot:
         with self._lock:
             if self._closed:
                 raise RobotError("the ROS 2 robot is closed")
+            if self._ends and (linear or angular):
+                raise RobotError(_ENDS)
             self._writer.write(linear, angular)
+            if self._ends and (linear or angular):
+                self._writer.write(0.0, 0.0)  # the end came while it was being written
+                raise RobotError(_ENDS)
             if not (linear or angular):
                 self._valid_until = None
                 return
@@ -128,13 +139,16 @@ class Ros2Robot:
         try:
             self._writer.write(0.0, 0.0)
         except RobotError as error:
-            log.error("no zero velocity could be sent: %s", error)
+            if not self._ends:  # else they were sent before the middleware was closed
+                log.error("no zero velocity could be sent: %s", error)
         if self.navigation is not None:
             self.navigation.stop()
 
     def navigate(self, goal: Pose) -> Task:
         if self.navigation is None:
             raise RobotError("this robot does not navigate")
+        if self._ends:
+            raise RobotError(_ENDS)
         return self.navigation.navigate(goal)
 
     def pick(self, object_name: str) -> Task:
@@ -149,6 +163,16 @@ class Ros2Robot:
 
     def pose(self) -> Pose | None:
         return self._pose or (self.navigation.pose if self.navigation is not None else None)
+
+    def stand(self) -> None:
+        """Zero velocity and the end of every goal, and nothing new: the process ends, and the middleware perhaps before
+        :meth:`close`."""
+        self._ends = True  # without the lock, which the main thread may have: a signal waits for nobody
+        for _ in range(self.ZEROS):
+            self.stop()
+        if self.navigation is not None:
+            self.navigation.wait(self.navigation.CLOSE)
+        self._writer.acknowledge()
 
     def close(self) -> None:
         """Zero velocity, every goal ended, and what was made for it let go. A node that was given is left alone."""

@@ -116,6 +116,16 @@ class _Link:
                 node.create_subscription(kinds.FeedbackMessage, f"{name}/_action/feedback", self._heard_feedback, 10)
             )
 
+    @property
+    def cancel_service(self) -> str:
+        """Where goals are cancelled."""
+        return str(self._node.resolve_service_name(f"{self._name}/_action/cancel_goal"))
+
+    @property
+    def open(self) -> bool:
+        """Whether the middleware is; where it was closed before us, nothing can be asked of the server any more."""
+        return bool(self._node.context.ok())
+
     def unavailable(self) -> str:
         if not self._canceller.service_is_ready():
             return f"no action server {self._name}; is the navigation running, and active?"
@@ -205,8 +215,9 @@ class Ros2Navigation:
         RobotError: the action is wanted, and its type is not installed.
     """
 
-    CLOSE = 1.0
-    """s that :meth:`close` waits for goals to end"""
+    CLOSE = 4.0
+    """s that :meth:`close` waits for goals to end: a busy server accepts a goal late, and then drives. ``ros2 launch``
+    asks again after 5 s, and kills after 10 s."""
 
     def __init__(
         self,
@@ -262,7 +273,12 @@ class Ros2Navigation:
         if self._thread.is_alive():
             self.stop()
             if not self.wait(self.CLOSE):
-                log.error("a navigation goal has not confirmed its end within %g s", self.CLOSE)
+                log.error(
+                    "a navigation goal has not confirmed its end within %g s, and may be driven: cancel it in RViz, or "
+                    "call the service %s",
+                    self.CLOSE,
+                    self._link.cancel_service,
+                )
             self._inbox.put(None)
             self._thread.join(1.0)
 
@@ -280,6 +296,9 @@ class Ros2Navigation:
             try:
                 item(self._keeper, time.monotonic())
             except Exception:
-                # The middleware has gone, or a callback raised: what must end is tried again at the next step.
+                if not self._link.open:
+                    self._quiet.set()
+                    return
+                # A callback raised: what must end is tried again at the next step.
                 log.exception("navigation")
                 time.sleep(GoalKeeper.RESEND)

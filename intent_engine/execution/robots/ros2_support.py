@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from typing import Any
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.robots.robot import Pose
 
-__all__ = ["fill_pose", "import_rclpy", "own_node", "pose_of", "yaw_of"]
+__all__ = ["acknowledge", "fill_pose", "import_rclpy", "own_node", "pose_of", "yaw_of"]
 
 
 def import_rclpy() -> Any:
@@ -47,6 +48,14 @@ def own_node(name: str, namespace: str = "") -> tuple[Any, Any]:
         start_parameter_services=False,
     )
     return context, node
+
+
+def acknowledge(publisher: Any, timeout: float = 0.3) -> None:
+    """Wait until what was published has arrived, for ``timeout`` s at the most; where the middleware can tell."""
+    from rclpy.duration import Duration
+
+    with contextlib.suppress(Exception):  # not every middleware can
+        publisher.wait_for_all_acked(Duration(seconds=timeout))
 
 
 def fill_pose(message: Any, pose: Pose) -> None:

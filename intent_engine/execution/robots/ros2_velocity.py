@@ -10,7 +10,7 @@ from enum import StrEnum
 from typing import Any
 
 from intent_engine.errors import RobotError
-from intent_engine.execution.robots.ros2_support import import_rclpy, own_node
+from intent_engine.execution.robots.ros2_support import acknowledge, import_rclpy, own_node
 
 __all__ = ["GUARDIAN_SINK", "Ros2Velocity", "Stamped", "TwistWriter"]
 
@@ -46,8 +46,6 @@ class TwistWriter:
 
     LOOK_PERIOD = 0.25
     """s between two looks at who subscribes, with ``auto``"""
-    ACKNOWLEDGE = 0.3
-    """s that :meth:`close` waits for the last zero to arrive"""
     PATIENCE = 0.02
     """s that a write waits for another thread's"""
 
@@ -108,12 +106,13 @@ class TwistWriter:
         self._closed.set()
         if self._thread is not None:
             self._thread.join(1.0)
-        from rclpy.duration import Duration
-
-        with contextlib.suppress(Exception):  # not every middleware can tell
-            self._publisher.wait_for_all_acked(Duration(seconds=self.ACKNOWLEDGE))
+        self.acknowledge()
         with contextlib.suppress(Exception):
             self._node.destroy_publisher(self._publisher)
+
+    def acknowledge(self) -> None:
+        """Wait a moment for the last message to arrive."""
+        acknowledge(self._publisher)
 
     def _message(self, linear: float, angular: float) -> Any:
         message = self._classes[self._kind]()
@@ -140,7 +139,8 @@ class TwistWriter:
             try:
                 self._look()
             except Exception:
-                log.warning("cannot see who subscribes to %s", self.topic, exc_info=True)
+                if self._node.context.ok():  # else the program ends
+                    log.warning("cannot see who subscribes to %s", self.topic, exc_info=True)
                 return
 
     def _look(self) -> None:

@@ -1,0 +1,70 @@
+"""Hears a topic from publishers that are reliable, and from those that are not.
+
+In DDS a reliable subscription is not connected to a publisher of best effort (``qos_profile_sensor_data``), whose stop
+would go unheard; and one of best effort hears everybody, but may lose what a reliable publisher says. So the second is
+made where it is needed, beside the first, and what comes by both counts once.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+__all__ = ["HearAll"]
+
+
+class HearAll:
+    """Calls a function with each message on a topic, in the thread that spins the node.
+
+    Args:
+        node: an rclpy node.
+        kind: type of the messages.
+        topic: relative names can be remapped.
+        heard: is given a message and what the middleware says of it.
+    """
+
+    LOOK_PERIOD = 0.5
+    """s between two looks at who publishes"""
+    DEPTH = 10
+    """messages that may wait"""
+
+    def __init__(self, node: Any, kind: Any, topic: str, heard: Callable[[Any, Any], object]) -> None:
+        from rclpy.clock import Clock, ClockType
+
+        self._node, self._kind, self._name, self._heard = node, kind, topic, heard
+        self._before: deque[int] = deque(maxlen=4 * self.DEPTH)
+        """When the messages were published that came last, in ns; while two subscriptions hear."""
+        self._reliable = self._subscribe(reliable=True)
+        self._other: Any = None
+        # Of the computer's time: a simulator that is paused keeps no stop from the node.
+        node.create_timer(self.LOOK_PERIOD, self._look, clock=Clock(clock_type=ClockType.STEADY_TIME))
+
+    def _hear(self, message: Any, info: Any) -> None:
+        sent = int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0
+        if sent in self._before:
+            return
+        if sent:
+            self._before.append(sent)
+        self._heard(message, info)
+
+    def _look(self) -> None:
+        from rclpy.qos import ReliabilityPolicy
+
+        publishers = self._node.get_publishers_info_by_topic(self._reliable.topic_name)
+        wanted = any(each.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT for each in publishers)
+        if wanted and self._other is None:
+            self._other = self._subscribe(reliable=False)
+        elif not wanted and self._other is not None:
+            self._node.destroy_subscription(self._other)
+            self._other = None
+
+    def _subscribe(self, reliable: bool) -> Any:
+        from rclpy.event_handler import SubscriptionEventCallbacks
+        from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+        policy = ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT
+        profile = QoSProfile(depth=self.DEPTH, reliability=policy)
+        # What the first is not connected to, the second hears: no word of that.
+        quiet = SubscriptionEventCallbacks(use_default_callbacks=False)
+        return self._node.create_subscription(self._kind, self._name, self._hear, profile, event_callbacks=quiet)
