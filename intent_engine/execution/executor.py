@@ -276,7 +276,8 @@ class Executor:
         """
         listed = actions_of("deny", actions)
         with self._books.locked():
-            found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
+            goals = self._conductor.goals
+            found = any(denies(one, each) for one in listed for goal in goals for each in (goal.action, goal.asked))
         if found:
             self.stop()
         return found

@@ -9,7 +9,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
-from intent_engine.actions import Action, Custom, Move, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.needs import Needs
 
@@ -20,6 +20,7 @@ Before: TypeAlias = Interpretation | Sequence[Action] | Action
 
 AGAIN = "again"
 """Name of the custom action that repeats the last one, ``scale`` times as far."""
+_WHICH = "it may mean the motion or its speed; say what to do"
 NOTHING_DONE = "nothing was done yet that could be done again"
 
 
@@ -62,6 +63,8 @@ def resolve(
         if isinstance(action, Custom) and action.name == AGAIN:
             if before is None and last is not None:
                 return _rejected(found, NOTHING_DONE)
+            if isinstance(before, ChangeSpeed):
+                return _rejected(found, _WHICH)
             if before is not None:
                 repeated = _again(before, action.slots.get("scale"))
                 if repeated is None:
