@@ -233,6 +233,15 @@ def test_a_robot_that_stands_goes_no_faster(talk):
     assert talk.goals("rejected")[0]["reason"] == "nothing_moves"
 
 
+def test_the_other_way_takes_the_place_of_what_is_driven(talk):
+    talk.say("turn left ninety degrees")
+    until(talk.moving)
+    talk.say("no, the other way")
+    until(lambda: talk.goals("succeeded"))
+    left, right = talk.goals("canceled")[0]["action"], talk.goals("succeeded")[0]["action"]
+    assert right == {**left, "angle": -left["angle"], "angular_velocity": -left["angular_velocity"]}
+
+
 def test_a_robot_without_an_arm_refuses_to_pick(talk):
     talk.say("pick up the bottle")
     until(lambda: talk.goals("rejected"))
