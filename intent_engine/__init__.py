@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Action",
     "Capability",
+    "ChangeSpeed",
     "Custom",
     "Executor",
     "Goal",
@@ -56,7 +57,8 @@ _HOMES = {
     "prefix": ("Prefix", "PrefixStatus"),
     "interpretation": ("Interpretation", "Status"),
     "actions": (
-        "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "Custom", "from_json", "to_json",
+        "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "ChangeSpeed", "Custom", "from_json",
+        "to_json",
     ),
     "errors": ("IntentEngineError",),
     "execution.executor": ("Executor", "Policy"),

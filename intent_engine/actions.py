@@ -20,6 +20,7 @@ from intent_engine.values import check_text, is_number
 __all__ = [
     "ACTION_TYPES",
     "Action",
+    "ChangeSpeed",
     "Custom",
     "Move",
     "Navigate",
@@ -145,6 +146,20 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
+class ChangeSpeed:
+    """Do what the robot drives or turns just now faster, or slower: just as far, within the robot's limits."""
+
+    type: ClassVar[str] = "change_speed"
+    factor: float
+    """Times its present speed: over 1 is faster. Positive."""
+
+    def __post_init__(self) -> None:
+        _finite(self, factor=self.factor)
+        if self.factor <= 0:
+            raise ValueError(f"ChangeSpeed.factor is positive, not {self.factor}: to come to rest, Stop()")
+
+
+@dataclass(frozen=True, slots=True)
 class Custom:
     """An action of the user's own; the handler registered under ``name`` gets it."""
 
@@ -163,9 +178,11 @@ class Custom:
         return hash((self.name, frozenset(self.slots)))  # of the names alone: what a slot holds may be anything
 
 
-Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | Custom
+Action: TypeAlias = Move | Turn | Stop | Navigate | Pick | Place | ChangeSpeed | Custom
 
-_TYPES: dict[str, type[Any]] = {kind.type: kind for kind in (Move, Turn, Stop, Navigate, Pick, Place, Custom)}
+_TYPES: dict[str, type[Any]] = {
+    kind.type: kind for kind in (Move, Turn, Stop, Navigate, Pick, Place, ChangeSpeed, Custom)
+}
 
 
 ACTION_TYPES = tuple(_TYPES)

@@ -255,7 +255,7 @@ def _understood(
             found, parser = _first_accepted(parsers, text, state, by_voice)
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
-    if before is not None or len(found.actions) > 1:
+    if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
         found = resolve(found, before, grammar.operators.pronoun, asked, state, grammar.wording.several)
     return found, parser

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.actions import (
+    ChangeSpeed,
     Custom,
     Move,
     Navigate,
@@ -42,6 +43,7 @@ actions = st.one_of(
     st.builds(Navigate, names, finite, finite, finite, names),
     st.builds(Pick, names),
     st.builds(Place, st.none() | names, st.none() | names),
+    st.builds(ChangeSpeed, st.floats(min_value=0, max_value=1e6, exclude_min=True)),
     st.builds(Custom, names, st.dictionaries(names, slot_values, max_size=4)),
 )
 
@@ -100,7 +102,7 @@ def test_values_that_contradict_themselves_are_refused(make, says):
 @pytest.mark.parametrize(
     ("data", "says"),
     [
-        ({}, "unknown action type None; known: move, turn, stop, navigate, pick, place, custom"),
+        ({}, "unknown action type None; known: move, turn, stop, navigate, pick, place, change_speed, custom"),
         ({"type": "fly"}, "unknown action type 'fly'"),
         ({"type": "pick"}, "pick"),
         ({"type": "pick", "object": 3}, "pick.object must be a string, not 3"),

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
 
 if TYPE_CHECKING:
@@ -45,6 +45,8 @@ def action_text(action: Action) -> str:
         case Place():
             where = f" at {action.location}" if action.location else " here"
             return f"place {action.object or 'what is held'}{where}"
+        case ChangeSpeed():
+            return f"change the speed to {action.factor:g} times the present one"
         case Custom():
             slots = slots_text(action.slots)
             return f"{action.name} {slots}".rstrip()

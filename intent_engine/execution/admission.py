@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.execution.given import (
     check_awaitless,
     check_handler,
@@ -176,7 +176,7 @@ class Admission:
     def impossible(self, goal: Goal) -> Ending | None:
         """This robot cannot do it, or must not. An action beyond a limit that clamps is cut down in the goal."""
         action = goal.action
-        if isinstance(action, Stop) or self.handler(action) is not None:
+        if isinstance(action, Stop | ChangeSpeed) or self.handler(action) is not None:
             return None
         need = _NEEDS.get(type(action))
         if need is None:

@@ -12,16 +12,18 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from intent_engine.actions import Stop
+from intent_engine.actions import ChangeSpeed, Stop
+from intent_engine.execution import speed_change
 from intent_engine.execution.admission import Admission, Policy, Terms, forbidden
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe, reason_of
-from intent_engine.execution.goal import Goal, GoalState, Reason, move_goal
+from intent_engine.execution.goal import Goal, GoalState, Guard, Reason, move_goal
 from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.motion import Motion, Travel
 from intent_engine.execution.raised import pass_on_interrupt, told
 from intent_engine.execution.runs import Ending, MotionRun, Run, VelocityLoop
+from intent_engine.execution.speed_change import SpeedChange
 from intent_engine.execution.stops import Stops
 
 __all__ = ["Conductor"]
@@ -161,15 +163,14 @@ class Conductor:
             goals, terms = goals[1:], terms[1:]
         if not goals:
             return
+        if any(isinstance(goal.action, ChangeSpeed) for goal in goals):
+            self._change_speed(goals, terms, now, since)
+            return
         policy = policy or self._admission.policy(goals[0].action)
         refusals = [self._refusal(goal, now, since) for goal in goals]
         if not any(refusals) and (full := self._no_room(len(goals), policy)) is not None:
             refusals = [full] * len(goals)
-        refused = next((ending for ending in refusals if ending is not None), None)
-        if refused is not None:
-            whole = f"another step of the same command was refused: {refused.detail or refused.reason.value}"
-            for goal, ending in zip(goals, refusals, strict=True):
-                self._end(goal, ending or Ending(GoalState.REJECTED, Reason.EARLIER_FAILED, whole), now)
+        if self._refuse(goals, refusals, now):
             return
         covered = self._covered_for(goals[0], amends, now) if amends is not None else None
         if policy is Policy.REPLACE:
@@ -249,6 +250,53 @@ class Conductor:
         if self._failsafe.fault and self._admission.drives(goal.action):
             return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self._failsafe.fault}; reset() starts it again")
         return self._admission.expired(goal, now) or self._admission.impossible(goal)
+
+    def _refuse(self, goals: list[Goal], refusals: list[Ending | None], now: float) -> bool:
+        """Reject them all, if there is a refusal of one; whether there was."""
+        refused = next((ending for ending in refusals if ending is not None), None)
+        if refused is not None:
+            whole = f"another step of the same command was refused: {refused.detail or refused.reason.value}"
+            for goal, ending in zip(goals, refusals, strict=True):
+                self._end(goal, ending or Ending(GoalState.REJECTED, Reason.EARLIER_FAILED, whole), now)
+        return refused is not None
+
+    def _change_speed(self, goals: list[Goal], terms: list[Terms], now: float, since: object) -> None:
+        """Do what is being done faster, or slower, at once: nothing makes way for it, and it never waits its turn."""
+        if not all(isinstance(goal.action, ChangeSpeed) for goal in goals):
+            alone = [speed_change.ALONE if isinstance(each.action, ChangeSpeed) else None for each in goals]
+            refusals = [self._refusal(each, now, since) or why for each, why in zip(goals, alone, strict=True)]
+            self._refuse(goals, refusals, now)
+            return
+        for goal, its in zip(goals, terms, strict=True):
+            self._change_once(goal, its.guard, now, since)
+
+    def _change_once(self, goal: Goal, guard: Guard | None, now: float, since: object) -> None:
+        assert isinstance(goal.action, ChangeSpeed)
+        refused = self._refusal(goal, now, since)
+        if refused is None and (forbids := forbidden(goal, guard)) is not None:
+            refused = replace(forbids, state=GoalState.REJECTED)
+        if goal.done:
+            return  # whoever was asked has stopped the robot
+        run = self._run
+        doing, drives = run.goal.action if run is not None else None, isinstance(run, MotionRun)
+        change = refused or speed_change.changed(doing, drives, goal.action.factor, self._admission.limits)
+        ending = self._at_speed(run, change, now) if isinstance(change, SpeedChange) else change
+        if ending.state is not GoalState.REJECTED:
+            for state in (GoalState.ACCEPTED, GoalState.EXECUTING):
+                self._move(goal, state, now)
+        self._end(goal, ending, now)
+
+    def _at_speed(self, run: Run | None, change: SpeedChange, now: float) -> Ending:
+        assert isinstance(run, MotionRun)
+        try:
+            if not run.change_speed(change.speed, now):
+                return speed_change.COMING_TO_REST
+        except BaseException as error:
+            pass_on_interrupt(error)
+            self._robot_failed(run, error, now)
+            return Ending(GoalState.ABORTED, reason_of(error), told(error))
+        run.goal.action = change.action
+        return Ending(GoalState.SUCCEEDED, detail=change.told)
 
     def _no_room(self, count: int, policy: Policy) -> Ending | None:
         if policy is Policy.REFUSE and not self.idle:

@@ -319,7 +319,8 @@ class Executor:
             return False
         with self._books.locked():
             self._events.tell(EventKind.DENY, denied=listed)
-            found = any(denies(denied, goal.action) for denied in listed for goal in self._conductor.goals)
+            goals = self._conductor.goals
+            found = any(denies(one, each) for one in listed for goal in goals for each in (goal.action, goal.asked))
         if found:
             self.stop(spoken_at=spoken_at)
         self._events.flush()

@@ -84,6 +84,8 @@ class Reason(StrEnum):
     """Something else is being done, and the policy is to refuse."""
     FORBIDDEN = "forbidden"
     """Its turn came, and what was allowed when it was asked for is not any more: the robot is in other states."""
+    NOTHING_MOVES = "nothing_moves"
+    """It is about the motion that is carried out, and there is none."""
     EARLIER_FAILED = "earlier_failed"
     """An earlier step of the same utterance did not succeed."""
     HOLD_EXPIRED = "hold_expired"

@@ -6,12 +6,12 @@ A run is begun, stepped and ended by the executor, under its lock. It never deci
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.goal import Feedback, Goal, GoalState, Reason
-from intent_engine.execution.motion import Ended, Motion, Travel
+from intent_engine.execution.motion import Ended, Keep, Motion, Travel
 from intent_engine.execution.robots.robot import Robot, Task, TaskState
 from intent_engine.values import named
 
@@ -134,6 +134,28 @@ class MotionRun:
             self._pausing = False
             self._stand(self._loop.travel(now))
         self.begin(now)
+
+    def change_speed(self, speed: float, now: float) -> bool:
+        """Cover what is left at another speed (signed), from the present one or, at rest, as soon as it goes on.
+
+        Just as far is meant, so a motion that keeps its duration keeps its distance from now on.
+
+        Returns:
+            False if nothing is left but the last ramp; then nothing changes.
+        """
+        if self._whole is None or self._motion is None:
+            return False
+        under_way = self._loop.moving and not self._pausing
+        travel = self._loop.travel(now) if under_way else Travel()
+        whole = replace(self._whole, speed=speed, keep=Keep.DISTANCE)
+        before = _sum(self._before, travel)
+        rest = whole.rest(before)
+        if travel.braking or rest is None:
+            return False
+        self._whole, self._before, self._motion = whole, before, rest
+        if under_way:
+            self.begin(now)
+        return True
 
     def give_up(self, now: float) -> bool:
         return True

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.grammar import ACTION_PARAMETERS, Condition, Intent, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.quantities import Relative
@@ -59,6 +59,8 @@ def build_action(intent: Intent, said: Mapping[str, Any], locations: LocationMap
         return _navigate(parameters, locations)
     if spec.type == "pick":
         return Pick(str(parameters.need("object")))
+    if spec.type == "change_speed":
+        return ChangeSpeed(_positive("factor", float(parameters.need("factor"))))
     thing, location = parameters.get("object"), parameters.get("location")
     return Place(None if thing is None else str(thing), None if location is None else str(location))
 

@@ -67,6 +67,7 @@ ACTION_PARAMETERS: dict[str, dict[str, str]] = {
     "navigate": {"location": "location"},
     "pick": {"object": "text"},
     "place": {"object": "text", "location": "text"},
+    "change_speed": {"factor": "number"},
     "custom": {},
 }
 """What each action takes, and the kind of each value."""

@@ -1,4 +1,5 @@
-"""Words that point back: "again" repeats the last action, "it" is what was last picked up or named.
+"""Words that point back: "again" repeats the last action, "the other way" reverses it, "it" is what was picked up or
+named last.
 
 Applied after the meaning is known, to actions only; the slots of an interpretation keep the words that were said.
 """
@@ -9,8 +10,9 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
-from intent_engine.actions import Action, Custom, Move, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.other_way import OTHER_WAY, opposite
 from intent_engine.needs import Needs
 
 __all__ = ["AGAIN", "Before", "names_something", "resolve"]
@@ -20,6 +22,8 @@ Before: TypeAlias = Interpretation | Sequence[Action] | Action
 
 AGAIN = "again"
 """Name of the custom action that repeats the last one, ``scale`` times as far."""
+_SPEED_BY_ITSELF = "another speed is of what is being done, and not of what is said with it; say it by itself"
+_WHICH = "it may mean the motion or its speed; say what to do"
 NOTHING_DONE = "nothing was done yet that could be done again"
 
 
@@ -48,6 +52,9 @@ def resolve(
     """
     if not found.actions:
         return found
+    changes = [isinstance(action, ChangeSpeed) for action in found.actions]
+    if any(changes) and not all(changes):
+        return _rejected(found, _SPEED_BY_ITSELF)
     before = last[-1] if last else None
     needed = asked[-1] if last and len(asked) == len(last) else None
     things = {" ".join(words) for words in pronouns}
@@ -59,9 +66,22 @@ def resolve(
     for place, action in enumerate(found.actions):
         meant = action
         own = needs[place] if len(needs) == len(found.actions) else None
-        if isinstance(action, Custom) and action.name == AGAIN:
+        if isinstance(action, Custom) and action.name == OTHER_WAY:
+            said_after = place > 0 or found.corrected
+            if said_after or last is not None:
+                turned = opposite(last or (), said_after=said_after)
+                if isinstance(turned, str):
+                    return _rejected(found, turned)
+                meant = turned
+                if needed is not None and (unmet := needed.unmet(state)):
+                    return _rejected(found, unmet)
+                if needed is not None and own is not None:
+                    own = needs[place] = needed.joined(own)
+        elif isinstance(action, Custom) and action.name == AGAIN:
             if before is None and last is not None:
                 return _rejected(found, NOTHING_DONE)
+            if isinstance(before, ChangeSpeed):
+                return _rejected(found, _WHICH)
             if before is not None:
                 repeated = _again(before, action.slots.get("scale"))
                 if repeated is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from intent_engine.actions import ChangeSpeed
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.references import Before, names_something
 from intent_engine.needs import Needs
@@ -18,7 +19,7 @@ class LastSaid:
         self.meaning: Before = ()
         """For ``IntentEngine.parse(text, last=...)``; empty: there was nothing, or it is forgotten. Where the last
         utterance names nothing, the actions of the last one that did stand before its own: after "pick up the ball"
-        and "go to the kitchen", "it" is the ball."""
+        and "go to the kitchen", "it" is the ball. Before a change of its speed stands the motion."""
         self._named: Interpretation | None = None
         """The last utterance with an action that names something."""
 
@@ -27,7 +28,10 @@ class LastSaid:
         if meaning.stops:
             self.forget()
         elif meaning.status is Status.ACCEPTED and meaning.actions:
-            if any(map(names_something, meaning.actions)):
+            if isinstance(self.meaning, Interpretation) and _only_speed(meaning):
+                if not _only_speed(self.meaning, last=True):
+                    self.meaning = _together(self.meaning, meaning)
+            elif any(map(names_something, meaning.actions)):
                 self._named = meaning
                 self.meaning = meaning
             else:
@@ -37,6 +41,11 @@ class LastSaid:
         """The robot was stopped, or a new session begins."""
         self.meaning = ()
         self._named = None
+
+
+def _only_speed(meaning: Interpretation, *, last: bool = False) -> bool:
+    """Whether all it does, or the last thing, is to change the speed of what is being done."""
+    return all(isinstance(action, ChangeSpeed) for action in meaning.actions[-1 if last else 0 :])
 
 
 def _together(before: Interpretation, last: Interpretation) -> Interpretation:

@@ -9,7 +9,7 @@ from pathlib import Path
 from hypothesis import assume
 from hypothesis import strategies as st
 
-from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 
@@ -42,6 +42,8 @@ def in_short(action: Action) -> str:
             return f"pick {thing}"
         case Place(thing, where):
             return " ".join(filter(None, ("place", thing, where)))
+        case ChangeSpeed(factor):
+            return f"speed {factor:g}"
         case Custom(name):
             return name
     raise AssertionError(action)

@@ -284,7 +284,7 @@ CANCELLED = {
     "sorry, hold on a second": "stop",
     "no": NOTHING,
     "no no": NOTHING,
-    "no, the wait": NOTHING,
+    "no, the wait": "stop",  # "the" begins "the other way", and a stop ends what was begun
 }
 COMPOUND = {
     "go forward two meters then turn left": "forward 2, left 43",

@@ -215,6 +215,33 @@ def test_faster_than_allowed_is_driven_at_the_limit_and_said(talk):
     assert "cut from 2 to 0.5 m/s" in talk.goals("succeeded")[0]["detail"]
 
 
+def test_what_is_driven_is_driven_slower_and_just_as_far(talk):
+    talk.say("go forward half a meter")
+    until(talk.moving)
+    talk.say("slow down")
+    until(lambda: len(talk.goals("succeeded")) == 2)
+    change, motion = talk.goals("succeeded")
+    assert change["detail"] == "from 0.5 to 0.25 m/s"
+    assert (motion["action"]["linear_velocity"], motion["action"]["distance"]) == (0.25, 0.5)
+    assert {twist for twist in talk.twists if any(twist)} == {(0.5, 0.0), (0.25, 0.0)}
+    assert json.loads(talk.commands[-1])["actions"] == [{"type": "change_speed", "factor": 0.5}]
+
+
+def test_a_robot_that_stands_goes_no_faster(talk):
+    talk.say("faster")
+    until(lambda: talk.goals("rejected"))
+    assert talk.goals("rejected")[0]["reason"] == "nothing_moves"
+
+
+def test_the_other_way_takes_the_place_of_what_is_driven(talk):
+    talk.say("turn left ninety degrees")
+    until(talk.moving)
+    talk.say("no, the other way")
+    until(lambda: talk.goals("succeeded"))
+    left, right = talk.goals("canceled")[0]["action"], talk.goals("succeeded")[0]["action"]
+    assert right == {**left, "angle": -left["angle"], "angular_velocity": -left["angular_velocity"]}
+
+
 def test_a_robot_without_an_arm_refuses_to_pick(talk):
     talk.say("pick up the bottle")
     until(lambda: talk.goals("rejected"))

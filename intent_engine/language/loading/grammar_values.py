@@ -27,6 +27,7 @@ __all__ = ["action_problems", "example_problems", "value_problems"]
 REQUIRED: Mapping[str, tuple[str, ...]] = {
     "navigate": ("location",),
     "pick": ("object",),
+    "change_speed": ("factor",),
     "turn": ("direction",),
     "move": ("direction",),
 }

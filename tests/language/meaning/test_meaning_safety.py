@@ -139,7 +139,8 @@ def test_commands_in_one_breath_are_negated_together(first: str, second: str, ne
 def test_commands_in_one_breath_are_done_only_if_they_can_be_parted_in_one_way(text: str) -> None:
     """A reference that tries every way to cut the words into commands, each understood for itself."""
     found = shipped().parse(text)
-    if found.intent != "compound" or not shipped()._interpreter(None)._run_ons.split(Utterance.of(text), ()):
+    parted = found.intent == "compound" and shipped()._interpreter(None)._run_ons.split(Utterance.of(text), ())
+    if not (parted and found.actions):  # "ease off u turn": a speed is said by itself
         return
     words = text.split()
 

@@ -107,7 +107,7 @@ def test_an_amount_without_a_number_in_german():
     assert engine.parse("fahr ein paar Meter vor").reason == "'ein paar' may be any number; say how many"
 
 
-@pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus", "slow down", "very slowly jump"])
+@pytest.mark.parametrize("text", ["jump", "banana", "please jump", "hocus pocus", "calm down", "very slowly jump"])
 def test_what_is_no_value_and_nothing_else_is_no_command(text):
     assert shipped().parse(text).reason == "not a command of this grammar"
 
