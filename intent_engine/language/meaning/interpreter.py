@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Stop
-from intent_engine.interpretation import REST_UNKNOWN, Interpretation, Status
+from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -251,11 +251,14 @@ class Interpreter:
 
     def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
         """The words before a pause that would stop a robot that moves, if no more had been said: "wait, the cat is
-        there". What follows is not understood, and takes nothing back. Empty: there are none."""
+        there". What follows is not understood, and takes nothing back. Empty: there are none; a "no" may begin an answer
+        to somebody else ("no, I did not see it")."""
         pauses = (place for place in range(1, len(core)) if core.breaks[place])
-        begun = (core.part(0, place) for place in pauses)
-        stops = (" ".join(one.words) for one in begun if self._meant(" ".join(one.words), one, state)[0].stops)
-        return next(stops, "")
+        for begun in (core.part(0, place) for place in pauses):
+            found, _ = self._meant(" ".join(begun.words), begun, state)
+            if found.stops and not found.objects:
+                return found.text
+        return ""
 
     def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
         return self._commands.exact(said.words, state, breaks=said.breaks)
@@ -322,6 +325,9 @@ class Interpreter:
         words = core.words
         if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
             return self._stopped(text)
+        if MOVING in state and self._stops.in_objection(said, core):
+            (found, told), reason = self._stopped(text), f"{' '.join(words)!r} {OBJECTED}"
+            return replace(found, reason=reason), told
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if MOVING in state and self.phrases.only_hold(words):
