@@ -56,8 +56,9 @@ class Interpretation:
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
     denied: tuple[Action, ...] = field(default=(), compare=False, repr=False)
-    """What shall not be done, where a command was negated: "don't clean the lab". None after JSON. For
-    :meth:`Executor.deny`: a robot that does it has to stop."""
+    """What shall not be done, where a command was negated: "don't clean the lab"; also of one that is accepted, where
+    another is wanted instead: "don't clean the lab, clean the hall". None after JSON. For :meth:`Executor.deny`, before
+    the actions are submitted: a robot that does it has to stop."""
     needs: tuple[Needs, ...] = field(default=(), compare=False, repr=False)
     """What each of the actions asks of the states of the robot; none for a stop, and after JSON."""
 

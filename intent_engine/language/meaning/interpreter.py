@@ -251,8 +251,8 @@ class Interpreter:
 
     def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
         """The words before a pause that would stop a robot that moves, if no more had been said: "wait, the cat is
-        there". What follows is not understood, and takes nothing back. Empty: there are none; a "no" may begin an answer
-        to somebody else ("no, I did not see it")."""
+        there". What follows is not understood, and takes nothing back. Empty: there are none; a "no" may begin an
+        answer to somebody else ("no, I did not see it")."""
         pauses = (place for place in range(1, len(core)) if core.breaks[place])
         for begun in (core.part(0, place) for place in pauses):
             found, _ = self._meant(" ".join(begun.words), begun, state)
@@ -361,7 +361,22 @@ class Interpreter:
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
                 refused, _ = self._rejected(text, reason)
                 return replace(refused, denied=self._negations.denied(core, state)), ()
-            core = wanted
+            found, told = self._affirmed(text, said, wanted, state, None, negated=True)
+            return replace(found, denied=self._negations.denied_beside(core, wanted, state)), told
+        return self._affirmed(text, said, core, state, clause, negated=False)
+
+    def _affirmed(
+        self,
+        text: str,
+        said: Utterance,
+        core: Utterance,
+        state: Collection[str],
+        clause: Clause | None,
+        *,
+        negated: bool,
+    ) -> Understood:
+        """What is wanted, where nothing is negated, or besides what was."""
+        words = core.words
         parts = self._compounds.split(core, state)
         if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence
             fuller = self.phrases.without_idle_fillers(said)
