@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
-from intent_engine.actions import Stop
+from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
@@ -89,6 +89,21 @@ class Interpreter:
     def dictates(self, text: str) -> bool:
         """Whether something is dictated in a text, also behind other commands."""
         return bool(self._dictation) and self._dictated(text, (), spoken=False) is not None
+
+    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]:
+        """What a text says not to do that names only a part of it: "not the kitchen", after "go to the kitchen".
+
+        Args:
+            text: what was said or typed.
+            before: the text of what was last understood.
+            state: states of the robot.
+        """
+        core = self.phrases.without_fillers(self._said(text))
+        if not self._negations.stands_in(core):
+            return ()
+        _, parts = self.understand(before, state)
+        done = [list(part.reading.words) for part in parts if part.reading is not None and part.accepted]
+        return self._negations.denied_part(core, [Utterance(one, [False] * len(one)) for one in done], state)
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Custom
@@ -104,6 +104,36 @@ class Negations:
             told = self._denied(part.part(start, len(part)), position - start, length, state)
             if told is not None and (action := self._action(told, state)) is not None:
                 return (action,)
+        return ()
+
+    def denied_part(self, core: Utterance, done: Sequence[Utterance], state: Collection[str]) -> tuple[Action, ...]:
+        """What an utterance says not to do by naming a part of it: "not the kitchen", after "go to the kitchen".
+
+        What is named takes the place of its like in a command that was done, and makes the one that shall not be; words
+        that any would do in place of name nothing.
+
+        Args:
+            core: what was said.
+            done: commands that were understood before.
+            state: of the robot.
+        """
+        for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
+            part = core.part(begin, len(core))
+            found = self._first(part)
+            if found is None or tuple(part.words[: found[0]]) not in self._before:
+                continue
+            start = found[0] + found[1]
+            ends = (
+                at for at in range(start + 1, len(part)) if part.breaks[at] or self._phrases.contrast.at(part.words, at)
+            )
+            named = part.part(start, next(ends, len(part)))
+            if not named.words or self._negation.find(named.words) is not None:
+                continue
+            for said in done:
+                denied = said if self._corrections.is_said(said, named, state) else None
+                denied = denied or self._corrections.instead(said, named, state)
+                if denied is not None and (action := self._action(denied, state)) is not None:
+                    return (action,)
         return ()
 
     def denied_beside(self, core: Utterance, wanted: Utterance, state: Collection[str]) -> tuple[Action, ...]:
