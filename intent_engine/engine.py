@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from intent_engine.actions import actions_of
+from intent_engine.actions import Action, actions_of
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
@@ -156,7 +157,8 @@ class IntentEngine:
                 something, and nothing is done.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
                 states in which that could not be said. Or only its actions, or the one that it was: then nobody asks.
-                Empty if there was none; None: not known, then such words are left as they are.
+                Empty if there was none; None: not known, then such words are left as they are. After an interpretation
+                "not the kitchen" has what it denies.
 
         Raises:
             TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
@@ -229,6 +231,8 @@ class _Parses(Protocol):
         self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
     ) -> Interpretation: ...
 
+    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
+
 
 _Parser = TypeVar("_Parser", bound=_Parses)
 
@@ -244,6 +248,7 @@ def _understood(
     and whether it was heard."""
     state = states_of(state)
     asked = last.needs if isinstance(last, Interpretation) else ()
+    done = last.text if isinstance(last, Interpretation) and last.actions else ""
     if isinstance(last, Interpretation):
         last = last.actions
     before = None if last is None else actions_of("last", last)
@@ -255,6 +260,8 @@ def _understood(
             found, parser = _first_accepted(parsers, text, state, by_voice)
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
+    if done and not (found.actions or found.denied):  # "not the kitchen"
+        found = replace(found, denied=parser.denied_part(text, done, state))
     if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
         found = resolve(found, before, grammar.operators.pronoun, asked, state, grammar.wording.several)

@@ -10,12 +10,14 @@ from typing import Any
 from intent_engine.actions import Action, Stop, from_json, to_json
 from intent_engine.needs import Needs
 
-__all__ = ["BEYOND_LIMITS", "REST_UNKNOWN", "UNKNOWN_PLACE", "Interpretation", "Status"]
+__all__ = ["BEYOND_LIMITS", "OBJECTED", "REST_UNKNOWN", "UNKNOWN_PLACE", "Interpretation", "Status"]
 
 BEYOND_LIMITS = {"whole": "no whole number", "min": "less than the smallest", "max": "more than the largest"}
 """What is wrong with a number that its slot does not take, by the key of the slot that says so, as reasons have it."""
 REST_UNKNOWN = "stops, and what follows was not understood"
 """Why a robot stops at words that would be no command otherwise."""
+OBJECTED = "said to a robot that moves"
+"""Why a robot stops at words that say no more than that something is not meant."""
 UNKNOWN_PLACE = "no place is called"
 """What is wrong with a place that is not on the map, as reasons have it."""
 
@@ -57,8 +59,9 @@ class Interpretation:
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
     denied: tuple[Action, ...] = field(default=(), compare=False, repr=False)
-    """What shall not be done, where a command was negated: "don't clean the lab". None after JSON. For
-    :meth:`Executor.deny`: a robot that does it has to stop."""
+    """What shall not be done, where a command was negated: "don't clean the lab"; also of one that is accepted, where
+    another is wanted instead: "don't clean the lab, clean the hall". None after JSON. For :meth:`Executor.deny`, before
+    the actions are submitted: a robot that does it has to stop."""
     needs: tuple[Needs, ...] = field(default=(), compare=False, repr=False)
     """What each of the actions asks of the states of the robot; none for a stop, and after JSON."""
 
@@ -84,6 +87,11 @@ class Interpretation:
         """Whether it stops a robot that moves for its first words alone, and the rest was not understood: "wait, the
         cat is there"."""
         return self.stops and REST_UNKNOWN in self.reason
+
+    @property
+    def objects(self) -> bool:
+        """Whether it stops a robot that moves since nothing was said but "no", "not that" or the like."""
+        return self.stops and OBJECTED in self.reason
 
     @property
     def refuses(self) -> bool:

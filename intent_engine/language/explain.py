@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
+from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.explanation import Candidate, Explanation, Noticed, Step, Word
 from intent_engine.language.meaning import MAX_CHARACTERS, Clause, Interpreter
@@ -65,6 +66,10 @@ class Witness:
         """The meaning of a text; see :meth:`Interpreter.interpret`."""
         self._found, self._clauses = self._interpreter.understand(text, state, spoken=spoken, heard=heard)
         return self._found
+
+    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]:
+        """See :meth:`Interpreter.denied_part`."""
+        return self._interpreter.denied_part(text, before, state)
 
     def explanation(self, found: Interpretation) -> Explanation:
         """How the last text came to be ``found``: what this interpreter gave, with "it" and "again" put in."""

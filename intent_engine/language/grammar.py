@@ -270,6 +270,8 @@ class Operators:
     """The same as they may be written by their sound: "break". They stop where nothing else was said."""
     hold: tuple[tuple[str, ...], ...] = ()
     """They stop a robot that moves where nothing else is said: "wait", "don't move"."""
+    objection: tuple[tuple[str, ...], ...] = ()
+    """They object to what a robot that moves is doing, and stop it where nothing else is said: "no", "not that"."""
     closed: frozenset[str] = frozenset()
     """Words that a text slot never swallows: they would change what is meant."""
     pronoun: tuple[tuple[str, ...], ...] = ()
@@ -287,6 +289,8 @@ class Wording:
 
     greetings: tuple[tuple[str, ...], ...] = ()
     """What may be dictated though it is nothing but fillers: "say hello"."""
+    thanking: tuple[tuple[str, ...], ...] = ()
+    """What thanks, and makes an answer to somebody of a "no" before it: "no, *thanks*"."""
     hesitations: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which something may be said anew: "left, uh, right"."""
     ways_back: tuple[tuple[str, ...], ...] = ()

@@ -43,5 +43,5 @@ def verbs_told(words: Sequence[str], grammar: Grammar) -> Iterator[tuple[int, st
                 yield len(form), verb
             continue
         stem = said.removesuffix(ending[1:])
-        if stem != said and len(stem) >= LEAST_LETTERS:
+        if said.endswith(ending[1:]) and len(stem) >= LEAST_LETTERS:
             yield len(form), stem + verb.removeprefix("-")

@@ -134,6 +134,7 @@ class VoiceCommands:
 
     def _take(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.status is Status.ACCEPTED:
+            self.executor.deny(found.denied)  # "don't clean the lab, clean the hall"
             later = not found.stops and self.engine.comes_later(found.text)
             policy = Policy.FOLLOW if later else None
             guards = found.guards(self._told)

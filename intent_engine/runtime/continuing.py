@@ -141,7 +141,8 @@ class Continuing:
         if held:
             alone = self._judge.held(heard, alone)
         clearly = heard.word_by_word or heard.sureness >= SURE_ENOUGH_OF_SEVERAL
-        sure = alone.status is Status.ACCEPTED and (alone.stops or clearly) and not alone.stops_at_first
+        goes_on = alone.stops_at_first or alone.objects  # "no", and a moment later "the dock"
+        sure = alone.status is Status.ACCEPTED and (alone.stops or clearly) and not goes_on
         return None if sure else said.sound
 
     def understood(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
@@ -183,7 +184,7 @@ class Continuing:
                 too_late = too_late or (whole is not None and step is None and said.command.says_more(whole))
         meaning = by_itself
         withdrawn = False
-        if said is not None and meaning.status is not Status.ACCEPTED:
+        if said is not None and (meaning.status is not Status.ACCEPTED or meaning.objects):
             withdrawn = self._follow_up.corrects(alone) or self._follow_up.ends_in_correction(heard)
             if withdrawn or len(alone.free_text.split()) <= HARDLY_A_SENTENCE:
                 # "No", and a moment later "the dock".
@@ -191,7 +192,8 @@ class Continuing:
                 sound, ended = utterance.said(), utterance.last_voice
                 self._said = replace(said, sound=sound, ended=ended, heard="", withdrawn=taken_back)
             if withdrawn:
-                meaning = replace(meaning, reason=_WITHDRAWN)
+                refused = Interpretation(meaning.text, Status.REJECTED) if meaning.objects else meaning
+                meaning = replace(refused, reason=_WITHDRAWN)
             elif too_late:
                 meaning = replace(meaning, reason=_TOO_LATE.format(said.command.meaning.text))
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)

@@ -14,6 +14,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.references import Before
+from intent_engine.needs import MOVING
 from intent_engine.runtime.asking_back import other_way, run_together
 from intent_engine.runtime.transcript_grammar import grammar_of, intents_of, language_of
 from intent_engine.speech.recognizer import Transcript
@@ -55,7 +56,16 @@ class Judge:
         self.engine = engine
 
     def meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:
-        """What a transcript means; nothing, where it is too unlike what was heard."""
+        """What a transcript means; nothing, where it is too unlike what was heard. A "no" that was heard of it stops a
+        robot that moves, though the nearest sentence of the grammar may be another."""
+        meaning = self._meaning(transcript, state, last)
+        if MOVING in state and meaning.status is not Status.ACCEPTED and transcript.score > HARDLY_A_WORD:
+            language = language_of(self.engine, transcript)
+            heard = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=last)
+            return heard if heard.objects else meaning
+        return meaning
+
+    def _meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:
         language = language_of(self.engine, transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
         if meaning.status is Status.ACCEPTED and not meaning.stops and (why := _unheard(transcript)):

@@ -927,12 +927,13 @@ MOTION_FORBIDDEN = [
     *("don't follow me", "don't come here"),
     *("don't", "no, don't!", "don't do that", "please don't do it", "don't you dare", "no no don't do that"),
     *("cut it out", "hey, knock it off!", "watch out!", "not one more step", "ignore that", "no, scratch that"),
+    *("no", "nope", "not that", "no, that is wrong"),
 ]
 """Nothing is done when the robot stands; when it moves, it stops."""
 NOT_EVEN_MOVING = [
     *("don't pick up the cup", "don't turn left, turn right", "I don't want to go forward", "he said don't move"),
     *("I do not want it to stop", "he never says stop", "whatever you do don't stop", "go to the bus and then stop"),
-    *("no", "no, left", "where is the bus stop in this town", "the stop is over there"),
+    *("no, left", "no thanks", "no problem", "where is the bus stop in this town", "the stop is over there"),
 ]
 
 

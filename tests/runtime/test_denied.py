@@ -30,11 +30,11 @@ def engine(tmp_path_factory) -> IntentEngine:
     return IntentEngine.from_files(path)
 
 
-def said(engine: IntentEngine, *texts: str) -> tuple[list[Goal], list[Heard]]:
+def said(engine: IntentEngine, *texts: str, policies: dict[str, str] | None = None) -> tuple[list[Goal], list[Heard]]:
     """While the robot drives, and is to clean the lab when it is there; its goals, and what came of the words."""
     clock = VirtualClock()
     events: list[Heard] = []
-    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+    with Executor(SimulatedRobot(clock), clock=clock, policies=policies) as executor:
         executor.register("clean", lambda action: None)
         goals = executor.submit(engine.parse("go forward").actions)
         goals += executor.submit(Custom("clean", {"room": "lab"}), policy="queue")
@@ -62,5 +62,13 @@ def test_what_it_does_not_do_changes_nothing(engine, text):
 
 def test_the_next_command_is_done(engine):
     _, events = said(engine, "don't clean the lab", "clean the hall")
+    (done,) = (event for event in events if event.kind is HeardKind.SUBMITTED)
+    assert [goal.succeeded for goal in done.goals] == [True]
+
+
+@pytest.mark.parametrize("text", ["don't clean the lab, clean the hall", "clean the hall, not the lab"])
+def test_it_ends_though_what_is_wanted_would_wait_its_turn(engine, text):
+    goals, events = said(engine, text, policies={"clean": "queue"})
+    assert goals[-1].state is GoalState.CANCELED
     (done,) = (event for event in events if event.kind is HeardKind.SUBMITTED)
     assert [goal.succeeded for goal in done.goals] == [True]

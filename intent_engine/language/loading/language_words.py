@@ -72,6 +72,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
 
     return Wording(
         greetings=phrases("greeting"),
+        thanking=phrases("thanking"),
         hesitations=phrases("hesitation"),
         ways_back=phrases("way_back"),
         asked=words("asked"),

@@ -6,8 +6,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
-from intent_engine.actions import Stop
-from intent_engine.interpretation import REST_UNKNOWN, Interpretation, Status
+from intent_engine.actions import Action, Stop
+from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
@@ -89,6 +89,21 @@ class Interpreter:
     def dictates(self, text: str) -> bool:
         """Whether something is dictated in a text, also behind other commands."""
         return bool(self._dictation) and self._dictated(text, (), spoken=False) is not None
+
+    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]:
+        """What a text says not to do that names only a part of it: "not the kitchen", after "go to the kitchen".
+
+        Args:
+            text: what was said or typed.
+            before: the text of what was last understood.
+            state: states of the robot.
+        """
+        core = self.phrases.without_fillers(self._said(text))
+        if not self._negations.stands_in(core):
+            return ()
+        _, parts = self.understand(before, state)
+        done = [list(part.reading.words) for part in parts if part.reading is not None and part.accepted]
+        return self._negations.denied_part(core, [Utterance(one, [False] * len(one)) for one in done], state)
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -251,11 +266,14 @@ class Interpreter:
 
     def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
         """The words before a pause that would stop a robot that moves, if no more had been said: "wait, the cat is
-        there". What follows is not understood, and takes nothing back. Empty: there are none."""
+        there". What follows is not understood, and takes nothing back. Empty: there are none; a "no" may begin an
+        answer to somebody else ("no, I did not see it")."""
         pauses = (place for place in range(1, len(core)) if core.breaks[place])
-        begun = (core.part(0, place) for place in pauses)
-        stops = (" ".join(one.words) for one in begun if self._meant(" ".join(one.words), one, state)[0].stops)
-        return next(stops, "")
+        for begun in (core.part(0, place) for place in pauses):
+            found, _ = self._meant(" ".join(begun.words), begun, state)
+            if found.stops and not found.objects:
+                return found.text
+        return ""
 
     def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
         return self._commands.exact(said.words, state, breaks=said.breaks)
@@ -322,6 +340,9 @@ class Interpreter:
         words = core.words
         if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
             return self._stopped(text)
+        if MOVING in state and self._stops.in_objection(said, core):
+            (found, told), reason = self._stopped(text), f"{' '.join(words)!r} {OBJECTED}"
+            return replace(found, reason=reason), told
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if MOVING in state and self.phrases.only_hold(words):
@@ -355,7 +376,22 @@ class Interpreter:
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
                 refused, _ = self._rejected(text, reason)
                 return replace(refused, denied=self._negations.denied(core, state)), ()
-            core = wanted
+            found, told = self._affirmed(text, said, wanted, state, None, negated=True)
+            return replace(found, denied=self._negations.denied_beside(core, wanted, state)), told
+        return self._affirmed(text, said, core, state, clause, negated=False)
+
+    def _affirmed(
+        self,
+        text: str,
+        said: Utterance,
+        core: Utterance,
+        state: Collection[str],
+        clause: Clause | None,
+        *,
+        negated: bool,
+    ) -> Understood:
+        """What is wanted, where nothing is negated, or besides what was."""
+        words = core.words
         parts = self._compounds.split(core, state)
         if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence
             fuller = self.phrases.without_idle_fillers(said)

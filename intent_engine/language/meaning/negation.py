@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Custom
 from intent_engine.language.grammar import MOTIONS
-from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
-from intent_engine.language.meaning.forbidden_verbs import as_told
+from intent_engine.language.meaning.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.template_tree import first_words
@@ -38,8 +38,8 @@ class Negations:
 
     def _first(self, core: Utterance) -> tuple[int, int] | None:
         """(position, length) of the first negation that is no correction, nor a part of one: "no espera" corrects,
-        where "no" negates; "no no" may be either, and so negates. Spanish "no" corrects between two pauses: "a la
-        izquierda, no, a la derecha"."""
+        where "no" negates; "no no" may be either, and so negates. Spanish "no" corrects between two pauses, and at the
+        beginning before one: "a la izquierda, no, a la derecha", "no, ve al bar"."""
         words = core.words
         position = 0
         while position < len(words):
@@ -49,11 +49,24 @@ class Negations:
                 self._negation.at([word], 0) for word in words[position : position + corrects]
             ):
                 position += corrects
-            elif length and not (corrects == length and position and _apart(core, position, position + length)):
+            elif parted := self._correction_apart(core, position):
+                position += parted
+            elif length:
                 return position, length
             else:
-                position += length or 1
+                position += 1
         return None
+
+    def _correction_apart(self, core: Utterance, position: int) -> int:
+        """Length of the words of correction at a place, said in one breath between two pauses; 0: there are none.
+        Before the first word of all needs to be no pause, and behind them something must follow."""
+        if position and not core.breaks[position]:
+            return 0
+        for length in self._phrases.correction.lengths_at(core.words, position):
+            end = position + length
+            if end < len(core) and core.breaks[end] and True not in core.breaks[position + 1 : end]:
+                return length
+        return 0
 
     def forbids_motion(self, core: Utterance, state: Collection[str]) -> bool:
         """Whether nothing is said but that a motion is not to be: "don't move", "don't go to the kitchen".
@@ -69,27 +82,111 @@ class Negations:
         if tuple(before) in self._before or self._phrases.fillers.cover(more):
             before = []
         after = core.part(position + length, len(core))
-        ways = as_told(after, self._commands.matcher.grammar)
-        return any(self._is_motion([*before, *way.words], state) for way in ways if self._first(way) is None)
+        grammar = self._commands.matcher.grammar
+        ways = as_told(after, grammar)
+        if any(self._is_motion([*before, *way.words], state) for way in ways if self._first(way) is None):
+            return True
+        said = Utterance([*before, *after.words], [False] * (len(before) + len(after)))
+        return self._first(said) is None and any(
+            self._is_exactly_a_motion(way.words, state) for way in verb_first(said, grammar)
+        )
 
     def denied(self, core: Utterance, state: Collection[str]) -> tuple[Action, ...]:
-        """What an utterance with a negation says not to do, if that is a whole command: "don't clean the lab"."""
-        core = core.part(self._phrases.correction.at(core.words, 0), len(core))  # "no, don't clean the lab"
+        """What an utterance with a negation says not to do, if that is a whole command: "don't clean the lab". A word
+        of correction may stand before it, which in Spanish is the negation as well: "no, no limpies el laboratorio"."""
+        for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
+            part = core.part(begin, len(core))
+            found = self._first(part)
+            if found is None:
+                continue
+            position, length = found
+            start = position if tuple(part.words[:position]) in self._before else 0
+            told = self._denied(part.part(start, len(part)), position - start, length, state)
+            if told is not None and (action := self._action(told, state)) is not None:
+                return (action,)
+        return ()
+
+    def denied_part(self, core: Utterance, done: Sequence[Utterance], state: Collection[str]) -> tuple[Action, ...]:
+        """What an utterance says not to do by naming a part of it: "not the kitchen", after "go to the kitchen".
+
+        What is named takes the place of its like in a command that was done, and makes the one that shall not be; words
+        that any would do in place of name nothing.
+
+        Args:
+            core: what was said.
+            done: commands that were understood before.
+            state: of the robot.
+        """
+        for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
+            part = core.part(begin, len(core))
+            found = self._first(part)
+            if found is None or tuple(part.words[: found[0]]) not in self._before:
+                continue
+            start = found[0] + found[1]
+            ends = (
+                at for at in range(start + 1, len(part)) if part.breaks[at] or self._phrases.contrast.at(part.words, at)
+            )
+            named = part.part(start, next(ends, len(part)))
+            if not named.words or self._negation.find(named.words) is not None:
+                continue
+            for said in done:
+                denied = said if self._corrections.is_said(said, named, state) else None
+                denied = denied or self._corrections.instead(said, named, state)
+                if denied is not None and (action := self._action(denied, state)) is not None:
+                    return (action,)
+        return ()
+
+    def denied_beside(self, core: Utterance, wanted: Utterance, state: Collection[str]) -> tuple[Action, ...]:
+        """What shall not be done of an utterance of which something is wanted: "don't clean the lab, clean the hall",
+        "clean the hall, not the lab". Nothing of what is wanted."""
         found = self._first(core)
         if found is None:
             return ()
         position, length = found
+        told = self._told_before(core, position, length, state)
+        if told is None:
+            other = core.part(position + length, len(core))
+            said = core.part(0, self._joined(core.part(0, position)))
+            told = self._corrections.instead(said, other, state) if said.words and other.words else None
+            if told is None and other.words and self._commands.moves(other.words, state):
+                told = other
+        denied = self._action(told, state) if told is not None else None
+        return (denied,) if denied is not None and denied != self._action(wanted, state) else ()
+
+    def _told_before(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
+        """The command that is forbidden up to a pause or a contrast, behind which another is wanted."""
         start = position if tuple(core.words[:position]) in self._before else 0
-        told = self._denied(core.part(start, len(core)), position - start, length, state)
-        clause = self._commands.exact(told.words, state) if told is not None else None
-        return (clause.action,) if clause is not None and clause.action is not None else ()
+        start = position if self._phrases.correction.cover(core.words[:position]) else start
+        for end in range(position + length + 1, len(core)):
+            if self._phrases.contrast.at(core.words, end) or core.breaks[end]:
+                told = self._denied(core.part(start, end), position - start, length, state)
+                if told is not None:
+                    return told
+        return None
+
+    def _joined(self, said: Utterance) -> int:
+        """Where a command ends that may be joined to what is excluded: "forward *and* not back"."""
+        joint = max(self._phrases.sequence.ends(said.words), self._phrases.contrast.ends(said.words))
+        return len(said) - joint
+
+    def _action(self, told: Utterance, state: Collection[str]) -> Action | None:
+        clause = self._commands.exact(told.words, state)
+        return clause.action if clause is not None else None
 
     def _is_motion(self, words: list[str], state: Collection[str]) -> bool:
         """Whether words are a motion, exactly or nearly, or begin one with a verb of nothing else: "don't turn"."""
         if words and words[0] in self._motion_verbs and self._commands.matcher.prefix(words)[1] is not None:
             return True
         clause = (self._commands.exact(words, state) or self._commands.misheard(words, state)) if words else None
-        if clause is None or clause.reading is None:
+        return clause is not None and self._moves(clause)
+
+    def _is_exactly_a_motion(self, words: list[str], state: Collection[str]) -> bool:
+        clause = self._commands.exact(words, state)
+        return clause is not None and self._moves(clause)
+
+    @staticmethod
+    def _moves(clause: Clause) -> bool:
+        if clause.reading is None:
             return False
         person = isinstance(clause.action, Custom) and not clause.action.slots  # "don't follow me", "don't come here"
         return person or clause.reading.intent.action.type in MOTIONS  # also one that cannot be: "don't go there"
@@ -178,8 +275,12 @@ class Negations:
     def _denied(self, part: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command that a part with a negation forbids; None: it forbids none."""
         before, after = part.part(0, position), part.part(position + length, len(part))
-        for way in as_told(after, self._commands.matcher.grammar):
-            told = Utterance([*before.words, *way.words], [*before.breaks, *way.breaks])
+        grammar = self._commands.matcher.grammar
+        ways = [
+            Utterance([*before.words, *way.words], [*before.breaks, *way.breaks]) for way in as_told(after, grammar)
+        ]
+        said = ways[0]
+        for told in (*ways, *verb_first(said, grammar)):
             if self._commands.exact(told.words, state) is not None:
                 return told
         return None
@@ -194,10 +295,10 @@ class Negations:
         if not other.words or self._negation.find(other.words) is not None:
             return None
         said = core.part(0, position)
-        joint = max(self._phrases.sequence.ends(said.words), self._phrases.contrast.ends(said.words))
-        if self._phrases.says_later(said.words[len(said) - joint :]):
+        end = self._joined(said)
+        if self._phrases.says_later(said.words[end:]):
             return None
-        said = said.part(0, len(said) - joint)
+        said = said.part(0, end)
         if length > 1 and self._commands.moves(said.words, state) and self._commands.moves(other.words, state):
             return said  # "go forward instead of turning left"; "turn left not right" names no other command
         excluded = self._corrections.instead(said, other, state)
@@ -209,8 +310,3 @@ class Negations:
         wanted, denied = one.reading, two.reading
         named, others = ({slot.label for slot in reading.slots} for reading in (wanted, denied))
         return said if wanted.intent is denied.intent and named == others else None  # "move not back" names no other
-
-
-def _apart(said: Utterance, start: int, end: int) -> bool:
-    """Whether pauses stand before and behind some words, and something follows."""
-    return end < len(said) and bool(said.breaks[start] and said.breaks[end])

@@ -64,6 +64,9 @@ class Phrases:
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
         self._held = PhraseSet((*operators.hold, *operators.correction))
+        self.objection = PhraseSet(operators.objection)
+        self._objecting = PhraseSet((*operators.objection, *operators.correction))
+        self._thanking = PhraseSet(wording.thanking)
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
@@ -276,6 +279,12 @@ class Phrases:
     def only_hold(self, words: list[str]) -> bool:
         """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on"."""
         return self.hold.find(words) is not None and self._held.cover(words)
+
+    def only_objects(self, said: Utterance, core: Utterance) -> bool:
+        """Whether nothing is said but that what goes on is not meant: "no", "no, that's wrong". "No, thanks" is said to
+        somebody who offers something. ``core`` is what was said without its fillers."""
+        objects = self.objection.find(core.words) is not None and self._objecting.cover(core.words)
+        return objects and self._thanking.find(said.words) is None
 
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""

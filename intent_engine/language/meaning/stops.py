@@ -93,6 +93,11 @@ class Stops:
         return stops or (MOVING in state and protests > 1)
 
     @step(Kind.STOP)
+    def in_objection(self, said: Utterance, core: Utterance) -> bool:
+        """ "No!", "not that": nothing but that something is not meant. Of a robot that moves that is what it does."""
+        return self._phrases.only_objects(said, core)
+
+    @step(Kind.STOP)
     def in_denial(self, core: Utterance) -> bool:
         """ "Don't!", "no, cut it out": nothing but that something is not to be done, whatever it is. Of a robot that
         moves that is what it does."""

@@ -12,6 +12,8 @@ GRAMMARS = {
     "en": ("clean the {room}", "take the {thing}", {"lab": "lab", "hall": "hall"}),
     "de": ("reinige {room}", "nimm {thing}", {"lab": "das Labor", "hall": "die Halle"}),
     "fr": ("nettoie {room}", "prends {thing}", {"lab": "le labo", "hall": "le hall"}),
+    "es": ("limpia {room}", "coge {thing}", {"lab": "el laboratorio", "hall": "el pasillo"}),
+    "it": ("pulisci {room}", "prendi {thing}", {"lab": "il laboratorio", "hall": "la sala"}),
 }
 CLEAN_LAB = Custom("clean", {"room": "lab"})
 
@@ -45,6 +47,23 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("en", "don't take the cup", Pick("cup")),
         ("de", "reinige das Labor nicht", CLEAN_LAB),
         ("fr", "ne nettoie pas le labo", CLEAN_LAB),
+        ("en", "you must not clean the lab", CLEAN_LAB),
+        ("en", "I don't want you to clean the lab", CLEAN_LAB),
+        ("en", "don't start cleaning the lab", CLEAN_LAB),
+        ("de", "nicht das Labor reinigen", CLEAN_LAB),
+        ("de", "das Labor bitte nicht reinigen", CLEAN_LAB),
+        ("de", "reinigen Sie das Labor nicht", CLEAN_LAB),
+        ("fr", "ne nettoyez pas le labo", CLEAN_LAB),
+        ("fr", "ne pas nettoyer le labo", CLEAN_LAB),
+        ("fr", "il ne faut pas nettoyer le labo", CLEAN_LAB),
+        ("es", "no limpies el laboratorio", CLEAN_LAB),
+        ("es", "no limpiar el laboratorio", CLEAN_LAB),
+        ("es", "no limpien el laboratorio", CLEAN_LAB),
+        ("es", "no debes limpiar el laboratorio", CLEAN_LAB),
+        ("es", "no, no limpies el laboratorio", CLEAN_LAB),
+        ("it", "non pulire il laboratorio", CLEAN_LAB),
+        ("it", "non pulisca il laboratorio", CLEAN_LAB),
+        ("it", "non devi pulire il laboratorio", CLEAN_LAB),
     ],
 )
 @pytest.mark.parametrize("state", [(), ("moving",)])
@@ -59,9 +78,43 @@ def test_nothing_is_denied_by_anything_else(engines, said):
     assert engines["en"].parse(said).denied == ()
 
 
-def test_what_is_wanted_instead_is_done(engines):
-    found = engines["en"].parse("don't clean the lab, clean the hall")
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "don't clean the lab, clean the hall"),
+        ("en", "don't clean the lab but the hall"),
+        ("en", "clean the hall, not the lab"),
+        ("en", "clean the hall instead of the lab"),
+        ("de", "reinige nicht das Labor, reinige die Halle"),
+        ("es", "no limpies el laboratorio, limpia el pasillo"),
+        ("it", "non pulire il laboratorio, pulisci la sala"),
+    ],
+)
+def test_what_is_wanted_instead_is_done(engines, language, said):
+    found = engines[language].parse(said)
     assert found.actions == (Custom("clean", {"room": "hall"}),)
+    assert found.denied == (CLEAN_LAB,)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "no, clean the hall"),
+        ("de", "nein, reinige die Halle"),
+        ("fr", "non, nettoie le hall"),
+        ("es", "no, limpia el pasillo"),
+        ("es", "no no, limpia el pasillo"),
+        ("it", "no, pulisci la sala"),
+    ],
+)
+def test_a_no_before_a_pause_corrects(engines, language, said):
+    found = engines[language].parse(said)
+    assert (found.actions, found.denied) == ((Custom("clean", {"room": "hall"}),), ())
+
+
+@pytest.mark.parametrize("said", ["no limpia el pasillo", "no no limpia el pasillo", "no, no limpia el pasillo"])
+def test_in_one_breath_with_it_a_spanish_no_forbids(engines, said):
+    assert not engines["es"].parse(said).actions
 
 
 def test_it_is_no_part_of_the_json_form(engines):
