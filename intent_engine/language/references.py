@@ -15,7 +15,7 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.other_way import OTHER_WAY, opposite
 from intent_engine.needs import Needs
 
-__all__ = ["AGAIN", "Before", "names_something", "resolve"]
+__all__ = ["AGAIN", "Before", "names_something", "resolve", "said_by_itself"]
 
 Before: TypeAlias = Interpretation | Sequence[Action] | Action
 """What was done before: as it was understood, with what its intents ask of the states of the robot, or its actions."""
@@ -102,6 +102,12 @@ def resolve(
         if thing is not None and thing not in named:
             named.append(thing)
     return replace(found, actions=tuple(actions), needs=tuple(needs)) if changed else found
+
+
+def said_by_itself(action: Action) -> bool:
+    """Whether an action is about what is done already, so that it is refused in one sentence with others: "faster",
+    "the other way"."""
+    return isinstance(action, ChangeSpeed) or (isinstance(action, Custom) and action.name == OTHER_WAY)
 
 
 def _again(action: Action, scale: object) -> Action | None:

@@ -15,6 +15,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.references import said_by_itself
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
@@ -126,7 +127,9 @@ def negated(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> list
     text = " ".join(words)
     for plain, short in CONTRACTED.items():
         text = text.replace(" ".join(plain), short)
-    place = 0 if choices.below(2) == 0 or _dictated(pieces) else choices.below(len(pieces))
+    # "Come rather than back" leaves "come", which may be done.
+    first = choices.below(2) == 0 or _dictated(pieces) or words in grammar.wording.excludes
+    place = 0 if first else choices.below(len(pieces))
     return [*pieces[:place], Piece(text), *pieces[place:]]
 
 
@@ -157,7 +160,7 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
     free = any(slot.type in _FREE for slot in slots)
     if other is None or other.intent == first.intent or len(other.pieces) < 2 or free:
         return None  # what follows could be a new value of the first, or free text
-    if _holds_operator(other, grammar):
+    if _holds_operator(other, grammar) or said_by_itself(other.actions[0]):
         return None
     return [*first.pieces, again, *other.pieces], other
 
