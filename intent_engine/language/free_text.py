@@ -106,6 +106,8 @@ class FreeText:
         begun = self.no_beginning if slot.known else self._whither if self._names_a_thing(slot) else frozenset[str]()
         if said and said[0] in begun and not _meant(slot, said[0]):
             wrong = frozenset((said[0],))
+        if said and not wrong and self._names_a_thing(slot):
+            wrong = self._begins_behind_an_article(said)
         if said and not wrong and said[0] in self._begins_no_thing and self._is_no_thing(slot, said):
             wrong = frozenset((said[0],))
         if said and not wrong and self._names_a_thing(slot):
@@ -117,6 +119,13 @@ class FreeText:
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _begins_behind_an_article(self, said: Sequence[str]) -> frozenset[str]:
+        """The word with which no name begins, between two articles: "the *with* the bad", of which a noun that may be a
+        filler was left out. "The in tray" is a thing, and so is "that" on the table."""
+        if len(said) < 3 or said[0] not in self.articles - self._pointing or said[2] not in self.articles:
+            return frozenset()
+        return frozenset(said[1:2]) & self.no_beginning
 
     def _leaves_open(self, slot: Slot, said: Sequence[str]) -> str:
         """The word that shows that one of two is meant, and not which: "the cup *or* the glass". Empty: none does.
@@ -223,12 +232,15 @@ class FreeText:
             return said[-1]
         if len(said) > 1 and self._is_a_particle(slot, said):
             return said[-1]
-        following = (*said[1:], "")
+        beside = zip(said, ("", *said[:-1]), (*said[1:], ""), strict=True)
         return next(
             (
                 word
-                for word, after in zip(said, following, strict=True)
-                if (word in self._words.not_held or self._words.is_manner(word))
+                for word, before, after in beside
+                if (
+                    (word in self._words.not_held and not self._is_solid(before, word, after))
+                    or self._words.is_manner(word)
+                )
                 and not _meant(slot, word)
                 and (not after or after in self._words.joining or self._of_nothing(word, after))
             ),
@@ -249,6 +261,12 @@ class FreeText:
         if last not in self._words.alone or last in self.articles or last in slot.allow or last not in slot.known:
             return False
         return before not in self._binding and before not in self.alone
+
+    def _is_solid(self, before: str, word: str, after: str) -> bool:
+        """Whether the word before makes a thing of one that is none: "toy bus", "remote control", but not "remote
+        control of"."""
+        solid = self._words.solid
+        return (before in solid or f"{before} {word}" in solid) and after not in self._words.within
 
     def _of_nothing(self, word: str, after: str) -> bool:
         """Whether a word and "of" say that no thing is meant: "advantage of", but not "head of"."""

@@ -58,6 +58,11 @@ class Openers:
     """Whose numbers."""
     digits: bool = False
     """Whether digits are said one by one, so that an "oh" behind one is a zero: "heading one eight oh"."""
+    describing: frozenset[str] = frozenset()
+    """Fillers that may be a part of a thing's name, behind its article: "the *first* box"."""
+    articles: frozenset[str] = frozenset()
+    names: Callable[[Sequence[str], str], bool] | None = None
+    """Whether what is said between words and another word stands in the name of a thing; None: none is named."""
 
     def misplaced(
         self, said: Utterance, position: int, length: int, before: Sequence[str], *, paused: bool = False
@@ -74,6 +79,8 @@ class Openers:
                 return paused or not self._counts_on(said, position, length, before)
             if not self.around.at(said.words, position):
                 return True
+        if self._describes(said, position, length, before):
+            return True
         if before and self.place_of is not None and self.sounds.at(said.words, position) != length:
             end = self._after_fillers(said, position + length)
             place = self.place_of(before, said.words[end] if end < len(said) else "")
@@ -122,6 +129,18 @@ class Openers:
                 return True
         over = end == len(said) or self.ends.at(said.words, end) > 0
         return not over and not any(said.breaks[position + 1 : end + 1]) and (not begins or self.language == "en")
+
+    def _describes(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+        """Whether a filler tells which thing is meant: it stands in one breath between an article and the rest of a
+        name. "The *first* aid kit" is no aid kit."""
+        if self.names is None or not position or not before or said.words[position - 1] not in self.articles:
+            return False
+        end = position + length
+        if not self.describing.issuperset(said.words[position:end]) or end == len(said):
+            return False
+        if any(said.breaks[position : end + 1]) or self.fillers.at(said.words, end) or self.ends.at(said.words, end):
+            return False
+        return self.names(before, said.words[end])
 
     def _after_fillers(self, said: Utterance, position: int) -> int:
         """Where the next word stands that is no filler."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.openers import TextPlace
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.word_state import Stack, WordState
 
 __all__ = ["TextPlaces"]
@@ -16,15 +17,14 @@ class TextPlaces:
     """The places of text in the sentences of one grammar. Thread-safe.
 
     The names of things are no text: what is around them is left out ("the cup please"), since no thing is called so.
+    Of the words within them, those that describe a thing are asked for separately.
     """
 
     def __init__(self, matcher: Matcher) -> None:
         self._matcher = matcher
-        self._texts = {
-            slot.name
-            for slot in matcher.grammar.slots.values()
-            if slot.type in FREE_KINDS and not slot.dictation and not matcher.values.is_thing(slot)
-        }
+        free = [slot for slot in matcher.grammar.slots.values() if slot.type in FREE_KINDS and not slot.dictation]
+        self._things = {slot.name for slot in free if matcher.values.is_thing(slot)}
+        self._texts = {slot.name for slot in free} - self._things
 
     def __bool__(self) -> bool:
         return bool(self._texts)
@@ -49,6 +49,23 @@ class TextPlaces:
             begun = earlier is not None and texts.keys() <= _open(earlier).keys()
             return TextPlace.WITHIN if begun else TextPlace.BEGINS
         return None
+
+    def name(self, before: Sequence[str], after: str) -> bool:
+        """Whether words end within the name of a thing, or where one begins, and another word can only go on there:
+        no sentence has it, and it begins nothing else, as in "the good *in* people"."""
+        if after in thing_words(self._matcher.grammar.language).joining:
+            return False
+        automaton = self._matcher.strict
+        for start in range(len(before)):
+            _, state = automaton.walk(before[start:])
+            if state is not None:
+                open_slots = _open(state)
+                return (
+                    bool(open_slots)
+                    and self._things.issuperset(open_slots.values())
+                    and not self._goes_on(state, after)
+                )
+        return False
 
     def _goes_on(self, state: WordState, after: str) -> bool:
         """Whether a sentence has a word here, beside its text: "play yesterday please *by* the beatles"."""

@@ -32,6 +32,8 @@ class ThingWords:
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()
     """The robot itself, and what it moves with."""
+    describing: frozenset[str] = frozenset()
+    """Said of a thing, behind its article and before the rest of its name, though a filler elsewhere."""
     unfinished: frozenset[str] = frozenset()
     """No thing ends so."""
     alone: frozenset[str] = frozenset()
@@ -50,6 +52,8 @@ class ThingWords:
     """Not to be held, where no other word of the name follows."""
     had: frozenset[str] = frozenset()
     """Those of them of which things have one."""
+    solid: frozenset[str] = frozenset()
+    """Words that make a thing of one of them that follows ("toy bus"), and names of two words that end so."""
     bare: frozenset[str] = frozenset()
     """By itself and without an article no thing."""
     pronouns: frozenset[str] = frozenset()
@@ -107,10 +111,11 @@ def thing_words(language: str) -> ThingWords:
     if not file.is_file():
         return ThingWords()
     data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    solid = frozenset(data.pop("solid", ()))
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, sayings=sayings, contracted=contracted, examples=examples)
+    return ThingWords(**words, solid=solid, sayings=sayings, contracted=contracted, examples=examples)
 
 
 @cache

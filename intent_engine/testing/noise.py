@@ -19,6 +19,7 @@ from intent_engine.language.references import said_by_itself
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
@@ -78,6 +79,8 @@ def with_fillers(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) ->
             continue  # "print a", "label" + what is dictated
         if 0 < place < len(said) and _is_any_name(said[place]):
             continue  # "play" + "could you" + a name, which may begin so
+        if 0 < place < len(said) and _describes(filler, said[place - 1], said[place], grammar):
+            continue  # "find the" + "good" + a thing, which may be called so
         longer = [*said[:place], Piece(" ".join(filler) + "," * opens), *said[place:]]
         if all(_found(one, _words(longer)) == _found(one, _words(said)) + _found(one, filler) for one in special):
             said = longer  # else it makes something else with the words beside it: "forget" + "about" + "it"
@@ -94,6 +97,13 @@ def _dictated(pieces: Sequence[Piece]) -> bool:
 def _is_any_name(piece: Piece) -> bool:
     """Whether a piece was said for a slot that takes any words for a name."""
     return piece.slot is not None and piece.slot.type in _FREE and not piece.slot.known
+
+
+def _describes(filler: Sequence[str], before: Piece, piece: Piece, grammar: Grammar) -> bool:
+    """Whether a filler would be a part of the name that a piece was said for: it stands behind its article."""
+    known = thing_words(grammar.language)
+    named = piece.slot is not None and piece.slot.type in _FREE
+    return named and known.describing.issuperset(filler) and before.text.split()[-1] in known.articles
 
 
 def _words(pieces: Sequence[Piece]) -> list[str]:

@@ -91,6 +91,9 @@ class Compounds:
             tried[start, before, joined] = None
             found: list[Clause] | None = None
             for end, after in self._boundaries(core, start):
+                if start < end < after < len(words) and self._phrases.opens_what_follows(core, start, after):
+                    found = rest(after, depth, before)  # else "go and wait for me there" would go somewhere else first
+                    break
                 part = core.part(start, end)
                 if self._corrections.leans(part, state, first=start == begin):
                     continue

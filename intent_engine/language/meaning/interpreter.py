@@ -53,7 +53,7 @@ class Interpreter:
         self.matcher = matcher
         commands = Commands(matcher)
         texts = TextPlaces(matcher)
-        self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None)
+        self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None, texts.name)
         self._nearest = nearest
         self._language = grammar.language
         self._stop_intent = grammar.stop_intent
@@ -316,6 +316,8 @@ class Interpreter:
         clause = self._as_said(core, state)
         if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
             clause = self._as_said(phrases.without_idle_fillers(said), state)
+        if clause is None:  # "robot, wait for me here", of which both are
+            clause = self._as_said(phrases.without_opening(said), state)
         if clause is None:  # "light hey on", of a grammar that has free names besides
             clause = self._as_said(phrases.without_greetings(said), state)
             if clause is not None and clause.reading is not None and clause.reading.free_words:
@@ -394,8 +396,9 @@ class Interpreter:
         words = core.words
         parts = self._compounds.split(core, state)
         if parts is None and not negated:  # "turn left and do that again": some fillers end a sentence
-            fuller = self.phrases.without_idle_fillers(said)
-            parts = self._compounds.split(fuller, state, exactly=True) if len(fuller) > len(core) else None
+            for fuller in (self.phrases.without_idle_fillers(said), self.phrases.without_opening(said)):
+                if parts is None and len(fuller) > len(core):
+                    parts = self._compounds.split(fuller, state, exactly=True)
         if parts is not None:
             return self._joined(text, self._hesitations.or_either(parts, said, state))
         single = self._compounds.part(core, state, loosely=not negated)

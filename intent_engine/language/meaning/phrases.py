@@ -13,6 +13,7 @@ from intent_engine.language.phrase_set import PhraseSet, SomePhrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.spacing import in_a_row
 from intent_engine.language.spellings import own_words
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Phrases"]
@@ -25,6 +26,7 @@ class Phrases:
         grammar: whose phrases they are.
         lists: whether words are a command without a verb, as they stand in a list: "right". None: not known.
         place_of: where what is said between words and another word stands in a text of any words; None: there is none.
+        names: whether it stands in the name of a thing; None: not known.
     """
 
     def __init__(
@@ -32,6 +34,7 @@ class Phrases:
         grammar: Grammar,
         lists: Callable[[list[str]], bool] | None = None,
         place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None,
+        names: Callable[[Sequence[str], str], bool] | None = None,
     ) -> None:
         operators, wording = grammar.operators, grammar.wording
         own = own_words(grammar)
@@ -84,9 +87,11 @@ class Phrases:
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
         named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
         greetings = PhraseSet(words for words in wording.greetings if named and words in grammar.fillers)
+        known = thing_words(grammar.language)
         self._openers = Openers(
             PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
             self._operators, self.hesitation, PhraseSet(counting), place_of, grammar.language, digits,
+            known.describing, known.articles, names,
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = wording.requests
@@ -103,6 +108,22 @@ class Phrases:
         """Whether so many words at a place are a filler where they stand: "right then" opens, but not in a list."""
         before = self.without_fillers(said.part(0, position)).words
         return not self._openers.misplaced(said, position, length, before)
+
+    def without_opening(self, said: Utterance) -> Utterance:
+        """The same without any filler with which it begins: "*robot*, wait for me in the kitchen"."""
+        end = 0
+        while (length := self.fillers.at(said.words, end)) and self.says_nothing(said, end, length):
+            if self._listing.at(said.words, end):
+                return self.without_idle_fillers(said)  # "right then, left" may be a list
+            end += length
+        return self.without_idle_fillers(said.part(end, len(said)) if end else said)
+
+    def opens_what_follows(self, said: Utterance, start: int, end: int) -> bool:
+        """Whether what stands between two places only opens what follows, as a filler does: "go and" wait for me there.
+        With a pause in it or behind it, it does not."""
+        if self.fillers.at(said.words, start) != end - start or any(said.breaks[start + 1 : end + 1]):
+            return False
+        return not self._listing.at(said.words, start) and self.says_nothing(said, start, end - start)
 
     def without_idle_fillers(self, said: Utterance) -> Utterance:
         return said.without(self.idle, self.kept, self._openers)
