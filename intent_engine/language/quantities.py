@@ -135,12 +135,16 @@ def part_of_one(words: Sequence[str], language: str = "en") -> float | None:
 
 
 def share(words: Sequence[str], language: str = "en") -> float | None:
-    """How much of the whole exactly these words say, between 0 and 1: "half", "two thirds", "1/2"; None: nothing.
+    """How much of the whole exactly these words say, above 0 and at most 1: "half", "two thirds", "1/2", "full"; None:
+    nothing.
 
     What is written with a point is no such share: "0.5" may be half a percent.
     """
-    if not words or units(language) is None:
+    table = units(language)
+    if not words or table is None:
         return None
+    if " ".join(words) in table.words.get("all_of_it", ()):
+        return 1.0
     part = english.fraction(words, 0) if language == "en" else foreign.fraction(words, 0, language)
     return part[0] if part is not None and part[1] == len(words) and 0 < part[0] < 1 else None
 

@@ -18,6 +18,7 @@ from intent_engine.language.numbers.spelled import figures_otherwise, number_oth
 from intent_engine.language.numbers.units import units
 from intent_engine.language.own_units import hundredth
 from intent_engine.language.slot_values import NamesOf
+from intent_engine.language.spellings import own_words
 from intent_engine.language.template import parse_template
 from intent_engine.language.template_tree import (
     Choice,
@@ -163,6 +164,8 @@ class SentenceNetworks:
                 kind = Choice((kind, Reference("number", "number", 0)))
             elif slot.type == "percent" and "fraction" in spoken:
                 kind = Choice((kind, Reference("fraction", "fraction", 0)))
+            if slot.type == "percent":
+                kind = Choice((kind, *map(Word, self._all_of_it)))
             if slot.units:
                 own_units = self._own_units(slot, spoken)
                 kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units
@@ -180,6 +183,13 @@ class SentenceNetworks:
             language = self._grammar.language
             respell = number_otherwise if language == "en" else partial(figures_otherwise, language=language)
             self._networks.add_names(key, NamesOf(self._locations, slot.tags, language), respell)
+
+    @cached_property
+    def _all_of_it(self) -> Sequence[str]:
+        """Words for 100 %: "full". One that the grammar has itself means what it means there."""
+        table = units(self._grammar.language)
+        words = table.words.get("all_of_it", frozenset[str]()) if table is not None else frozenset[str]()
+        return sorted(words - own_words(self._grammar)) if words else ()
 
     def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
         """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one

@@ -24,6 +24,8 @@ intents:
         ("two thirds", 2 / 3),
         ("half a percent", 0.005),
         ("a quarter, no, half", 0.5),
+        ("full", 1.0),
+        ("half, no, full", 1.0),
     ],
 )
 def test_a_part_is_one_of_the_whole(engine_of, unit: str, said: str, level: float) -> None:
@@ -36,7 +38,7 @@ def test_german_parts(engine_of, unit: str) -> None:
     assert engine_of(GRAMMAR.format(unit=unit, language="de")).parse("dim to drei Viertel").slots["level"] == 0.75
 
 
-@pytest.mark.parametrize("said", ["half or a quarter", "half fifty", "minus half", "a", "third"])
+@pytest.mark.parametrize("said", ["half or a quarter", "half fifty", "full half", "a full", "minus half", "a", "third"])
 def test_what_is_no_part(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR.format(unit="", language="en")).parse(f"dim to {said}").actions
 
@@ -44,6 +46,14 @@ def test_what_is_no_part(engine_of, said: str) -> None:
 @pytest.mark.parametrize("said", ["point five", "one and a half", "three halves", "two", "a", "", "minus half"])
 def test_no_share(said: str) -> None:
     assert share(said.split()) is None
+
+
+def test_a_word_of_the_grammar_is_itself(engine_of) -> None:
+    grammar = GRAMMAR.replace("slots: {{", "slots: {{mode: [full, eco], ")
+    grammar = grammar.replace("[now]", '[now]", "dim to {{mode}}')
+    engine = engine_of(grammar.format(unit="", language="en"))
+    assert engine.parse("dim to full").slots == {"mode": "full"}
+    assert engine.parse("dim to half").slots == {"level": 0.5}
 
 
 def test_the_sign_is_the_unit(engine_of) -> None:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 
 from intent_engine.interpretation import Status
+from intent_engine.language.called_by_number import is_called_so, without_number
+from intent_engine.language.every_unit import every_one, is_every_one
 from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -60,6 +62,14 @@ class WrittenOtherwise:
                 written = None
         if written is None:
             written = self._understood_as(text, core, figures_joined(core, language), state)
+        if written is None:
+            written = self._understood_as(text, core, every_one(core, language), state)
+            if not is_every_one(core, _readings(written), language):
+                written = None
+        if written is None:
+            written = self._understood_as(text, core, without_number(core, language), state)
+            if not is_called_so(core, _readings(written), language):
+                written = None
         return written if written is not None else self._counted_otherwise(text, core, state)
 
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
