@@ -36,6 +36,7 @@ from intent_engine.ros2.process import leave, run_node
 from intent_engine.ros2.robot_states import States
 from intent_engine.ros2.state_keeper import StateKeeper
 from intent_engine.runtime.amending import CarriedOut
+from intent_engine.runtime.last_asked import LastAsked
 from intent_engine.runtime.last_said import LastSaid
 
 __all__ = ["VoiceCommands", "main"]
@@ -65,6 +66,7 @@ class VoiceCommands:
         self._done: CarriedOut | None = None
         """The last text that was a command."""
         self._last = LastSaid()
+        self._asked = LastAsked()
         self.engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
@@ -102,17 +104,26 @@ class VoiceCommands:
     # -- in ------------------------------------------------------------------------------------------------------------
 
     def _heard(self, message: Any, info: Any) -> None:
-        """A text came in."""
-        self._carry_out(message.data, _age(info), self._take)
+        """A text came in, and may answer what the one before asked back."""
+        now, age = self.executor.clock.now(), _age(info)
+        self._carry_out(message.data, age, self._take, self._asked.at(now - age))
 
     def _heard_more(self, message: Any, info: Any) -> None:
         """The last text came once more, with what belongs to it."""
         self._carry_out(message.data, _age(info), self._amend)
 
-    def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
+    def _carry_out(
+        self,
+        text: str,
+        age: float,
+        take: Callable[[Interpretation, float], Interpretation],
+        asked: Interpretation | None = None,
+    ) -> None:
         now = self.executor.clock.now()
+        last = self._last.meaning if asked is None else asked
         try:
-            found = take(self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning), now - age)
+            found = take(self.engine.parse(text, state=self._state(), heard=True, last=last), now - age)
+            self._asked.take(found, self._last.meaning, now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self._stop()
@@ -166,6 +177,7 @@ class VoiceCommands:
         """The robot stops, and "again" means nothing until something else was done."""
         self.executor.stop()
         self._last.forget()
+        self._asked.forget()
 
     def _held(self, message: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
@@ -201,6 +213,7 @@ class VoiceCommands:
 
     def _executed(self, event: Event) -> None:
         """An event of the executor, in its own thread."""
+        self._asked.happened(event)
         self._tell(event_text(event, self._ros_time(event.time)))
 
     def _ros_time(self, time: float) -> float:
