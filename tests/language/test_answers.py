@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from intent_engine.actions import Custom, Navigate, Stop, Turn
 from intent_engine.engine import IntentEngine
@@ -210,6 +212,30 @@ def test_nothing_is_asked_by_json_or_by_actions():
 def test_an_answer_is_explained():
     asked = BAYS.parse("go to bay")
     assert BAYS.explain("three", last=asked).interpretation == BAYS.parse("three", last=asked)
+
+
+WORDS = (
+    "yes no not neither the a first second third last one two three thirteen thirty bay left right door kitchen go to "
+    "turn stop don't and or please okay again it if , uh both other"
+)
+
+
+@given(
+    st.sampled_from(["go to bay", "go to the door", "go to bay and turn left"]),
+    st.lists(st.sampled_from(WORDS.split()), max_size=5),
+)
+def test_nothing_is_done_that_was_neither_said_nor_asked_about(asks, words):
+    text, home = " ".join(words), DOORS if "door" in asks else BAYS
+    asked = home.parse(asks, last=())
+    assert asked.question is not None
+    said = [home.parse(text, last=()).actions]
+    meant = [home.parse(one).actions for one in asked.question.choices if one]
+    found = home.parse(text, last=asked)
+    assert found.actions in [(), *said, *meant]
+    if said[0] == (Stop(),):
+        assert found.actions == (Stop(),)
+    if found.actions and found.actions in meant and found.actions not in said:
+        assert not {"not", "don't", "no", "neither", "or", "if"} & set(words)
 
 
 GOING = {
