@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from continuing_stage import ENGINE, Frames, Knows, Talk, Voiced, framed
+from continuing_stage import ENGINE, Frames, Knows, Said, Script, Talk, Voiced, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.actions import Action, Navigate, Turn
@@ -117,6 +117,21 @@ def test_a_robot_that_was_stopped_by_hand_takes_no_answer(stopped):
         runtime.run(Frames(framed(samples)))
         executor.wait()
     assert len(done) == (not stopped)
+
+
+class Unreset(Voiced):
+    """A voice detector that knows what time it is after a gap."""
+
+    def reset(self) -> None: ...
+
+
+@pytest.mark.parametrize("lost", [0.0, 0.5])
+def test_where_sound_was_lost_nothing_is_answered(lost):
+    """A "no" may be what is missing."""
+    script = Script("go to bay", "bay three", "go to bay, bay three")
+    said = Said(script, pause=1.1, engine=BAYS, lost=lost, voice=Unreset((0.5, 0.9), (2.0, 2.9)))
+    assert [event.transcript.text for event in said.events if event.kind is HeardKind.INTERPRETATION][1] == "bay three"
+    assert len(said.done) == (not lost)
 
 
 # -- how it was heard --------------------------------------------------------------------------------------------------
