@@ -12,13 +12,14 @@ from intent_engine.actions import Action, actions_of
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.answers import Answers, answered
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import plain
-from intent_engine.needs import MOVING, states_of
+from intent_engine.needs import MOVING, Needs, states_of
 from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
 
 if TYPE_CHECKING:
@@ -156,9 +157,11 @@ class IntentEngine:
             heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Who types it tells of
                 something, and nothing is done.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
-                states in which that could not be said. Or only its actions, or the one that it was: then nobody asks.
-                Empty if there was none; None: not known, then such words are left as they are. After an interpretation
-                "not the kitchen" has what it denies.
+                states in which that could not be said. If that asked something back ("bay 3 or bay 13?"), a text that
+                answers it ("the second one") is understood as the sentence that it stands for; how long a question
+                lasts is for the caller to say. Or only its actions, or the one that it was: then nobody asks, of
+                states or back. Empty if there was none; None: not known, then such words are left as they are.
+                After an interpretation "not the kitchen" has what it denies.
 
         Raises:
             TypeError: ``text`` is no ``str``, or ``last`` holds what is no action.
@@ -166,6 +169,28 @@ class IntentEngine:
         _only_text("parse", text)
         parsers = self._loaded.parsers(language)
         return _understood(parsers, text, state, (spoken, heard), last)[0]
+
+    def answer(
+        self,
+        asked: Interpretation,
+        text: str,
+        *,
+        state: Collection[str] = (),
+        language: str | None = None,
+        spoken: bool = False,
+        heard: bool = False,
+    ) -> Interpretation | None:
+        """What a text means as the answer to what an interpretation asks back; None: it is none, and :meth:`parse` says
+        what it means by itself. The other arguments are those of :meth:`parse`, which tells no difference between
+        answers and the rest if ``asked`` is its ``last``.
+
+        Returns:
+            Accepted, if it tells one alternative: its ``text`` is the whole sentence that is meant. Else nothing is
+            done: it may ask again, or say that nothing of it is meant, or cannot be done in these states.
+        """
+        _only_text("answer", text)
+        parsers = self._loaded.parsers(language)
+        return _answer(parsers, text, states_of(state), (spoken, heard), asked)
 
     def explain(
         self,
@@ -247,11 +272,23 @@ def _understood(
     """What a text means, with what it points back to, and the parser that says so. ``by_voice``: whether it was spoken,
     and whether it was heard."""
     state = states_of(state)
-    asked = last.needs if isinstance(last, Interpretation) else ()
+    found, parser = _by_itself(parsers, text, state, by_voice, last)
+    if isinstance(last, Interpretation) and last.question is not None:
+        answer = _answer(parsers, text, state, by_voice, last, found)
+        found = found if answer is None else answer
+    return found, parser
+
+
+def _by_itself(
+    parsers: Sequence[_Parser],
+    text: str,
+    state: Collection[str],
+    by_voice: tuple[bool, bool],
+    last: Before | None,
+) -> tuple[Interpretation, _Parser]:
+    """What a text means whatever was asked, with what it points back to, and the parser that says so."""
+    before, needs = _pointed_at(last)
     done = last.text if isinstance(last, Interpretation) and last.actions else ""
-    if isinstance(last, Interpretation):
-        last = last.actions
-    before = None if last is None else actions_of("last", last)
     parser = parsers[0]
     try:
         if len(parsers) == 1:
@@ -264,8 +301,42 @@ def _understood(
         found = replace(found, denied=parser.denied_part(text, done, state))
     if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
-        found = resolve(found, before, grammar.operators.pronoun, asked, state, grammar.wording.several)
+        found = resolve(found, before, grammar.operators.pronoun, needs, state, grammar.wording.several)
+    if found.question is not None and before:
+        found = replace(found, question=replace(found.question, before=before, needs=needs))
     return found, parser
+
+
+def _answer(
+    parsers: Sequence[_Parser],
+    text: str,
+    state: Collection[str],
+    by_voice: tuple[bool, bool],
+    asked: Interpretation,
+    found: Interpretation | None = None,
+) -> Interpretation | None:
+    """What a text means as an answer, and ``found`` by itself; None: it is none."""
+    if asked.question is None:
+        return None
+
+    def whole(sentence: str) -> Interpretation:
+        """What a whole sentence means, of which the first part was called for already."""
+        return _by_itself(parsers, sentence, state, (False, any(by_voice)), asked)[0]
+
+    if found is None:
+        found = _by_itself(parsers, text, state, by_voice, asked)[0]
+    readers = [Answers(one.matcher.grammar) for one in parsers]
+    return answered(asked, text, found, readers, whole, called=by_voice[0])
+
+
+def _pointed_at(last: Before | None) -> tuple[tuple[Action, ...] | None, tuple[Needs, ...]]:
+    """What words point back to after ``last``, and what it asks of the states of the robot; None: it is not known. A
+    question leaves what was done before it."""
+    if not isinstance(last, Interpretation):
+        return (None if last is None else actions_of("last", last)), ()
+    if last.question is not None:
+        return last.question.before, last.question.needs
+    return last.actions, last.needs
 
 
 def _first_accepted(

@@ -10,7 +10,7 @@ from typing import Any
 from intent_engine.actions import Action, Stop, from_json, to_json
 from intent_engine.needs import Needs
 
-__all__ = ["BEYOND_LIMITS", "OBJECTED", "REST_UNKNOWN", "UNKNOWN_PLACE", "Interpretation", "Status"]
+__all__ = ["BEYOND_LIMITS", "OBJECTED", "REST_UNKNOWN", "UNKNOWN_PLACE", "Interpretation", "Question", "Status"]
 
 BEYOND_LIMITS = {"whole": "no whole number", "min": "less than the smallest", "max": "more than the largest"}
 """What is wrong with a number that its slot does not take, by the key of the slot that says so, as reasons have it."""
@@ -39,6 +39,19 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Question:
+    """What an interpretation that is not accepted asks back, for the answer that may follow."""
+
+    choices: tuple[str, ...] = ()
+    """For each of its alternatives the whole sentence that is meant by it; empty where it stands for none. None at all
+    of a sentence that is not finished: its answer is the rest of it."""
+    before: tuple[Action, ...] = ()
+    """What was done before it was asked, which "again" and "it" still point to,"""
+    needs: tuple[Needs, ...] = ()
+    """and what each of that asks of the states of the robot; empty if that is not known."""
+
+
+@dataclass(frozen=True, slots=True)
 class Interpretation:
     """The meaning of one utterance. The same text always gives the same interpretation."""
 
@@ -64,6 +77,9 @@ class Interpretation:
     the actions are submitted: a robot that does it has to stop."""
     needs: tuple[Needs, ...] = field(default=(), compare=False, repr=False)
     """What each of the actions asks of the states of the robot; none for a stop, and after JSON."""
+    question: Question | None = field(default=None, compare=False, repr=False)
+    """What an answer is understood by, if it is given as ``last`` with the next utterance; None: nothing is asked, and
+    after JSON."""
 
     def guards(self, state: Callable[[], Collection[str]]) -> tuple[Callable[[], str] | None, ...]:
         """What asks again, for each of the actions, whether the robot is in the states that its intent asks for: for

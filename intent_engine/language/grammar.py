@@ -330,6 +330,12 @@ class Wording:
     """Those of them that also say that a thing is not wanted: "with milk, *no* sugar"."""
     alternatives: frozenset[str] = frozenset()
     """Words before another one of something: "tell Anna *or* Tom"."""
+    affirming: tuple[tuple[str, ...], ...] = ()
+    """Answers that say yes to what is asked back."""
+    declining: tuple[tuple[str, ...], ...] = ()
+    """Answers that say that nothing of it is meant: "no", "neither"."""
+    standing_for: frozenset[str] = frozenset()
+    """Words for one of several things, behind what tells which: "the left *one*"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()

@@ -37,6 +37,7 @@ from intent_engine.ros2.process import leave, run_node
 from intent_engine.ros2.robot_states import States
 from intent_engine.ros2.state_keeper import StateKeeper
 from intent_engine.runtime.amending import CarriedOut
+from intent_engine.runtime.last_asked import LastAsked
 from intent_engine.runtime.last_said import LastSaid
 
 __all__ = ["VoiceCommands", "main"]
@@ -67,6 +68,7 @@ class VoiceCommands:
         self._done: CarriedOut | None = None
         """The last text that was a command."""
         self._last = LastSaid()
+        self._asked = LastAsked()
         self.engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],
             locations=[find("locations", name) for name in parameters.locations],
@@ -108,20 +110,29 @@ class VoiceCommands:
     # -- in ------------------------------------------------------------------------------------------------------------
 
     def _heard(self, message: Any, info: Any) -> None:
-        """A text came in."""
-        self._carry_out(message.data, _age(info), self._take)
+        """A text came in, and may answer what the one before asked back."""
+        now, age = self.executor.clock.now(), _age(info)
+        self._carry_out(message.data, age, self._take, self._asked.at(now - age))
 
     def _heard_more(self, message: Any, info: Any) -> None:
         """The last text came once more, with what belongs to it."""
         self._carry_out(message.data, _age(info), self._amend)
 
-    def _carry_out(self, text: str, age: float, take: Callable[[Interpretation, float], Interpretation]) -> None:
+    def _carry_out(
+        self,
+        text: str,
+        age: float,
+        take: Callable[[Interpretation, float], Interpretation],
+        asked: Interpretation | None = None,
+    ) -> None:
         now = self.executor.clock.now()
+        last = self._last.meaning if asked is None else asked
         try:
-            found = self.engine.parse(text, state=self._state(), heard=True, last=self._last.meaning)
+            found = self.engine.parse(text, state=self._state(), heard=True, last=last)
             if found.actions and not found.stops and self._has_no_time():
                 found = Interpretation(text, Status.REJECTED, reason=_NO_TIME)
             found = take(found, now - age)
+            self._asked.take(found, self._last.meaning, now - age)
         except Exception as error:
             # Whatever goes wrong with a text, the robot must not go on as if nothing had been said.
             self._stop()
@@ -134,7 +145,7 @@ class VoiceCommands:
 
     def _take(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.status is Status.ACCEPTED:
-            self.executor.deny(found.denied)  # "don't clean the lab, clean the hall"
+            self.executor.deny(found.denied, spoken_at=spoken_at)  # "don't clean the lab, clean the hall"
             later = not found.stops and self.engine.comes_later(found.text)
             policy = Policy.FOLLOW if later else None
             guards = found.guards(self._told)
@@ -143,14 +154,14 @@ class VoiceCommands:
             )
             self._done = CarriedOut(found, tuple(goals))
             self._last.take(found)
-        elif self.executor.deny(found.denied) or self.engine.takes_back(found.text):
+        elif self.executor.deny(found.denied, spoken_at=spoken_at) or self.engine.takes_back(found.text):
             self._last.forget()  # "no, three": whatever was meant, it was not that
         return found
 
     def _amend(self, found: Interpretation, spoken_at: float) -> Interpretation:
         if found.stops:
-            self._stop()
-        elif self.executor.deny(found.denied):
+            self._stop(spoken_at)
+        elif self.executor.deny(found.denied, spoken_at=spoken_at):
             self._last.forget()
         if found.stops or found.status is not Status.ACCEPTED:
             return found
@@ -172,10 +183,12 @@ class VoiceCommands:
         self._last.take(found)
         return found
 
-    def _stop(self) -> None:
-        """The robot stops, and "again" means nothing until something else was done."""
-        self.executor.stop()
+    def _stop(self, spoken_at: float | None = None) -> None:
+        """The robot stops, and "again" means nothing until something else was done. ``spoken_at``: s on the executor's
+        clock, when its words ended; None: now."""
+        self.executor.stop(spoken_at=spoken_at)
         self._last.forget()
+        self._asked.forget()
 
     def _held(self, message: Any, info: Any) -> None:
         """A stop word may have been heard, or it was none after all."""
@@ -213,6 +226,7 @@ class VoiceCommands:
         """An event of the executor, in its own thread."""
         if (work := action_text(event, self._handed_over)) is not None:
             self._actions.publish(self._string(data=work))
+        self._asked.happened(event)
         self._tell(event_text(event, self._ros_time(event.time)))
 
     def _ros_time(self, time: float) -> float:

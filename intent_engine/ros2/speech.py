@@ -51,6 +51,7 @@ def worth_saying(
     found: Interpretation,
     state: Collection[str] = (),
     transcript: Transcript | None = None,
+    asked: Interpretation | None = None,
 ) -> bool:
     """Whether an utterance may be passed on as text.
 
@@ -62,6 +63,7 @@ def worth_saying(
         found: what the runtime made of it.
         state: states that the robot is in, as far as they are known here.
         transcript: what was heard; None: it was clear.
+        asked: what the text before asks back of whoever is given this one; None: nothing.
     """
     if not found.text.strip():
         return False
@@ -69,6 +71,8 @@ def worth_saying(
         return True
     if engine.parse(found.text, state=state, heard=True).status is Status.ACCEPTED:
         return False
+    if asked is not None and (answer := engine.answer(asked, found.text, state=state, heard=True)) is not None:
+        return answer.text == found.text  # else it was no answer to the runtime, and may be a sentence there
     # Whoever is given it may know of a state that is not known here: that the robot moves, or one of a moment ago.
     if meant_in_some_state(engine, found.text).status is not Status.ACCEPTED:
         return True
@@ -172,6 +176,8 @@ class Speech:
         self._messages = {"hold": Bool, "stop": Empty, "text": String, "amended_text": String}
         self._said: Interpretation | None = None
         """The last command that was passed on, with all that belongs to it."""
+        self._asked: Interpretation | None = None
+        """What the last text asks back of whoever was given it."""
         self._states: frozenset[str] = frozenset()
         """Of the robot. What is understood here must be what is understood there, or what is not believed here would be
         done there."""
@@ -241,12 +247,13 @@ class Speech:
         parse = partial(self._engine.parse, state=states)
         if event.goes_on:
             self._publish("amended_text", data=found.text)
-        elif not worth_saying(self._engine, found, states, event.transcript):
+        elif not worth_saying(self._engine, found, states, event.transcript, self._asked):
             self._log.info(f"not passed on: {found.text!r}: {found.reason}")
         elif event.in_turn and said is not None and (both := in_a_row(parse, said, found)) is not None:
             self._said = both
             self._publish("amended_text", data=both.text)
         else:
+            self._asked = parse(found.text, heard=True, last=self._asked)
             self._publish("text", data=found.text)
 
     def _robot_is(self, text: str) -> None:

@@ -6,6 +6,7 @@ A stop is done before anybody is told of it, since who is told may take its time
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from dataclasses import replace
 from typing import Any
 
 from intent_engine.execution.executor import Executor
@@ -13,10 +14,13 @@ from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.references import Before
 from intent_engine.needs import states_of
+from intent_engine.runtime.amending import Step
+from intent_engine.runtime.answering import Answering
 from intent_engine.runtime.continuing import Continuing, Understood
 from intent_engine.runtime.heard import HeardKind, Summary, Tell
 from intent_engine.runtime.holding import Holding
 from intent_engine.runtime.judgement import Judge
+from intent_engine.runtime.last_asked import LastAsked
 from intent_engine.runtime.last_said import LastSaid
 from intent_engine.speech.spoken_utterance import SpokenUtterance
 
@@ -34,6 +38,7 @@ class Acting:
         continuing: what goes on from the command before.
         holding: whether a stop word was heard while it was said.
         tell: is told of it.
+        asked: what was last asked back.
         states: those in which the robot is besides, which only the program knows.
         over: whether listening was ended for good: nothing more is done then but a stop.
     """
@@ -45,6 +50,7 @@ class Acting:
         continuing: Continuing,
         holding: Holding,
         tell: Tell,
+        asked: LastAsked,
         states: Callable[[], Collection[str]] = tuple,
         *,
         over: Callable[[], bool] = bool,
@@ -60,6 +66,8 @@ class Acting:
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
         self._last = LastSaid()
+        self._asked = asked
+        self._answering = Answering(judgement.engine)
 
     def begin(self, base: float) -> None:
         """A source begins. What an earlier run left behind, which may have ended in the middle of anything, is
@@ -99,6 +107,11 @@ class Acting:
             self._holding.release(time, "too short to be another word than a stop")
             return
         self.summary.utterances += 1
+        if (answer := self._answer(utterance, meaning)) is not None:
+            transcript, meaning = transcript.as_heard(), answer
+            understood = replace(understood, meaning=meaning, step=Step(meaning.actions))
+        asks = replace(meaning, question=None) if utterance.torn else meaning
+        self._asked.take(asks, self.last, self._base + utterance.last_voice)
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = transcript.as_heard()  # what was said, not what was looked for
         told: dict[str, Any] = {
@@ -130,6 +143,14 @@ class Acting:
         goals = self._submit(understood, utterance)
         self._tell(HeardKind.SUBMITTED, time, interpretation=meaning, goals=goals, **told)
 
+    def _answer(self, utterance: SpokenUtterance, found: Interpretation) -> Interpretation | None:
+        """What an utterance means as the answer to what was asked back; None: it is none."""
+        asked = self._asked.at(self._base + utterance.began)
+        heard = utterance.result if utterance.alone is None else utterance.alone
+        if asked is None or heard is None or utterance.torn:
+            return None
+        return self._answering.answer(asked, heard, found, self.state())
+
     def failed(self, time: float, why: str) -> None:
         """Something failed: the robot is stopped, nothing goes on from what was said, and listening goes on."""
         self._forget()
@@ -150,4 +171,5 @@ class Acting:
     def _forget(self) -> None:
         self._holding.forget()
         self._continuing.forget()
+        self._asked.forget()
         self._last.forget()

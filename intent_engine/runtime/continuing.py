@@ -105,7 +105,7 @@ class Continuing:
         last = self._said.last if self._said is not None and goes_on else self._last
         heard = understood.transcript.free_text
         self._said = _Said(utterance.said(), utterance.last_voice, command, heard, last=last)
-        self._stopped = None
+        self._stopped = self._missed = None
 
     def stopped(self, utterance: SpokenUtterance, meaning: Interpretation) -> None:
         """The robot was stopped, before it was known whether the sentence was over. With a "no, wait!" the command

@@ -11,7 +11,8 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from intent_engine.engine import IntentEngine
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
@@ -77,15 +78,25 @@ class Judge:
                 reason=_why_unsure(transcript),
                 alternatives=(transcript.text,),
             )
-            return near if transcript.sureness >= WORTH_ASKING else self._with_reason(near, transcript, state, last)
+            if transcript.sureness >= WORTH_ASKING:
+                return replace(near, question=Question((transcript.text,)))
+            return self._with_reason(near, transcript, state, last)
         turned = other_way(self.engine, transcript, meaning, state)
         if (other := turned or run_together(self.engine, transcript, meaning, state)) is not None:
             why = f"{transcript.text!r} or {other!r}{', the other way' if turned else ''}? say it again"
             either = (transcript.text, other)
-            return Interpretation(transcript.free_text, Status.REJECTED, reason=why, alternatives=either)
+            asked = Question(either)
+            return Interpretation(
+                transcript.free_text, Status.REJECTED, reason=why, alternatives=either, question=asked
+            )
         if meaning.status is Status.REJECTED and not meaning.refuses and self.unsure(transcript):
             return self._with_reason(meaning, transcript, state, last)
-        return meaning
+        return meaning if self._may_ask(meaning, transcript) else replace(meaning, question=None)
+
+    def _may_ask(self, meaning: Interpretation, transcript: Transcript) -> bool:
+        """Whether an answer to what a meaning asks back may be acted on. Not where its own words were hardly heard, nor
+        where they are talk, to which some sentence is always the nearest."""
+        return not (_unheard(transcript) or self.unsure(transcript) or NO_COMMAND in meaning.reason)
 
     def _with_reason(
         self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Before
@@ -99,7 +110,11 @@ class Judge:
         if not typed.unknown_place:
             return refused
         return Interpretation(
-            transcript.free_text, Status.REJECTED, reason=typed.reason, alternatives=typed.alternatives
+            transcript.free_text,
+            Status.REJECTED,
+            reason=typed.reason,
+            alternatives=typed.alternatives,
+            question=typed.question,
         )
 
     def held(self, transcript: Transcript, meaning: Interpretation) -> Interpretation:

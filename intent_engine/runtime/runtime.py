@@ -20,6 +20,7 @@ from intent_engine.runtime.expectation import Expectation
 from intent_engine.runtime.heard import Heard, HeardKind, Summary
 from intent_engine.runtime.holding import Holding
 from intent_engine.runtime.judgement import Judge
+from intent_engine.runtime.last_asked import LastAsked
 from intent_engine.runtime.onset import Onset
 from intent_engine.runtime.parts import check_parts
 from intent_engine.runtime.talk_key import TalkKey, same_voice
@@ -118,12 +119,14 @@ class Runtime:
         self._voice = voice if voice is not None else SileroVoice()
         self._holding = Holding(reflex, executor, self._tell)
         self._closing = threading.Event()
+        self._asked = LastAsked(self._endpoint.settings.question_lasts)
         self._acting = Acting(
             executor,
             judge,
             self._continuing,
             self._holding,
             self._tell,
+            self._asked,
             state or tuple,
             over=self._closing.is_set,
         )
@@ -202,6 +205,7 @@ class Runtime:
         utterance: SpokenUtterance | None = None
         finished = False
         frames = source.frames()
+        unsubscribe = self.executor.subscribe(self._asked.happened)
         try:
             for frame in frames:
                 if self._closing.is_set():
@@ -225,6 +229,7 @@ class Runtime:
                 self._drain()
             finished = True
         finally:
+            unsubscribe()
             self._source = None
             if not finished or self._closing.is_set():
                 self.executor.stop()
@@ -302,6 +307,7 @@ class Runtime:
         self._endpoint.reset()
         self._voice.reset()
         self._continuing.forget()
+        self._asked.forget()  # a "no" may be what is missing
         if utterance is not None:
             self._decoding.forget(utterance)
         missing = f"{frame.lost:.2f} s of sound were lost" if frame.lost else "the sound ended in the midst of a word"

@@ -92,6 +92,8 @@ class Settings:
     and motions wait as long as other commands."""
     wake_lasts: float = 3.0
     """After the wake word alone, within which a command may begin that is for the robot; 0: none may."""
+    question_lasts: float = 10.0
+    """After words that were not clear ("go to bay": bay 3 or 13?), within which an answer may begin; 0: none may."""
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0

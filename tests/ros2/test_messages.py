@@ -113,6 +113,20 @@ def test_what_the_runtime_did_not_believe_is_not_said(engine, tmp_path, root):
     assert not worth_saying(engine, Interpretation(" ", Status.REJECTED))
 
 
+def test_an_answer_that_the_runtime_did_not_believe_is_not_said():
+    """It was not heard clearly, came late, or lacked the wake word: the other node would know nothing of that."""
+    engine = IntentEngine.from_files("en", locations={"bay 3": (3.0, 0.0, 0.0), "bay 13": (13.0, 0.0, 0.0)})
+    asked = engine.parse("go to bay", heard=True)
+    for doubted in ("three", "the second one", "bay 13"):
+        assert not worth_saying(engine, Interpretation(doubted, Status.REJECTED), asked=asked)
+        assert worth_saying(engine, Interpretation(doubted, Status.REJECTED)), "where nothing is asked it does nothing"
+    for other in ("yes", "no", "the weather is nice"):
+        assert worth_saying(engine, Interpretation(other, Status.REJECTED), asked=asked)
+    answer = engine.answer(asked, "three", heard=True)
+    assert answer is not None
+    assert worth_saying(engine, answer, asked=asked)
+
+
 @pytest.mark.parametrize(
     ("first", "then", "one"),
     [

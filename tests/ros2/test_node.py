@@ -101,6 +101,22 @@ def test_what_was_said_right_after_a_motion_puts_it_right(talk):
     assert json.loads(talk.commands[-1])["text"] == "turn left ninety degrees no sixty degrees"
 
 
+def test_an_unfinished_sentence_is_answered_by_the_next_text(talk):
+    talk.say("go forward by")
+    talk.say("half a meter")
+    until(lambda: talk.goals("succeeded"))
+    assert json.loads(talk.commands[-1])["text"] == "go forward by, half a meter"
+
+
+def test_a_stop_ends_what_was_asked(talk):
+    talk.say("go forward by")
+    talk.say("stop")
+    talk.say("half a meter")
+    talk.say("turn left ten degrees")
+    until(lambda: talk.goals("succeeded"))
+    assert [goal["action"]["type"] for goal in talk.goals("succeeded")] == ["turn"]
+
+
 def test_again_does_what_was_done_last(talk):
     talk.say("turn left ten degrees")
     until(lambda: talk.goals("succeeded"))

@@ -48,6 +48,11 @@ class Clause:
         return self.action is not None
 
     @property
+    def wrong_slot(self) -> SlotReading | None:
+        """The first of its slots that has no value, and why; None: all have one."""
+        return _wrong_slot(self.reading)
+
+    @property
     def unknown_place(self) -> bool:
         """Whether it would be a command, were its place on the map; an article is none, it begins a name."""
         slot = _wrong_slot(self.reading)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation, Question, Status
 from intent_engine.language.meaning.command import Clause, Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.meaning.told import Understood, as_told, asked_back
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
@@ -59,7 +59,10 @@ class NoCommand:
 
                 following = likely_words(self._matcher, words, most=MOST_FOLLOWING)
                 reason = "the sentence is not finished"
-                return Interpretation(text, Status.INCOMPLETE, reason=reason, alternatives=following), ()
+                asked = Question()
+                return Interpretation(
+                    text, Status.INCOMPLETE, reason=reason, alternatives=following, question=asked
+                ), ()
         if clause is not None:
             return as_told(text, clause)
         if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
@@ -69,13 +72,21 @@ class NoCommand:
         if failing is not None:
             return self._not_all(text, *failing)
         near = self._nearest.sentences(words)
-        return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near), ()
+        which = None if self._phrases.change_meaning(words) else _which_sentence(near)
+        return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near, question=which), ()
 
     def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
         """One part of what was said is no command, so nothing of it is done."""
         said = " ".join(part.words)
+        asked = None if clause is None else asked_back(text, clause)
         if clause is not None and clause.reason:
             near, reason = clause.alternatives, f"in {said!r}: {clause.reason}"
         else:
             near, reason = self._nearest.sentences(part.words), f"{said!r} is {REASON}"
-        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near), ()
+        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near, question=asked), ()
+
+
+def _which_sentence(near: Collection[str]) -> Question | None:
+    """What is asked about sentences that are near; one with a slot, that has no value yet, is none to choose."""
+    choices = tuple("" if "{" in one or "<" in one else one for one in near)
+    return Question(choices) if any(choices) else None

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.language.answers import with_name
 from intent_engine.language.meaning.command import Clause, slot_values
 
-__all__ = ["Understood", "as_told", "as_told_together", "which_number"]
+__all__ = ["Understood", "as_told", "as_told_together", "asked_back", "which_number"]
 
 Understood: TypeAlias = tuple[Interpretation, tuple[Clause, ...]]
 """What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
@@ -26,8 +27,21 @@ def as_told(text: str, clause: Clause) -> Understood:
         )
     else:
         status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
-        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason)
+        asked = asked_back(text, clause)
+        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason, question=asked)
     return found, (clause,)
+
+
+def asked_back(text: str, clause: Clause) -> Question | None:
+    """What is asked where a command names what is not clear, or is not known but like something; None: nothing."""
+    reading, slot = clause.reading, clause.wrong_slot
+    if reading is None or slot is None or not clause.alternatives:
+        return None
+    if clause.alternatives != tuple(name for name, _ in slot.rivals[: len(clause.alternatives)]):
+        return None
+    said = reading.words[slot.start : slot.end]
+    choices = tuple(with_name(text, said, name) for name in clause.alternatives)
+    return Question(choices) if any(choices) else None
 
 
 def as_told_together(text: str, parts: Sequence[Clause]) -> Understood:

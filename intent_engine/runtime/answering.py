@@ -1,0 +1,84 @@
+"""Whether what was said answers what was asked back, and was heard clearly: "bay 3 or bay 13?", and "the second one".
+
+What an answer means is known by the engine (:mod:`~intent_engine.language.answers`), and how long a question lasts by
+:mod:`~intent_engine.runtime.last_asked`. An answer is a word or two, and the grammar has no sentence with which its
+sound could be compared, so its words are only taken where they were heard clearly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from intent_engine.engine import IntentEngine
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.answers import either
+from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.utterance import plain
+from intent_engine.runtime.transcript_grammar import language_of
+from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.thresholds import CLEARLY
+
+__all__ = ["Answering"]
+
+_NOT_CLEAR = "perhaps {!r}, but the answer was not heard clearly; say it again"
+_SOUNDS_ALIKE = "{!r} sounds like another answer; say it otherwise"
+
+
+class Answering:
+    """Reads the answers to what was asked back, by the grammar of an engine, which may be reloaded at any time.
+
+    Args:
+        engine: understands.
+    """
+
+    def __init__(self, engine: IntentEngine) -> None:
+        self._engine = engine
+
+    def answer(
+        self, asked: Interpretation, heard: Transcript, found: Interpretation, state: Collection[str]
+    ) -> Interpretation | None:
+        """What an utterance means as an answer; None: it is none, and means what it means by itself.
+
+        Args:
+            asked: what asked something back.
+            heard: what was said next, by itself.
+            found: what that means by itself.
+            state: of the robot.
+        """
+        if found.stops:
+            return None
+        answer = self._read(asked, heard, heard.free_text, state)
+        if answer is None or answer.stops:
+            return answer
+        if found.status is Status.ACCEPTED:
+            differs = answer.status is Status.ACCEPTED and answer.actions != found.actions
+            return either(asked, found, answer) if differs else None
+        if answer.status is not Status.ACCEPTED:
+            return answer
+        again = replace(asked, text=heard.free_text)
+        if heard.score < CLEARLY or heard.unclear:
+            return replace(again, reason=_NOT_CLEAR.format(answer.text))
+        if self._sounds_like_another(asked, heard, answer, state):
+            return replace(again, reason=_SOUNDS_ALIKE.format(heard.free_text))
+        return answer
+
+    def _read(
+        self, asked: Interpretation, heard: Transcript, text: str, state: Collection[str]
+    ) -> Interpretation | None:
+        """What words mean as the answer; None: they are none."""
+        language = language_of(self._engine, heard)
+        return self._engine.answer(asked, text, state=state, language=language, spoken=True)
+
+    def _sounds_like_another(
+        self, asked: Interpretation, heard: Transcript, answer: Interpretation, state: Collection[str]
+    ) -> bool:
+        """Whether another answer is said with a number that sounds like one that was heard: "thirty", "thirteen"."""
+        words = plain(heard.free_text)
+        for place, word in enumerate(words):
+            if word in ALIKE:
+                other = " ".join((*words[:place], ALIKE[word], *words[place + 1 :]))
+                meant = self._read(asked, heard, other, state)
+                if meant is not None and meant.actions and meant.actions != answer.actions:
+                    return True
+        return False
