@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Any
 
-import yaml
+from intent_engine.language.language_files import language_file
 
 __all__ = ["ARTICLES", "ThingWords", "any_articles", "thing_words"]
 
@@ -102,11 +101,14 @@ class ThingWords:
 
 @cache
 def thing_words(language: str) -> ThingWords:
-    """Those of a language ("en")."""
-    file = _FOLDER / f"{language}.yaml"
-    if not file.is_file():
+    """Those of a language ("en").
+
+    Raises:
+        ConfigError: its file has keys that nobody reads.
+    """
+    data = language_file("things", language, dict.fromkeys(one.name for one in fields(ThingWords)))
+    if data is None:
         return ThingWords()
-    data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
     words = {key: frozenset(text.split()) for key, text in data.items()}

@@ -11,7 +11,6 @@ from functools import cache
 
 from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.phrases import WHOLE_ANGLES
 from intent_engine.language.numbers.templates import WITHOUT_ONE
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
@@ -20,7 +19,6 @@ __all__ = ["MAX_WORDS", "PI", "QuantityParser", "parser_of", "tidy"]
 MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
 
-_ANGLES_BEGIN = frozenset(spoken[0] for spoken in WHOLE_ANGLES)
 _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
 _IMPERIAL = frozenset(("in", "ft", "yd", "mi"))
@@ -49,6 +47,7 @@ class QuantityParser:
     def __init__(self, language: str, table: Units | None) -> None:
         self._language = language
         self._table = table or Units({}, {})
+        self._angles_begin = frozenset(spoken[0] for spoken in self._table.whole_angles)
 
     def numbers_at(self, words: Sequence[str], at: int) -> Iterator[tuple[float, int]]:
         """Every plain number that begins at a place, the one most likely meant first."""
@@ -70,8 +69,8 @@ class QuantityParser:
                 if half is not None and bottom is not None:
                     yield tidy(half[0] / bottom[0]), bottom[1]
             return
-        if kind == "angle" and self._language == "en" and words[at : at + 1] and words[at] in _ANGLES_BEGIN:
-            for spoken, angle in WHOLE_ANGLES.items():
+        if kind == "angle" and words[at : at + 1] and words[at] in self._angles_begin:
+            for spoken, angle in self._table.whole_angles.items():
                 if tuple(words[at : at + len(spoken)]) == spoken:
                     yield angle, at + len(spoken)
         found: list[tuple[float, int]] = []
