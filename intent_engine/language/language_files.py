@@ -16,7 +16,7 @@ import yaml
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
 
-__all__ = ["Keys", "checked", "language_file"]
+__all__ = ["Keys", "checked", "language_file", "languages_of"]
 
 Keys = Mapping[str, Collection[str] | None]
 """What may stand at the top of a file -> the keys that may stand below it; None: words, or keys that are words."""
@@ -37,6 +37,11 @@ def language_file(kind: str, language: str, keys: Keys) -> dict[str, Any] | None
     """
     file = _ROOM / kind / f"{language}.yaml"
     return checked(file, keys) if file.is_file() else None
+
+
+def languages_of(kind: str) -> tuple[str, ...]:
+    """The languages that have a file of a kind."""
+    return tuple(sorted(file.stem for file in (_ROOM / kind).glob("*.yaml")))
 
 
 def checked(file: Path, keys: Keys) -> dict[str, Any]:

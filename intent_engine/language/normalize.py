@@ -10,6 +10,8 @@ import unicodedata
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from intent_engine.language.numbers.units import units
+
 __all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents", "words_of"]
 
 
@@ -41,9 +43,6 @@ TITLES: Mapping[str, tuple[str, ...]] = {
     "dr": ("doctor",), "mr": ("mister",), "mrs": ("missus",), "prof": ("professor",),
 }  # fmt: skip
 """English titles, which recognisers write short: "Dr. Miller"."""
-
-_AND: Mapping[str, tuple[str, ...]] = {"en": ("and",), "de": ("und",), "fr": ("et",), "es": ("y",), "it": ("e",)}
-"""What "&" is read as: "R&D", "turn left & stop"."""
 
 _FRACTIONS = {
     character: f" {top}/{bottom}"
@@ -90,14 +89,6 @@ _QUOTES = ('"“”„', "'‘’‚")
 _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
-_READ_AS: Mapping[tuple[str, str], str] = {
-    ("en", ","): "", ("en", "."): ".", ("de", ","): ".", ("fr", ","): ".", ("it", ","): ".",
-}  # fmt: skip
-"""(language, sign) -> what the sign stands for in "1.500" or "1,500", where it could divide thousands or decimals.
-
-English has one custom. With a decimal comma, "1.500" is 1500 by the old custom and 1.5 by that of every machine: nobody
-can know, and so in Spanish, where Madrid and Mexico differ, with either sign. What is not here is unclear.
-"""
 UNCLEAR = "?"
 """Ends the word of a number that could be a thousand times as much. No such word has a value."""
 
@@ -215,7 +206,8 @@ def _number(written: str, kind: str | None, language: str) -> str:
     """A number in digits with a decimal point and nothing else; or as it is written, and :data:`UNCLEAR`."""
     if kind in ("grouped", "decimal") and (group := _ONE_GROUP.fullmatch(written)) is not None:
         sign = group[1]
-        meant = _READ_AS.get((language, sign))
+        table = units(language)
+        meant = table.figures.get(sign) if table is not None else None
         return written + UNCLEAR if meant is None else written.replace(sign, meant)
     if kind == "pointed":
         return written.replace(".", "").replace(",", ".")
@@ -243,7 +235,8 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
     if sign == "%":
         return ("percent",)
     if sign == "&":
-        return _AND.get(language, ())
+        table = units(language)  # "R&D", "turn left & stop"
+        return tuple(sorted(table.words.get("and", ()))[:1]) if table is not None else ()
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
         if before and before[-1].word in ("pi", "π") and text[place + 1 :].lstrip()[:1].isdigit():

@@ -11,7 +11,6 @@ from functools import cache
 
 from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.templates import WITHOUT_ONE
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
 __all__ = ["MAX_WORDS", "PI", "QuantityParser", "parser_of", "tidy"]
@@ -32,8 +31,6 @@ _NO_INCH_BEFORE = english.NUMBER_WORDS.union(
 _OF_DAYS = {"d": "d", "w": "wk"}
 """Letters that are units only before a smaller one: of "3 d" nobody knows, "3d 4h" is a time."""
 PI = frozenset(("pi", "π"))
-JOINED = frozenset(("es", "it"))
-"""Languages that say "a meter and fifty": "un metro e cinquanta"."""
 
 
 class QuantityParser:
@@ -63,7 +60,7 @@ class QuantityParser:
                 if rate is not None:
                     yield tidy(value * rate[0]), rate[1]
             yield from self._rate_and_a_half(words, at, kind)
-            if self._language in WITHOUT_ONE:
+            if "and_part" in self._table.words:
                 half = self._and_a_half(words, at, "distance" if kind == "speed" else "angle")
                 bottom = self._below(words, half[1]) if half is not None else None
                 if half is not None and bottom is not None:
@@ -76,7 +73,7 @@ class QuantityParser:
         found: list[tuple[float, int]] = []
         for value, after, key in self._parts(words, at, kind):
             found.extend(self._extended(words, value, after, key, kind, 0))
-        if self._language in WITHOUT_ONE and (half := self._and_a_half(words, at, kind)) is not None:
+        if "and_part" in self._table.words and (half := self._and_a_half(words, at, kind)) is not None:
             found.append(half)
         if not found and kind == "angle" and self._language == "en" and not PI.isdisjoint(words):
             yield from self._radians_in_pi(words, at)
@@ -196,7 +193,7 @@ class QuantityParser:
     def _and_a_half(self, words: Sequence[str], at: int, kind: str) -> tuple[float, int] | None:
         """ "Metro y medio": one and a half."""
         unit = self._unit(words, at, kind)
-        if unit is None or not self._table.words.get("and", frozenset()).issuperset(words[unit[1] : unit[1] + 1]):
+        if unit is None or not self._table.words["and_part"].issuperset(words[unit[1] : unit[1] + 1]):
             return None
         part = foreign.fraction(words, unit[1] + 1, self._language)
         return (unit[0] * (1 + part[0]), part[1]) if part is not None else None
@@ -236,7 +233,8 @@ class QuantityParser:
                     (value + rest, last) for rest, last in self._extended(words, more, end, smaller, kind, depth + 1)
                 )
         square = words[after - 1] == "m" and onward < len(words) and words[onward] in ("2", "3")  # "2 m2"
-        if key in _SMALLER and (not joined or kind == "duration" or self._language in JOINED) and not square:
+        led = not joined or kind == "duration" or words[after] in self._table.words.get("and_smaller", ())
+        if key in _SMALLER and led and not square:
             size, most = _SMALLER[key]
             for number, end in self.numbers_at(words, onward):
                 if end < len(words) and any(self._unit(words, end, other) is not None for other in self._table.by_kind):

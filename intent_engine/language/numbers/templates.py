@@ -8,10 +8,8 @@ from functools import cache
 from intent_engine.language.numbers import english, foreign, said
 from intent_engine.language.numbers.units import Units, units
 
-__all__ = ["WITHOUT_ONE", "templates"]
+__all__ = ["templates"]
 
-WITHOUT_ONE = frozenset(("es",))
-"""Languages in which one and a half of something needs no "one": "metro y medio", "hora y media"."""
 ENGLISH: Mapping[str, str] = {
     "digit": "(one|two|three|four|five|six|seven|eight|nine)",
     "teen": "(" + "|".join(english.TEENS) + ")",
@@ -100,7 +98,7 @@ def templates(language: str) -> Mapping[str, str]:
         )
         if kind == "duration":
             base[kind] += f"|{{count}} m [{joint}] {{count}} {{duration_unit}}"
-        if language in WITHOUT_ONE:
+        if "and_part" in table.words:
             base[kind] += f"|{{{kind}_unit}} {joint} {part}"
     if language == "en":
         # "A turn" is none.
@@ -116,7 +114,7 @@ def templates(language: str) -> Mapping[str, str]:
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
         unit = f"{{{top}_unit}}" if top == "distance" else table.spoken(top)  # with "a turn per second"
         base[kind] = f"{{count}} {unit} [{joint} {part}] {per} {{duration_unit}}{single}"
-        if language in WITHOUT_ONE:
+        if "and_part" in table.words:
             base[kind] += f"|{unit} {joint} {part} {per} {{duration_unit}}"
         base[kind] += "".join(f"|{said}" for said in table.speeds)
         if behind := "|".join(sorted(table.words.get("speed", ()))):

@@ -41,13 +41,14 @@ RATES: Mapping[str, Mapping[str, float]] = {
 LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
-    "and", "another", "billion", "dozen", "half", "halves", "last", "million", "minus", "more", "more_after",
-    "no_number", "nth", "number", "of", "of_a_clock", "one", "per", "point", "pointing", "power", "quarter", "second",
-    "speed", "the", "thousand", "vague",
+    "and", "and_part", "and_smaller", "another", "billion", "dozen", "half", "halves", "last", "million", "minus",
+    "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one", "over", "per", "point", "pointing",
+    "power", "quarter", "second", "speed", "temperature", "the", "thousand", "vague",
 ))  # fmt: skip
 """The lists of function words."""
 KEYS: Keys = {
     "units": {*FACTORS, *RATES}, "words": _WORDS, "parts": None, "joined": None, "speeds": None, "whole_angles": None,
+    "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."},
 }  # fmt: skip
 """What a file may hold."""
 
@@ -71,6 +72,15 @@ class Units:
     """Speeds in terms of the usual one, as factors of it: "slowly" -> 0.5."""
     whole_angles: Mapping[tuple[str, ...], float] = field(default_factory=dict)
     """Angles that are said without a number, in rad: "about face"."""
+    respelled: Mapping[str, str] = field(default_factory=dict)
+    """Spellings of numbers that text2num does not know, as it knows them,"""
+    respelled_parts: Mapping[str, str] = field(default_factory=dict)
+    """and the same anywhere in a word without accents: "fuenf"."""
+    alike: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Numbers that are taken for each other when they are heard, each with the others."""
+    figures: Mapping[str, str] = field(default_factory=dict)
+    """What a sign stands for that is followed by exactly three figures and could divide thousands or decimals; what is
+    not here is unclear."""
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
 
@@ -125,4 +135,22 @@ def units(language: str) -> Units | None:
         for turns, ways in data.get("whole_angles", {}).items()
         for said in ways
     }
-    return Units(by_kind, names, function_words, point, joined, speeds, whole, parts)
+    pairs: list[list[str]] = data.get("alike", [])
+    alike = {
+        word: tuple(other for pair in pairs if word in pair for other in pair if other != word)
+        for word in dict.fromkeys(word for pair in pairs for word in pair)
+    }
+    return Units(
+        by_kind,
+        names,
+        function_words,
+        point,
+        joined,
+        speeds,
+        whole,
+        respelled=data.get("respelled", {}),
+        respelled_parts=data.get("respelled_parts", {}),
+        alike=alike,
+        figures=data.get("figures", {}),
+        parts=parts,
+    )
