@@ -8,9 +8,11 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping
+from functools import cache
 from typing import NamedTuple
 
 from intent_engine.language.numbers.units import units
+from intent_engine.language.thing_words import thing_words
 
 __all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents", "words_of"]
 
@@ -39,10 +41,9 @@ _NEGATED = {
 CONTRACTIONS: dict[str, tuple[str, ...]] = {**_NEGATED, "cannot": ("can", "not")}
 """Contractions that hide a negation. Others only lose their apostrophe ("let's" is "lets", "i'd" is "id")."""
 
-TITLES: Mapping[str, tuple[str, ...]] = {
-    "dr": ("doctor",), "mr": ("mister",), "mrs": ("missus",), "prof": ("professor",),
-}  # fmt: skip
-"""English titles, which recognisers write short: "Dr. Miller"."""
+TITLES: Mapping[str, tuple[str, ...]] = {short: (full,) for short, full in thing_words("en").titles.items()}
+"""English titles, which recognisers write short: "Dr. Miller". Those of other languages are read as the grammar has
+them."""
 
 _FRACTIONS = {
     character: f" {top}/{bottom}"
@@ -129,13 +130,14 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
     tokens: list[Token] = []
     breaks = False
     title = -1
+    titles = _titles_begin(language)
     for match in _TOKEN.finditer(lowered):
         kind = match.lastgroup
         start, end = match.span()
         if kind == "pause":
             breaks = breaks or start != title or lowered[start] != "."  # of "Dr." it is no pause
             continue
-        title = end if language == "en" and match.group() in TITLES else -1
+        title = end if match.group() in titles else -1
         for word in _words(match, kind, lowered, tokens, language):
             if places is not None:
                 tokens.append(Token(word, places[start], places[end - 1] + 1, breaks))
@@ -143,6 +145,12 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
                 tokens.append(Token(word, start, end, breaks))
             breaks = False
     return tuple(tokens)
+
+
+@cache
+def _titles_begin(language: str) -> frozenset[str]:
+    """Words of titles, behind which a full stop is no pause."""
+    return frozenset(short.split()[0] for short in thing_words(language).titles)
 
 
 def elided(text: str, language: str | None) -> str:

@@ -81,6 +81,8 @@ class ThingWords:
     """What is said of an "it" that is no thing."""
     contracted: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     """One word for two -> the two, of which the second is an article: "zum", "zu dem"."""
+    titles: Mapping[str, str] = field(default_factory=dict)
+    """What is written before the names of people, as normalised words, and the word that is said for it."""
     examples: tuple[str, ...] = ()
     """Things, for sampled sentences."""
 
@@ -111,8 +113,9 @@ def thing_words(language: str) -> ThingWords:
         return ThingWords()
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
+    titles = data.pop("titles", {})
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, sayings=sayings, contracted=contracted, examples=examples)
+    return ThingWords(**words, sayings=sayings, contracted=contracted, titles=titles, examples=examples)
 
 
 @cache
