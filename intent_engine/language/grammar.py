@@ -366,6 +366,8 @@ class Grammar:
     """Fillers before a number, and nowhere else: "about ten seconds"."""
     counting: tuple[tuple[str, ...], ...] = ()
     """Fillers between a number and what is counted, and nowhere else: "two *more* coffees"."""
+    counted: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind what is counted, and nowhere else: "dos cafés *más*"."""
     wording: Wording = field(default_factory=Wording)
     as_written: Mapping[str, str] = field(default_factory=dict)
     """Words that the files write with a capital or an apostrophe, by the same small and plain: speech is compared with

@@ -25,22 +25,6 @@ _WRITTEN = re.compile(
     r")(?![.,:]?\d)"
 )
 """Figures that are no number, or one of several."""
-_TEMPERATURES = frozenset(
-    (
-        "celsius",
-        "fahrenheit",
-        "centigrade",
-        "kelvin",
-        "c",
-        "f",
-        "centígrados",
-        "centigrados",
-        "centígrado",
-        "centigradi",
-    )
-)
-"""Words after degrees that are no angle."""
-_OVER = frozenset(("over", "by", "sur", "sobre", "entre", "su", "fratto", "durch"))
 _SCALES = frozenset(("thousand", "million", "billion", "trillion"))
 _ROUND = frozenset((12.0, 100.0, 1e3, 1e6, 1e9))
 """Numbers of which there may be "a few"."""
@@ -149,9 +133,10 @@ def _of_pi(words: Sequence[str], at: int, language: str) -> int:
     if here is None or next(parser.quantities_at(words, at, "angle"), None) is not None:
         return 0
     after = here + 1
-    if after < len(words) and words[after] in _OVER:
+    known = (units(language) or Units({}, {})).words
+    if after < len(words) and words[after] in known.get("over", ()):
         after += 1
-    elif after < len(words) and words[after] not in (units(language) or Units({}, {})).words.get("half", ()):
+    elif after < len(words) and words[after] not in known.get("half", ()):
         return after
     return max((end for _, end in parser.numbers_at(words, after)), default=here + 1)
 
@@ -220,7 +205,7 @@ def of_another_unit(
         return 0
     table = units(language) or Units({}, {})
     powers = table.words.get("power", ())
-    if following in powers or (kind == "angle" and following in _TEMPERATURES):
+    if following in powers or (kind == "angle" and following in table.words.get("temperature", ())):
         return after + 1
     if (
         following in table.words.get("per", ())

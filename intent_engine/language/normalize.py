@@ -8,7 +8,11 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping
+from functools import cache
 from typing import NamedTuple
+
+from intent_engine.language.numbers.units import units
+from intent_engine.language.thing_words import thing_words
 
 __all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents", "words_of"]
 
@@ -37,13 +41,9 @@ _NEGATED = {
 CONTRACTIONS: dict[str, tuple[str, ...]] = {**_NEGATED, "cannot": ("can", "not")}
 """Contractions that hide a negation. Others only lose their apostrophe ("let's" is "lets", "i'd" is "id")."""
 
-TITLES: Mapping[str, tuple[str, ...]] = {
-    "dr": ("doctor",), "mr": ("mister",), "mrs": ("missus",), "prof": ("professor",),
-}  # fmt: skip
-"""English titles, which recognisers write short: "Dr. Miller"."""
-
-_AND: Mapping[str, tuple[str, ...]] = {"en": ("and",), "de": ("und",), "fr": ("et",), "es": ("y",), "it": ("e",)}
-"""What "&" is read as: "R&D", "turn left & stop"."""
+TITLES: Mapping[str, tuple[str, ...]] = {short: (full,) for short, full in thing_words("en").titles.items()}
+"""English titles, which recognisers write short: "Dr. Miller". Those of other languages are read as the grammar has
+them."""
 
 _FRACTIONS = {
     character: f" {top}/{bottom}"
@@ -90,14 +90,6 @@ _QUOTES = ('"“”„', "'‘’‚")
 _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
-_READ_AS: Mapping[tuple[str, str], str] = {
-    ("en", ","): "", ("en", "."): ".", ("de", ","): ".", ("fr", ","): ".", ("it", ","): ".",
-}  # fmt: skip
-"""(language, sign) -> what the sign stands for in "1.500" or "1,500", where it could divide thousands or decimals.
-
-English has one custom. With a decimal comma, "1.500" is 1500 by the old custom and 1.5 by that of every machine: nobody
-can know, and so in Spanish, where Madrid and Mexico differ, with either sign. What is not here is unclear.
-"""
 UNCLEAR = "?"
 """Ends the word of a number that could be a thousand times as much. No such word has a value."""
 
@@ -138,13 +130,14 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
     tokens: list[Token] = []
     breaks = False
     title = -1
+    titles = _titles_begin(language)
     for match in _TOKEN.finditer(lowered):
         kind = match.lastgroup
         start, end = match.span()
         if kind == "pause":
             breaks = breaks or start != title or lowered[start] != "."  # of "Dr." it is no pause
             continue
-        title = end if language == "en" and match.group() in TITLES else -1
+        title = end if match.group() in titles else -1
         for word in _words(match, kind, lowered, tokens, language):
             if places is not None:
                 tokens.append(Token(word, places[start], places[end - 1] + 1, breaks))
@@ -152,6 +145,12 @@ def tokenize(text: str, language: str = "en") -> tuple[Token, ...]:
                 tokens.append(Token(word, start, end, breaks))
             breaks = False
     return tuple(tokens)
+
+
+@cache
+def _titles_begin(language: str) -> frozenset[str]:
+    """Words of titles, behind which a full stop is no pause."""
+    return frozenset(short.split()[0] for short in thing_words(language).titles)
 
 
 def elided(text: str, language: str | None) -> str:
@@ -215,7 +214,8 @@ def _number(written: str, kind: str | None, language: str) -> str:
     """A number in digits with a decimal point and nothing else; or as it is written, and :data:`UNCLEAR`."""
     if kind in ("grouped", "decimal") and (group := _ONE_GROUP.fullmatch(written)) is not None:
         sign = group[1]
-        meant = _READ_AS.get((language, sign))
+        table = units(language)
+        meant = table.figures.get(sign) if table is not None else None
         return written + UNCLEAR if meant is None else written.replace(sign, meant)
     if kind == "pointed":
         return written.replace(".", "").replace(",", ".")
@@ -243,7 +243,8 @@ def _sign(sign: str, text: str, place: int, before: list[Token], language: str) 
     if sign == "%":
         return ("percent",)
     if sign == "&":
-        return _AND.get(language, ())
+        table = units(language)  # "R&D", "turn left & stop"
+        return tuple(sorted(table.words.get("and", ()))[:1]) if table is not None else ()
     if sign == "/":
         between = touching and (text[place - 1].isalpha() or text[place - 1] in "°º") and after.isalpha()
         if before and before[-1].word in ("pi", "π") and text[place + 1 :].lstrip()[:1].isdigit():

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 __all__ = ["Openers", "TextPlace"]
 
 
+COUNTED_WORDS = 3
+"""Words of what is counted, at most: "dos cafés con leche"."""
+
+
 class TextPlace(Enum):
     """Where a word of a sentence stands, of which a part may be any words: a title, a message."""
 
@@ -52,10 +56,14 @@ class Openers:
     """Fillers that are no words, as "uh", and with which people think what to say."""
     counting: PhraseSet
     """Fillers that are such only between a number and what is counted: "two *more* coffees"."""
+    counted: PhraseSet
+    """Fillers that are such only behind what is counted: "dos cafés *más*"."""
     place_of: Callable[[Sequence[str], str], TextPlace | None] | None = None
     """Where what is said between words and another word stands; None: the grammar has no texts of any words."""
     language: str = "en"
     """Whose numbers."""
+    places: bool = False
+    """Whether the grammar has places of a map."""
     digits: bool = False
     """Whether digits are said one by one, so that an "oh" behind one is a zero: "heading one eight oh"."""
     describing: frozenset[str] = frozenset()
@@ -75,12 +83,14 @@ class Openers:
         joint goes on: "go and then turn left" are two.
         """
         if self.counting.at(said.words, position) == length:
-            if before and self._counts(before[-1]):
+            if before and self._counts_things(before[-1]):
                 return paused or not self._counts_on(said, position, length, before)
             if not self.around.at(said.words, position):
                 return True
         if self._describes(said, position, length, before):
             return True
+        if self.counted.at(said.words, position) == length:
+            return paused or not self._counted_before(said, position, length, before)
         if before and self.place_of is not None and self.sounds.at(said.words, position) != length:
             end = self._after_fillers(said, position + length)
             place = self.place_of(before, said.words[end] if end < len(said) else "")
@@ -111,6 +121,17 @@ class Openers:
         if self.fillers.at(said.words, end) or self.ends.at(said.words, end):
             return False
         return self.place_of is None or self.place_of(before, said.words[end]) is not TextPlace.WITHIN
+
+    def _counted_before(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
+        """Whether the command ends here, with so many of something in the same breath: "sirve dos cafés más", but not
+        "sirve dos más" nor "dos cafés más rápido". In a text ("toca una vez más") the words are a part of it."""
+        end = position + length
+        over = end == len(said) or said.breaks[end] or self.ends.at(said.words, end) or self.fillers.at(said.words, end)
+        if not over or any(said.breaks[position:end]) or not before or self._counts(before[-1]):
+            return False
+        if self.place_of is not None and self.place_of(before, "") in (TextPlace.BEGINS, TextPlace.WITHIN):
+            return False
+        return any(map(self._counts_things, before[-1 - COUNTED_WORDS : -1]))
 
     def _belongs(
         self, said: Utterance, position: int, length: int, end: int, place: TextPlace, *, paused: bool
@@ -157,6 +178,12 @@ class Openers:
 
     def _begins_after(self, before: Sequence[str]) -> bool:
         return self.joints.ends(before) > 0 or self.again.ends(before) > 0
+
+    def _counts_things(self, word: str) -> bool:
+        """Whether a word says how many: where a grammar has places, "eine weitere Küche" is another one than that of
+        the map, and no "Küche"."""
+        article = self.places and self.language != "en" and foreign.is_article([word], self.language)
+        return self._counts(word) and not article
 
     def _counts(self, word: str) -> bool:
         """Whether a word begins a number, or is one."""

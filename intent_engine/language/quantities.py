@@ -13,15 +13,14 @@ from functools import lru_cache
 
 from intent_engine.language.numbers import english, english_ordinals, foreign, foreign_ordinals
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, Relative
 from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
+from intent_engine.language.numbers.relative import Relative
 from intent_engine.language.numbers.templates import templates
 from intent_engine.language.numbers.units import Units, units
 from intent_engine.language.quantity_finder import Found, find
 
 __all__ = [
     "MAX_WORDS",
-    "RELATIVE_SPEEDS",
     "Found",
     "Relative",
     "counts",
@@ -94,10 +93,10 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
         return None
     parser = parser_of(language)
     if kind in ("speed", "angular_speed"):
-        relative = RELATIVE_SPEEDS.get(language, {}).get(" ".join(words))
+        relative = table.speeds.get(" ".join(words))
         if relative is not None:
             return Relative(relative)
-        share = words[:-1] if words[-1] in table.words.get("speed", ()) else words
+        share = words[: _speed_begins(words, table)]
         percent = _whole(parser.quantities_at(share, 0, "percent"), len(share)) if len(share) > 1 else None
         if percent is not None and math.isfinite(percent):
             return Relative(percent) if 0 < percent <= 2 else None
@@ -112,6 +111,12 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
     if value is None or not math.isfinite(value) or (kind == "angle" and _in_two_pieces(words, value, language)):
         return None
     return value
+
+
+def _speed_begins(words: Sequence[str], table: Units) -> int:
+    """Where the words for what a percentage is of begin, "of the speed"; the end: it is said without."""
+    said = table.words.get("speed", frozenset())
+    return next((at for at in range(1, len(words)) if " ".join(words[at:]) in said), len(words))
 
 
 def _in_two_pieces(words: Sequence[str], angle: float, language: str) -> bool:

@@ -15,7 +15,7 @@ from intent_engine.language.numbers import foreign, said
 from intent_engine.language.numbers.digit_by_digit import digits_in_words
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, SIGNS, Units, units
-from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, tidy
+from intent_engine.language.quantities import Relative, tidy
 
 __all__ = ["Spoken", "spoken_forms", "usual_units"]
 
@@ -145,6 +145,8 @@ def _forms(kind: str, language: str, unit: str | None) -> Iterator[Iterable[_Sai
     ]
     if english:
         yield from _english(kind, names, sizes)
+    elif kind == "angle" and table.whole_angles:
+        yield [(" ".join(words), angle) for words, angle in table.whole_angles.items()]
 
 
 def _in_own(language: str, own: Iterable[tuple[float, tuple[str, ...]]]) -> Iterator[Iterable[_Said]]:
@@ -262,8 +264,8 @@ def _rates(kind: str, table: Units, language: str) -> Iterator[Iterable[_Said]]:
     for key, size in RATES[kind].items():
         if names := _names(key, table):
             yield [(f"{text} {names[0]}", number * size) for text, number in _whole_numbers(language)]
-    if language in RELATIVE_SPEEDS:
-        yield [(text, Relative(factor)) for text, factor in RELATIVE_SPEEDS[language].items()]
+    if table.speeds:
+        yield [(text, Relative(factor)) for text, factor in table.speeds.items()]
 
 
 def _english(kind: str, names: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> Iterator[Iterable[_Said]]:

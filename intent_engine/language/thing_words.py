@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Any
 
-import yaml
+from intent_engine.language.language_files import language_file
 
 __all__ = ["ARTICLES", "ThingWords", "any_articles", "thing_words"]
 
@@ -86,6 +85,8 @@ class ThingWords:
     """What is said of an "it" that is no thing."""
     contracted: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     """One word for two -> the two, of which the second is an article: "zum", "zu dem"."""
+    titles: Mapping[str, str] = field(default_factory=dict)
+    """What is written before the names of people, as normalised words, and the word that is said for it."""
     examples: tuple[str, ...] = ()
     """Things, for sampled sentences."""
 
@@ -106,16 +107,20 @@ class ThingWords:
 
 @cache
 def thing_words(language: str) -> ThingWords:
-    """Those of a language ("en")."""
-    file = _FOLDER / f"{language}.yaml"
-    if not file.is_file():
+    """Those of a language ("en").
+
+    Raises:
+        ConfigError: its file has keys that nobody reads.
+    """
+    data = language_file("things", language, dict.fromkeys(one.name for one in fields(ThingWords)))
+    if data is None:
         return ThingWords()
-    data: dict[str, Any] = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     solid = frozenset(data.pop("solid", ()))
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
+    titles = data.pop("titles", {})
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, solid=solid, sayings=sayings, contracted=contracted, examples=examples)
+    return ThingWords(**words, solid=solid, sayings=sayings, contracted=contracted, titles=titles, examples=examples)
 
 
 @cache

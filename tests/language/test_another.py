@@ -81,6 +81,73 @@ def test_so_many_more_in_german(engine_of) -> None:
     assert engine.parse("bring mir zwei weitere Kaffee").slots == {"zahl": 2, "was": "kaffee"}
 
 
+DRINKS = {
+    "fr": ("sers [un|une|{n}] (café|cafés)", "va à {place}", "joue {title}"),
+    "es": ("sirve [un|una|{n}] (café|cafés)", "ve a {place}", "toca {title}"),
+    "it": ("porta [un|una|{n}] caffè", "vai in {place}", "suona {title}"),
+    "de": ("bring [ein|eine|einen|{n}] (kaffee|kaffees)", "geh in {place}", "spiel {title}"),
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "slots"),
+    [
+        ("fr", "sers deux autres cafés", {"n": 2}),
+        ("fr", "sers un autre café", {}),
+        ("fr", "sers deux cafés de plus", {"n": 2}),
+        ("fr", "sers d'autres cafés", None),
+        ("fr", "sers les deux autres cafés", None),
+        ("fr", "ne sers pas un autre café", None),
+        ("fr", "joue deux autres chansons", {"title": "deux autres chansons"}),
+        ("es", "sirve otros dos cafés", {"n": 2}),
+        ("es", "sirve otro café", {}),
+        ("es", "sirve dos cafés más", {"n": 2}),
+        ("es", "sirve un café más", {}),
+        ("es", "sirve dos cafés más, gracias", {"n": 2}),
+        ("es", "sirve dos más", None),
+        ("es", "sirve más cafés", None),
+        ("es", "sirve dos cafés, más", None),
+        ("es", "sirve dos cafés más rápido", None),
+        ("es", "toca dos canciones más", {"title": "dos canciones más"}),
+        ("it", "porta altri due caffè", {"n": 2}),
+        ("it", "porta due altri caffè", {"n": 2}),
+        ("it", "porta un altro caffè", {}),
+        ("it", "porta due caffè in più", {"n": 2}),
+        ("it", "porta l'altro caffè", None),
+        ("de", "bring zwei weitere Kaffees", {"n": 2}),
+        ("de", "bring einen weiteren Kaffee", {}),
+        ("de", "bring den weiteren Kaffee", None),
+    ],
+)
+def test_one_more_and_so_many_more_in_other_languages(engine_of, language: str, said: str, slots) -> None:
+    drink, _, play = DRINKS[language]
+    found = engine_of(
+        f"language: {language}\nslots: {{n: {{type: number, whole: true}}, title: {{type: text, max_words: 3}}}}\n"
+        f"intents:\n  order: {{action: custom, sentences: ['{drink}']}}\n"
+        f"  play: {{action: custom, sentences: ['{play}']}}\n"
+    ).parse(said)
+    assert ({key: value for key, value in found.slots.items() if value != 1} if found.actions else None) == slots
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("fr", "va à une autre cuisine"),
+        ("es", "ve a otra cocina"),
+        ("es", "ve a una cocina más"),
+        ("it", "vai in un'altra cucina"),
+        ("it", "vai in una cucina in più"),
+        ("de", "geh in eine weitere Küche"),
+    ],
+)
+def test_another_place_is_none_that_is_known(tmp_path, language: str, said: str) -> None:
+    file = tmp_path / "grammar.yaml"
+    go = f"action: {{type: navigate, location: '{{place}}'}}, sentences: ['{DRINKS[language][1]}']"
+    file.write_text(f"language: {language}\nslots: {{place: location}}\nintents: {{go: {{{go}}}}}\n", "utf-8")
+    places = dict.fromkeys(("cuisine", "cocina", "cucina", "küche"), (0.0, 0.0, 0.0))
+    assert not IntentEngine.from_files(file, locations=places).parse(said).actions
+
+
 @pytest.mark.parametrize("said", ["take row another", "take row another please"])
 def test_another_is_no_letter(engine_of, said: str) -> None:
     assert done(engine_of(ROWS).parse(said)) == "rejected"

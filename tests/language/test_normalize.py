@@ -173,7 +173,9 @@ def test_a_plain_word_stands_where_its_place_says(text: str) -> None:
         ("find Dr . Miller", "en", [False, False, True]),
         ("find dr miller. go", "en", [False, False, False, True]),
         ("find Dr.... go", "en", [False, False, True]),
-        ("frag Dr. Braun", "de", [False, False, True]),
+        ("frag Dr. Braun", "de", [False, False, False]),
+        ("chiama Dott.ssa Rossi", "it", [False, False, False, False]),
+        ("vraag Dr. Braun", "nl", [False, False, True]),
     ],
 )
 def test_the_full_stop_of_a_title_is_no_pause(text: str, language: str, breaks: list[bool]) -> None:

@@ -15,7 +15,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS, RATES, units
-from intent_engine.language.quantities import RELATIVE_SPEEDS, Relative, evaluate, templates
+from intent_engine.language.quantities import Relative, evaluate, templates
 from intent_engine.language.template import parse_template
 
 DEGREE = math.pi / 180
@@ -225,14 +225,14 @@ intents: {roll: {action: custom, defaults: {tempo: 0.4 m/s}, sentences: ["roll [
 """
 
 
-@pytest.mark.parametrize(("said", "factor"), RELATIVE_SPEEDS["en"].items())
+@pytest.mark.parametrize(("said", "factor"), units("en").speeds.items())
 def test_a_speed_in_terms_of_the_usual_one(engine: IntentEngine, said: str, factor: float) -> None:
     assert evaluate(said.split(), "speed") == Relative(factor)
     assert evaluate(said.split(), "angular_speed") == Relative(factor)
     assert heard(engine, "speed", said) == factor
 
 
-@pytest.mark.parametrize(("said", "factor"), [*RELATIVE_SPEEDS["de"].items(), ("50 prozent geschwindigkeit", 0.5)])
+@pytest.mark.parametrize(("said", "factor"), [*units("de").speeds.items(), ("50 prozent geschwindigkeit", 0.5)])
 def test_a_german_speed_in_terms_of_the_usual_one(tmp_path: Path, said: str, factor: float) -> None:
     assert evaluate(said.split(), "speed", "de") == Relative(factor)
     file = tmp_path / "tempo.yaml"

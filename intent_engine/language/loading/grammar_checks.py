@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, Slot, problem_at
+from intent_engine.language.language_files import languages_of
 from intent_engine.language.loading.grammar_doubts import grammar_doubts
 from intent_engine.language.loading.grammar_parts import Draft, Places, Written
 from intent_engine.language.loading.grammar_shapes import Shapes
@@ -72,7 +73,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
 def _language(grammar: Grammar, places: Places, draft: Draft) -> Iterator[Problem]:
     operators = grammar.operators
     if not operators.negation or not operators.stop:
-        known = ("de", "en", "es", "fr", "it")
+        known = languages_of("operators")
         hint = did_you_mean(grammar.language, known)
         yield places.problem(
             ("language",),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -19,9 +19,12 @@ from intent_engine.language.loading.grammar_checks import check_meaning
 from intent_engine.language.loading.grammar_intents import merged, read_intent
 from intent_engine.language.loading.grammar_parts import Draft, PartReader, Places
 from intent_engine.language.loading.language_words import (
+    default_another,
     default_around,
+    default_counted,
     default_counting,
     default_fillers,
+    default_heard,
     default_operators,
     default_wording,
 )
@@ -37,23 +40,6 @@ __all__ = ["load_grammars", "schema"]
 
 _ROOM = Path(__file__).parent.parent
 """Where the files of languages lie."""
-
-DEFAULT_SOUND_ALIKES: Mapping[str, Mapping[str, tuple[str, ...]]] = {
-    "en": {
-        "two": ("to",), "too": ("to", "two"), "to": ("two",),
-        "for": ("four",), "four": ("for",), "fore": ("for", "four"),
-        "writes": ("right",), "bae": ("bay",), "forwards": ("forward",), "forword": ("forward",),
-        "meeters": ("meters",), "meeter": ("meter",), "ford": ("forward",),
-        "won": ("one",), "ate": ("eight",), "tree": ("three",), "sex": ("six",), "turned": ("turn",),
-        "moved": ("move",), "stopped": ("stop",), "goto": ("go",), "b": ("bay",), "lift": ("left",),
-        "know": ("no",), "feed": ("feet",), "fee": ("feet",), "another": ("a", "an"),
-    },
-}  # fmt: skip
-"""Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those that
-sound the same are ``homophones``. Names have their own index; these are for the rest. Nobody hears "another" for "a",
-but who says it wants the same: "another coffee"."""
-NUMERIC = frozenset(("to", "too", "two", "for", "four", "fore"))
-"""Those of them that may be a number, which no grammar tells from the other."""
 
 
 @cache
@@ -173,7 +159,7 @@ class _Builder:
 
     def __init__(self, language: str, blind: bool) -> None:
         self.language = language
-        self.draft = Draft(blind=blind)
+        self.draft = Draft(language, blind=blind)
         self.fillers: list[str] | None = None
         """None: no file says anything of them."""
         self.wake: list[str] = []
@@ -252,10 +238,13 @@ class _Builder:
     def _alikes_of(self, grammar: Grammar) -> dict[str, tuple[str, ...]]:
         """Words that recognisers write for others, but for those of every grammar of the language that this one has a
         use for: where something can be lifted, "lift" is no "left"."""
-        own = own_words(grammar) - NUMERIC
-        usual = dict(DEFAULT_SOUND_ALIKES.get(self.language, {}))
-        if any(map(_may_be_called_a, self.slots.values())):
-            usual.pop("another", None)  # "row another" is no row A
+        heard_for = default_heard(self.language)
+        own = own_words(grammar) - heard_for.maybe_numbers
+        usual = dict(heard_for.meant)
+        another = default_another(self.language)  # nobody hears it for "a", but who says it wants the same
+        articles = {article for articles in another.values() for article in articles}
+        if not any(_may_be_called(slot, articles) for slot in self.slots.values()):  # "row another" is no row A
+            usual |= another
         return {**{heard: meant for heard, meant in usual.items() if heard not in own}, **self.alikes}
 
     def finish(self) -> tuple[Grammar, list[Problem]]:
@@ -272,6 +261,7 @@ class _Builder:
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
             around=self._said(default_around(self.language)) if self.fillers is None else (),
             counting=self._said(default_counting(self.language)) if self.fillers is None else (),
+            counted=self._said(default_counted(self.language)) if self.fillers is None else (),
             wording=default_wording(self.language, self._said),
             phrases=self.phrases,
             slots=self.slots,
@@ -326,7 +316,7 @@ def _section(source: YamlSource, name: str) -> list[tuple[YamlPath, Any, Any]]:
     return [] if (name,) in source.broken else list(source.entries((name,), source.data.get(name)))
 
 
-def _may_be_called_a(slot: Slot) -> bool:
+def _may_be_called(slot: Slot, articles: Iterable[str]) -> bool:
     """Whether "a" may be a value of a slot, and no article: of a list that has it, or on a map, which may have it."""
     nodes = [item for _, node in slot.values for item in (node.items if isinstance(node, Choice) else (node,))]
-    return slot.type == "location" or Word("a") in nodes
+    return slot.type == "location" or any(Word(article) in nodes for article in articles)

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from intent_engine.errors import Problem
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS, SLOT_TYPES, Place, Slot, problem_at
+from intent_engine.language.loading.language_words import default_booleans
 from intent_engine.language.loading.other_words import TYPES, meant
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.normalize import words_of
@@ -75,6 +76,7 @@ class Written:
 class Draft:
     """What is known of one language's grammar besides the grammar itself."""
 
+    language: str = "en"
     written: list[Written] = field(default_factory=list)
     broken: set[str] = field(default_factory=set)
     """Names of slots and phrases that exist and could not be read: nobody should call them missing."""
@@ -229,7 +231,12 @@ class PartReader:
     def _values(self, path: YamlPath, name: str, kind: str, values: Any) -> tuple[tuple[Any, Node], ...]:
         source = self.source
         if values is None and kind == "boolean":
-            values = {"true": "(yes|on|true)", "false": "(off|false)"}
+            usual = default_booleans(self.draft.language)
+            if usual is None:
+                message = f"what is said for true and for false is not known in {self.draft.language!r}"
+                source.problem(path, message, "write values: {true: [...], false: [...]}")
+                return ()
+            values = {str(value).lower(): [*said] for value, said in usual.items()}
         if not values:
             source.problem(path, "a choice needs values", "values: {red: [red, crimson], blue: [blue]}")
             return ()

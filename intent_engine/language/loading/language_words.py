@@ -4,34 +4,72 @@ list says why. Empty for a language that has no file."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from functools import cache
-from pathlib import Path
+from typing import Any
 
 from intent_engine.language.grammar import Operators, Wording
-from intent_engine.language.loading.yaml_source import read_yaml
+from intent_engine.language.language_files import Keys, language_file
 
 __all__ = [
+    "KEYS",
+    "Heard",
+    "default_another",
     "default_around",
+    "default_booleans",
+    "default_counted",
     "default_counting",
     "default_fillers",
+    "default_heard",
     "default_operators",
     "default_opposites",
     "default_wording",
 ]
 
-_FOLDER = Path(__file__).parent.parent / "operators"
-_OPERATORS = frozenset(one.name for one in fields(Operators))
+_OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"}  # which is made of the stops
+_WORDING = (
+    "greeting", "hesitation", "way_back", "asked", "request", "agrees", "agreeing", "compares", "before_verb",
+    "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb", "excludes",
+    "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted",
+)  # fmt: skip
+_OTHERS = (
+    "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
+    "said_for_true", "said_for_false",
+)  # fmt: skip
+KEYS: Keys = dict.fromkeys((*sorted(_OPERATORS), *_WORDING, *_OTHERS))
+"""What a file may hold."""
+
+
+@dataclass(frozen=True)
+class Heard:
+    """Words that recognisers write for others."""
+
+    meant: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Each with those that may have been said."""
+    maybe_numbers: frozenset[str] = frozenset()
+    """Those of them that may be a number, which no grammar tells from the other."""
+
+
+@cache
+def _file(language: str) -> Mapping[str, Any]:
+    """What a language's file holds.
+
+    Raises:
+        ConfigError: it has keys that nobody reads.
+    """
+    return language_file("operators", language, KEYS) or {}
 
 
 @cache
 def _words(language: str) -> Mapping[str, tuple[str, ...]]:
-    """The lists of a language's file."""
-    file = _FOLDER / f"{language}.yaml"
-    if not file.is_file():
-        return {}
-    source = read_yaml(str(file))
-    return {key: tuple(str(item) for item in items) for key, items in source.data.items()}
+    """The lists of it."""
+    lists = ((key, items) for key, items in _file(language).items() if isinstance(items, list))
+    return {key: tuple(str(item) for item in items) for key, items in lists}
+
+
+def _pairs(language: str, key: str) -> dict[str, tuple[str, ...]]:
+    """A list of it in which each word has others."""
+    return {one: tuple(others) for one, others in _file(language).get(key, {}).items()}
 
 
 def default_operators(language: str) -> Mapping[str, tuple[str, ...]]:
@@ -52,6 +90,30 @@ def default_around(language: str) -> tuple[str, ...]:
 def default_counting(language: str) -> tuple[str, ...]:
     """What people put between a number and what is counted ("two *more* coffees"), for the same grammars."""
     return _words(language).get("counting", ())
+
+
+def default_counted(language: str) -> tuple[str, ...]:
+    """What people put behind what is counted ("dos cafés *más*"), for the same grammars."""
+    return _words(language).get("counted", ())
+
+
+def default_another(language: str) -> Mapping[str, tuple[str, ...]]:
+    """What is said for another one, and the article for which it stands: "another coffee" is "a coffee"."""
+    return _pairs(language, "another")
+
+
+def default_heard(language: str) -> Heard:
+    """Words that recognisers write for function words of commands, and that sound otherwise or may be numbers: those
+    that sound the same are ``homophones``. Names have their own index; these are for the rest."""
+    return Heard(_pairs(language, "heard_for"), frozenset(_words(language).get("maybe_number", ())))
+
+
+def default_booleans(language: str) -> Mapping[bool, tuple[str, ...]] | None:
+    """What is said for true and for false, for slots that say nothing of it; None: it is not known."""
+    words = _words(language)
+    if "said_for_true" not in words or "said_for_false" not in words:
+        return None
+    return {True: words["said_for_true"], False: words["said_for_false"]}
 
 
 def default_opposites(language: str) -> tuple[tuple[str, str], ...]:

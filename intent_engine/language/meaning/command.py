@@ -272,6 +272,7 @@ class Commands:
             allowed = [reading for reading in readings if not reading.problem and not forbidden(reading, state)]
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
+        allowed = _stop_first(allowed)
         if unsure := share_of_a_turn(allowed[0], self.matcher.grammar):
             return Clause(allowed[0], reason=unsure)
         best, ways, reason = self._whose_place.settled(allowed[0])
@@ -282,7 +283,7 @@ class Commands:
             action = build_action(best.intent, best.values(), self.matcher.locations)
         except CannotActError as error:
             return Clause(best, reason=str(error))
-        if len(allowed) > 1:
+        if len(allowed) > 1 and not isinstance(action, Stop):
             rivals = self._rivals(best, action, allowed[1:])
             if rivals:
                 return Clause(
@@ -310,11 +311,7 @@ class Commands:
         """Other meanings as good as the best: same words understood, same priority, another action."""
         found: list[str] = []
         for other in others:
-            if (other.intent.priority, other.free_words, other.alikes) != (
-                best.intent.priority,
-                best.free_words,
-                best.alikes,
-            ):
+            if _merit(other) != _merit(best):
                 continue
             try:
                 meant = build_action(other.intent, other.values(), self.matcher.locations)
@@ -323,6 +320,20 @@ class Commands:
             if meant != action:
                 found.append(described(other))
         return tuple(dict.fromkeys(found))
+
+
+def _merit(reading: Reading) -> tuple[int, int, int]:
+    """By what one reading of the same words is as good as another."""
+    return reading.intent.priority, reading.free_words, reading.alikes
+
+
+def _stop_first(readings: list[Reading]) -> list[Reading]:
+    """Readings, the best first, and of those that are as good as the best one that stops: "back up a second" is no
+    question to a robot that backs up."""
+    for stop in readings:
+        if stop.intent.action.type == "stop" and _merit(stop) == _merit(readings[0]):
+            return [stop, *(other for other in readings if other is not stop)]
+    return readings
 
 
 def forbidden(reading: Reading, state: Collection[str]) -> str:

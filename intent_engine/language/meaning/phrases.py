@@ -39,7 +39,8 @@ class Phrases:
         operators, wording = grammar.operators, grammar.wording
         own = own_words(grammar)
         counting = [words for words in grammar.counting if own.isdisjoint(words)]
-        fillers = (*grammar.fillers, *grammar.around, *counting)
+        counted = [words for words in grammar.counted if not own.issuperset(words)]
+        fillers = (*grammar.fillers, *grammar.around, *counting, *counted)
         self.fillers = PhraseSet(fillers)
         self.idle = PhraseSet(words for words in fillers if not own.issuperset(words))
         """Fillers that no sentence needs: without "for me", "wait for me" would be gone as well."""
@@ -83,6 +84,7 @@ class Phrases:
         self._agrees = frozenset(filter(self._alone, wording.agrees))
         self._agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
         around = PhraseSet(grammar.around)
+        places = any(slot.type == "location" for slot in grammar.slots.values())
         digits = any(slot.digits for slot in grammar.slots.values())
         again = PhraseSet((*operators.correction, *operators.cancel, *operators.contrast))
         named = any(slot.type == "text" and not slot.known for slot in grammar.slots.values())
@@ -90,8 +92,8 @@ class Phrases:
         known = thing_words(grammar.language)
         self._openers = Openers(
             PhraseSet(joining), self.sequence, self._listing, around, again, greetings, self.fillers,
-            self._operators, self.hesitation, PhraseSet(counting), place_of, grammar.language, digits,
-            known.describing, known.articles, names,
+            self._operators, self.hesitation, PhraseSet(counting), PhraseSet(counted), place_of, grammar.language,
+            places, digits, known.describing, known.articles, names,
         )  # fmt: skip
         self._closed = operators.closed
         self._requests = wording.requests

@@ -10,9 +10,9 @@ from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.units import units
 
 __all__ = [
-    "ALIKE",
     "LANGUAGES",
     "TEMPLATES",
+    "alike",
     "fraction",
     "in_digits",
     "is_article",
@@ -29,32 +29,6 @@ MAX_WORDS = 16
 
 SCALES: Mapping[str, float] = {"dozen": 12.0, "thousand": 1e3, "million": 1e6, "billion": 1e9}
 """Function words of ``<language>.yaml`` that multiply what stands before them; a billion is 1e9."""
-RESPELLED: Mapping[str, Mapping[str, str]] = {
-    "es": {
-        "dieciseis": "dieciséis", "veintiun": "veintiuno", "veintiún": "veintiuno", "veintidos": "veintidós",
-        "veintitres": "veintitrés", "veintiseis": "veintiséis",
-    },
-    "de": {"eine": "ein", "einen": "ein", "zwo": "zwei"},
-    "fr": {"zero": "zéro"},
-}  # fmt: skip
-"""Spellings that text2num does not know, as it knows them."""
-_UMLAUTS = (("fuenf", "fünf"), ("zwoelf", "zwölf"), ("dreissig", "dreißig"))
-"""The same of German keyboards without these letters, anywhere in a word."""
-
-_GERMAN_ALIKE = (
-    ("zwei", "drei"), ("drei", "dreißig"), ("vier", "vierzig"), ("fünf", "fünfzig"), ("sechs", "sechzig"),
-    ("sieben", "siebzig"), ("acht", "achtzig"), ("neun", "neunzig"), ("dreizehn", "dreißig"), ("vierzehn", "vierzig"),
-    ("fünfzehn", "fünfzig"), ("sechzehn", "sechzig"), ("siebzehn", "siebzig"), ("achtzehn", "achtzig"),
-    ("neunzehn", "neunzig"),
-)  # fmt: skip
-ALIKE: Mapping[str, Mapping[str, tuple[str, ...]]] = {
-    "de": {
-        word: tuple(other for pair in _GERMAN_ALIKE if word in pair for other in pair if other != word)
-        for word in dict.fromkeys(word for pair in _GERMAN_ALIKE for word in pair)
-    }
-}
-"""Numbers that are taken for each other, each with the others: for "zwei" there is a "zwo", and of "drei Sekunden" a
-model makes 30."""
 TEMPLATES: Mapping[str, str] = {
     "below_hundred": "{#word} [{#word} [{#word}]]",
     "fraction": "{#word} [{#word}]",
@@ -244,10 +218,20 @@ def said_apart(number: int, spelled: tuple[str, ...], language: str) -> Iterator
 
 
 def _respelled(word: str, language: str) -> str:
-    if language == "de" and word.isascii():
-        for written, meant in _UMLAUTS:
+    """A number word as text2num spells it."""
+    table = units(language)
+    if table is None:
+        return word
+    if word.isascii():
+        for written, meant in table.respelled_parts.items():
             word = word.replace(written, meant)
-    return RESPELLED.get(language, {}).get(word, word)
+    return table.respelled.get(word, word)
+
+
+def alike(word: str, language: str) -> tuple[str, ...]:
+    """Numbers for which a number is taken when it is heard: 30 of the "drei" of "drei Sekunden"."""
+    table = units(language)
+    return table.alike.get(word, ()) if table is not None else ()
 
 
 def _scale(word: str, language: str) -> float | None:

@@ -11,8 +11,6 @@ from functools import cache
 
 from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.numbers.phrases import WHOLE_ANGLES
-from intent_engine.language.numbers.templates import WITHOUT_ONE
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
 __all__ = ["MAX_WORDS", "PI", "QuantityParser", "parser_of", "tidy"]
@@ -20,7 +18,6 @@ __all__ = ["MAX_WORDS", "PI", "QuantityParser", "parser_of", "tidy"]
 MAX_WORDS = 16
 """Words of the longest quantity that anybody says."""
 
-_ANGLES_BEGIN = frozenset(spoken[0] for spoken in WHOLE_ANGLES)
 _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 12), "h": (60.0, 60), "min": (1.0, 60)}
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
 _IMPERIAL = frozenset(("in", "ft", "yd", "mi"))
@@ -34,8 +31,6 @@ _NO_INCH_BEFORE = english.NUMBER_WORDS.union(
 _OF_DAYS = {"d": "d", "w": "wk"}
 """Letters that are units only before a smaller one: of "3 d" nobody knows, "3d 4h" is a time."""
 PI = frozenset(("pi", "π"))
-JOINED = frozenset(("es", "it"))
-"""Languages that say "a meter and fifty": "un metro e cinquanta"."""
 
 
 class QuantityParser:
@@ -49,6 +44,7 @@ class QuantityParser:
     def __init__(self, language: str, table: Units | None) -> None:
         self._language = language
         self._table = table or Units({}, {})
+        self._angles_begin = frozenset(spoken[0] for spoken in self._table.whole_angles)
 
     def numbers_at(self, words: Sequence[str], at: int) -> Iterator[tuple[float, int]]:
         """Every plain number that begins at a place, the one most likely meant first."""
@@ -64,20 +60,20 @@ class QuantityParser:
                 if rate is not None:
                     yield tidy(value * rate[0]), rate[1]
             yield from self._rate_and_a_half(words, at, kind)
-            if self._language in WITHOUT_ONE:
+            if "and_part" in self._table.words:
                 half = self._and_a_half(words, at, "distance" if kind == "speed" else "angle")
                 bottom = self._below(words, half[1]) if half is not None else None
                 if half is not None and bottom is not None:
                     yield tidy(half[0] / bottom[0]), bottom[1]
             return
-        if kind == "angle" and self._language == "en" and words[at : at + 1] and words[at] in _ANGLES_BEGIN:
-            for spoken, angle in WHOLE_ANGLES.items():
+        if kind == "angle" and words[at : at + 1] and words[at] in self._angles_begin:
+            for spoken, angle in self._table.whole_angles.items():
                 if tuple(words[at : at + len(spoken)]) == spoken:
                     yield angle, at + len(spoken)
         found: list[tuple[float, int]] = []
         for value, after, key in self._parts(words, at, kind):
             found.extend(self._extended(words, value, after, key, kind, 0))
-        if self._language in WITHOUT_ONE and (half := self._and_a_half(words, at, kind)) is not None:
+        if "and_part" in self._table.words and (half := self._and_a_half(words, at, kind)) is not None:
             found.append(half)
         if not found and kind == "angle" and self._language == "en" and not PI.isdisjoint(words):
             yield from self._radians_in_pi(words, at)
@@ -197,7 +193,7 @@ class QuantityParser:
     def _and_a_half(self, words: Sequence[str], at: int, kind: str) -> tuple[float, int] | None:
         """ "Metro y medio": one and a half."""
         unit = self._unit(words, at, kind)
-        if unit is None or not self._table.words.get("and", frozenset()).issuperset(words[unit[1] : unit[1] + 1]):
+        if unit is None or not self._table.words["and_part"].issuperset(words[unit[1] : unit[1] + 1]):
             return None
         part = foreign.fraction(words, unit[1] + 1, self._language)
         return (unit[0] * (1 + part[0]), part[1]) if part is not None else None
@@ -237,7 +233,8 @@ class QuantityParser:
                     (value + rest, last) for rest, last in self._extended(words, more, end, smaller, kind, depth + 1)
                 )
         square = words[after - 1] == "m" and onward < len(words) and words[onward] in ("2", "3")  # "2 m2"
-        if key in _SMALLER and (not joined or kind == "duration" or self._language in JOINED) and not square:
+        led = not joined or kind == "duration" or words[after] in self._table.words.get("and_smaller", ())
+        if key in _SMALLER and led and not square:
             size, most = _SMALLER[key]
             for number, end in self.numbers_at(words, onward):
                 if end < len(words) and any(self._unit(words, end, other) is not None for other in self._table.by_kind):

@@ -6,13 +6,10 @@ from collections.abc import Mapping
 from functools import cache
 
 from intent_engine.language.numbers import english, foreign, said
-from intent_engine.language.numbers.phrases import RELATIVE_SPEEDS, WHOLE_ANGLES
 from intent_engine.language.numbers.units import Units, units
 
-__all__ = ["WITHOUT_ONE", "templates"]
+__all__ = ["templates"]
 
-WITHOUT_ONE = frozenset(("es",))
-"""Languages in which one and a half of something needs no "one": "metro y medio", "hora y media"."""
 ENGLISH: Mapping[str, str] = {
     "digit": "(one|two|three|four|five|six|seven|eight|nine)",
     "teen": "(" + "|".join(english.TEENS) + ")",
@@ -101,7 +98,7 @@ def templates(language: str) -> Mapping[str, str]:
         )
         if kind == "duration":
             base[kind] += f"|{{count}} m [{joint}] {{count}} {{duration_unit}}"
-        if language in WITHOUT_ONE:
+        if "and_part" in table.words:
             base[kind] += f"|{{{kind}_unit}} {joint} {part}"
     if language == "en":
         # "A turn" is none.
@@ -109,18 +106,17 @@ def templates(language: str) -> Mapping[str, str]:
         single = "one [whole|full|single]|(a|an) (whole|full|single)|full|whole"
         base["turns"] = f"({{counted}} [{article}|{more}]|{single}) turn"
         base["angle"] += f"|{{turns}} [{joint} {part}]|(a|an) turn {joint} {part}"
-        base["angle"] += "".join(f"|{' '.join(words)}" for words in WHOLE_ANGLES)
         base["angle"] += (
             "|[minus|negative] [{counted}] pi [(over|by) {below_hundred}|(over|by) {#}] (radians|radian|rad)"
         )
+    base["angle"] += "".join(f"|{' '.join(words)}" for words in table.whole_angles)
     for kind, top in (("speed", "distance"), ("angular_speed", "angle")):
         single = f"|{{count}} {table.spoken(kind)}" if table.by_kind.get(kind) else ""
         unit = f"{{{top}_unit}}" if top == "distance" else table.spoken(top)  # with "a turn per second"
         base[kind] = f"{{count}} {unit} [{joint} {part}] {per} {{duration_unit}}{single}"
-        if language in WITHOUT_ONE:
+        if "and_part" in table.words:
             base[kind] += f"|{unit} {joint} {part} {per} {{duration_unit}}"
-        if language in RELATIVE_SPEEDS:
-            base[kind] += (
-                f"|{'|'.join(RELATIVE_SPEEDS[language])}|{{percent}} [{'|'.join(sorted(table.words['speed']))}]"
-            )
+        base[kind] += "".join(f"|{said}" for said in table.speeds)
+        if behind := "|".join(sorted(table.words.get("speed", ()))):
+            base[kind] += f"|{{percent}} [{behind}]"
     return base

@@ -6,9 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 
-import yaml
+from intent_engine.language.language_files import Keys, language_file
 
 __all__ = ["SIGNS", "Units", "units"]
 
@@ -41,6 +40,17 @@ RATES: Mapping[str, Mapping[str, float]] = {
 
 LONGEST = 4
 """Words of a unit."""
+_WORDS = frozenset((
+    "and", "and_part", "and_smaller", "another", "billion", "dozen", "half", "halves", "last", "million", "minus",
+    "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one", "over", "per", "point", "pointing",
+    "power", "quarter", "second", "speed", "temperature", "the", "thousand", "vague",
+))  # fmt: skip
+"""The lists of function words."""
+KEYS: Keys = {
+    "units": {*FACTORS, *RATES}, "words": _WORDS, "parts": None, "joined": None, "speeds": None, "whole_angles": None,
+    "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."},
+}  # fmt: skip
+"""What a file may hold."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +68,19 @@ class Units:
     """What is mostly said for the point of a number, of several words for it."""
     joined: Mapping[tuple[str, ...], str] = field(default_factory=dict)
     """What is said apart, and how a number begins that has it in one word: "veinte y", "veinti"."""
+    speeds: Mapping[str, float] = field(default_factory=dict)
+    """Speeds in terms of the usual one, as factors of it: "slowly" -> 0.5."""
+    whole_angles: Mapping[tuple[str, ...], float] = field(default_factory=dict)
+    """Angles that are said without a number, in rad: "about face"."""
+    respelled: Mapping[str, str] = field(default_factory=dict)
+    """Spellings of numbers that text2num does not know, as it knows them,"""
+    respelled_parts: Mapping[str, str] = field(default_factory=dict)
+    """and the same anywhere in a word without accents: "fuenf"."""
+    alike: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Numbers that are taken for each other when they are heard, each with the others."""
+    figures: Mapping[str, str] = field(default_factory=dict)
+    """What a sign stands for that is followed by exactly three figures and could divide thousands or decimals; what is
+    not here is unclear."""
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
 
@@ -81,11 +104,14 @@ class Units:
 
 @cache
 def units(language: str) -> Units | None:
-    """The units of a language, from ``<language>.yaml``; None if there is no such file."""
-    file = Path(__file__).parent / f"{language}.yaml"
-    if not file.is_file():
+    """The units of a language, from ``<language>.yaml``; None if there is no such file.
+
+    Raises:
+        ConfigError: the file has keys that nobody reads.
+    """
+    data = language_file("numbers", language, KEYS)
+    if data is None:
         return None
-    data = yaml.load(file.read_text("utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     by_kind: dict[str, dict[tuple[str, ...], float]] = {}
     names: dict[tuple[str, ...], str] = {}
     for kind, rows in data["units"].items():
@@ -103,4 +129,28 @@ def units(language: str) -> Units | None:
     }
     joined = {tuple(apart.split()): begin for apart, begin in data.get("joined", {}).items()}
     point = next(iter(data.get("words", {}).get("point", ())), "")
-    return Units(by_kind, names, function_words, point, joined, parts)
+    speeds = {said: float(factor) for factor, ways in data.get("speeds", {}).items() for said in ways}
+    whole = {
+        tuple(said.split()): float(turns) * FACTORS["angle"]["turn"]
+        for turns, ways in data.get("whole_angles", {}).items()
+        for said in ways
+    }
+    pairs: list[list[str]] = data.get("alike", [])
+    alike = {
+        word: tuple(other for pair in pairs if word in pair for other in pair if other != word)
+        for word in dict.fromkeys(word for pair in pairs for word in pair)
+    }
+    return Units(
+        by_kind,
+        names,
+        function_words,
+        point,
+        joined,
+        speeds,
+        whole,
+        respelled=data.get("respelled", {}),
+        respelled_parts=data.get("respelled_parts", {}),
+        alike=alike,
+        figures=data.get("figures", {}),
+        parts=parts,
+    )

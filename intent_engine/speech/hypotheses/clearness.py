@@ -269,7 +269,7 @@ def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Itera
     """What a word of a number may have been, each with the nats by which it must be likelier."""
     word, after = words[at], "".join(words[at + 1 : at + 2])
     if language not in (None, "en"):
-        yield from ((other, RIVAL_MARGIN) for other in foreign.ALIKE.get(language, {}).get(word, ()))
+        yield from ((other, RIVAL_MARGIN) for other in foreign.alike(word, language))
         return
     if word in ALIKE:
         yield ALIKE[word], RIVAL_MARGIN + (-TEEN if word.endswith("ty") else TEEN)

@@ -120,3 +120,18 @@ def test_a_closed_word_is_part_of_no_thing(word: str) -> None:
     bare = replace(broken, negation=(), correction=(), cancel=(), sequence=(), contrast=(), stop=())
     assert "cup" not in does(text) or "bottle" not in does(text)
     assert done(engine_with(replace(grammar, operators=bare)).parse(text)) == f"pick cup {word} bottle"
+
+
+TIE = """
+language: en
+slots: {time: {type: duration}}
+intents:
+  back: {action: {type: move, direction: backward}, sentences: ["back up {time:duration}"]}
+  pause: {action: stop, sentences: ["back up a second"]}
+"""
+
+
+def test_of_two_meanings_as_good_as_each_other_a_stop_is_none_to_ask_about(engine_of):
+    engine = engine_of(TIE)
+    assert engine.parse("back up a second").stops
+    assert not engine.parse("back up two seconds").stops

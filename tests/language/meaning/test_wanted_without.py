@@ -86,6 +86,16 @@ def test_nothing_is_brewed_with_what_may_be_unwanted(engine: IntentEngine, first
     assert not found.actions or found.slots["extra"] == first
 
 
+@pytest.mark.parametrize("said", ["prepara un caffè con latte, no zucchero", "prepara un caffè con latte no zucchero"])
+def test_italian_has_things_with_others(engine_of, said: str) -> None:
+    engine = engine_of(
+        "language: it\nslots: {extra: [latte, zucchero]}\n"
+        "intents: {brew: {action: custom, sentences: ['prepara un caffè con {extra}']}}\n"
+    )
+    assert engine.parse(said).status is Status.AMBIGUOUS
+    assert engine.parse("prepara un caffè con latte, no, con zucchero").slots == {"extra": "zucchero"}
+
+
 THINGS = st.lists(st.sampled_from(("cheese", "red", "beans", "rice")), min_size=1, max_size=3).map(" ".join)
 
 
