@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import yaml
 
@@ -18,25 +18,29 @@ from intent_engine.hints import did_you_mean
 
 __all__ = ["Keys", "checked", "language_file", "languages_of"]
 
-Keys = Mapping[str, Collection[str] | None]
-"""What may stand at the top of a file -> the keys that may stand below it; None: words, or keys that are words."""
+Keys: TypeAlias = Mapping[str, Any]
+"""What may stand in a file -> the keys that may stand below it, or :data:`Keys` again; None: words, or keys that are
+words."""
 
 _ROOM = Path(__file__).parent
 
 
-def language_file(kind: str, language: str, keys: Keys) -> dict[str, Any] | None:
+def language_file(
+    kind: str, language: str, keys: Keys, needed: Mapping[str, Collection[str]] | None = None
+) -> dict[str, Any] | None:
     """What a file holds; None: the language has none of this kind.
 
     Args:
         kind: its folder: "numbers".
         language: two letters, its name.
         keys: that it may have.
+        needed: those at its top that must have some keys below them, and these.
 
     Raises:
         ConfigError: as :func:`checked`.
     """
     file = _ROOM / kind / f"{language}.yaml"
-    return checked(file, keys) if file.is_file() else None
+    return checked(file, keys, needed) if file.is_file() else None
 
 
 def languages_of(kind: str) -> tuple[str, ...]:
@@ -44,11 +48,12 @@ def languages_of(kind: str) -> tuple[str, ...]:
     return tuple(sorted(file.stem for file in (_ROOM / kind).glob("*.yaml")))
 
 
-def checked(file: Path, keys: Keys) -> dict[str, Any]:
-    """What a file holds.
+def checked(file: Path, keys: Keys, needed: Mapping[str, Collection[str]] | None = None) -> dict[str, Any]:
+    """What a file holds; arguments as those of :func:`language_file`.
 
     Raises:
-        ConfigError: it has other keys, or words that YAML reads as true or false ("no", "on"). Holds all of them.
+        ConfigError: it has other keys, or words that YAML reads as true or false ("no", "on"), or lacks a key that is
+            needed. Holds all of them.
     """
     text = file.read_text("utf-8")
     data: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)) or {}
@@ -60,6 +65,11 @@ def checked(file: Path, keys: Keys) -> dict[str, Any]:
         Problem(f"a word under {key!r} is read as {'true' if value else 'false'}", str(file), hint="quote it")
         for key, value in _truths(data)
     ]
+    problems += [
+        Problem(f"{key!r} has no {inner!r}", str(file), hint="see the same file of another language")
+        for key, wanted in (needed or {}).items()
+        for inner in sorted(set(wanted).difference(data.get(key, ())))
+    ]
     if problems:
         raise ConfigError(problems)
     return data
@@ -70,7 +80,9 @@ def _unknown(data: Mapping[Any, Any], keys: Keys) -> Iterator[tuple[Any, list[st
     for key, value in data.items():
         if key not in keys:
             yield key, [*keys]
-        elif (known := keys[key]) is not None and isinstance(value, Mapping):
+        elif isinstance(known := keys[key], Mapping) and isinstance(value, Mapping):
+            yield from _unknown(value, known)
+        elif known is not None and isinstance(value, Mapping):
             yield from ((inner, [*known]) for inner in value if inner not in known)
 
 

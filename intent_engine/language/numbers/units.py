@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -47,10 +47,13 @@ _WORDS = frozenset((
 ))  # fmt: skip
 """The lists of function words."""
 KEYS: Keys = {
-    "units": {*FACTORS, *RATES}, "words": _WORDS, "parts": None, "joined": None, "speeds": None, "whole_angles": None,
+    "units": {kind: sizes.keys() for kind, sizes in {**FACTORS, **RATES}.items()}, "words": _WORDS,
+    "parts": None, "joined": None, "speeds": None, "whole_angles": None,
     "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."},
 }  # fmt: skip
-"""What a file may hold."""
+"""What a file may hold,"""
+NEEDED: Mapping[str, Collection[str]] = {"units": (), "words": ("one", "of", "and", "per")}
+"""and what it has to."""
 
 
 @dataclass(frozen=True)
@@ -107,14 +110,14 @@ def units(language: str) -> Units | None:
     """The units of a language, from ``<language>.yaml``; None if there is no such file.
 
     Raises:
-        ConfigError: the file has keys that nobody reads.
+        ConfigError: the file has keys that nobody reads, or lacks words without which no quantity is read.
     """
-    data = language_file("numbers", language, KEYS)
+    data = language_file("numbers", language, KEYS, NEEDED)
     if data is None:
         return None
     by_kind: dict[str, dict[tuple[str, ...], float]] = {}
     names: dict[tuple[str, ...], str] = {}
-    for kind, rows in data["units"].items():
+    for kind, rows in data.get("units", {}).items():
         factors = {**FACTORS.get(kind, {}), **RATES.get(kind, {})}
         for key, spellings in rows.items():
             for spelling in spellings:
