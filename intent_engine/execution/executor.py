@@ -32,8 +32,10 @@ from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler
+from intent_engine.execution.intake import Intake
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
+from intent_engine.execution.progress import Progress
 from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
@@ -119,16 +121,10 @@ class Executor:
             poke,
             self._failsafe.stop_robot,
         )
+        progress = Progress(events, self._failsafe, lambda: self._books.ended.notify_all())
+        self._intake = Intake(self._admission, self._failsafe, stops, progress, queue_limit)
         self._conductor = Conductor(
-            self._admission,
-            carriers,
-            loop,
-            self._failsafe,
-            events,
-            lambda: self._books.ended.notify_all(),
-            stops,
-            hold_limit,
-            queue_limit,
+            self._admission, carriers, loop, self._failsafe, events, self._intake, progress, stops, hold_limit
         )
         self._pulse = Pulse(self._books, self._conductor, events, self.clock)
         self._closing = threading.Lock()
@@ -232,13 +228,13 @@ class Executor:
 
     def estop(self) -> None:
         """Stop, and refuse every command but another stop until :meth:`reset`."""
-        self._conductor.estopped = True
+        self._intake.estopped = True
         self._stop(Reason.ESTOP, EventKind.ESTOP)
 
     def reset(self) -> None:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
         with self._books.locked():
-            self._conductor.estopped = False
+            self._intake.estopped = False
             if self._failsafe.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
             self._failsafe.fault = ""
@@ -392,14 +388,14 @@ class Executor:
 
     @property
     def estopped(self) -> bool:
-        return self._conductor.estopped
+        return self._intake.estopped
 
     def snapshot(self) -> Snapshot:
         """How things stand."""
         with self._books.lock:
             now, pose = self._conductor, self._failsafe.pose()
             return Snapshot(
-                now.running, now.queued, now.held, now.paused, now.estopped, now.closed, self.loop.written, pose
+                now.running, now.queued, now.held, now.paused, self.estopped, now.closed, self.loop.written, pose
             )
 
     # -- end ---------------------------------------------------------------------------------------------------------
@@ -412,7 +408,7 @@ class Executor:
         """
         if not self._closing.acquire(blocking=False):
             return
-        self._conductor.closed = True
+        self._intake.closed = True
         try:
             self._stop(Reason.CLOSED, EventKind.STOP)
             self._books.enter_late()
@@ -438,7 +434,7 @@ class Executor:
     def disown(self) -> None:
         """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
         self._gate.shut()
-        self._conductor.closed = True
+        self._intake.closed = True
         self._closing.acquire(blocking=False)
         self._books.renew()
         self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
