@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from intent_engine.actions import Action, to_json
+from intent_engine.execution.goal import Goal
 
-__all__ = ["denies"]
+__all__ = ["denies", "does"]
+
+
+def does(goals: Iterable[Goal], denied: Iterable[Action]) -> bool:
+    """Whether one of the goals is one of what shall not be done, or was when it was asked for."""
+    done = [action for goal in goals for action in (goal.action, goal.asked)]
+    return any(denies(one, action) for one in denied for action in done)
 
 
 def denies(denied: Action, done: Action) -> bool:

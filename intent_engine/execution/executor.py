@@ -15,7 +15,6 @@ Safety, in the order in which it is kept:
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
 
@@ -26,13 +25,14 @@ from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor
-from intent_engine.execution.denial import denies
+from intent_engine.execution.denial import does
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler
 from intent_engine.execution.intake import Intake
+from intent_engine.execution.life import Life
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
 from intent_engine.execution.progress import Progress
@@ -127,21 +127,16 @@ class Executor:
             self._admission, carriers, loop, self._failsafe, events, self._intake, progress, stops, hold_limit
         )
         self._pulse = Pulse(self._books, self._conductor, events, self.clock)
-        self._closing = threading.Lock()
-        """Taken by who closes, for good."""
+        self._life = Life(
+            robot, loop, self._gate, self._failsafe, self._books, events, self._intake, self._waiting, self.rates.zeros
+        )
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
                 self._events.subscribe(listener)
         if hasattr(self.loop, "attach"):
             self.loop.attach(poke, self._failsafe.stop_robot)
-        self._thread: threading.Thread | None = None
-        if self._stepped is not None:
-            self._stepped.attach(self)
-        else:
-            self._thread = threading.Thread(target=self._pulse.run, name="executor", daemon=True)
-            self._thread.start()
-        shutdown.register(self, handle_sigterm)
+        self._life.begin(self.clock, self, self._pulse, handle_sigterm)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -316,8 +311,7 @@ class Executor:
             return False
         with self._books.locked():
             self._events.tell(EventKind.DENY, denied=listed)
-            goals = self._conductor.goals
-            found = any(denies(one, each) for one in listed for goal in goals for each in (goal.action, goal.asked))
+            found = does(self._conductor.goals, listed)
         if found:
             self.stop(spoken_at=spoken_at)
         self._events.flush()
@@ -406,39 +400,7 @@ class Executor:
         A robot that hangs in a call is not waited for longer than some seconds; what was asked of it ends when it
         answers.
         """
-        if not self._closing.acquire(blocking=False):
-            return
-        self._intake.closed = True
-        try:
-            self._stop(Reason.CLOSED, EventKind.STOP)
-            self._books.enter_late()
-        finally:  # also where Ctrl-C, or a robot's sys.exit(), breaks that off
-            if self._thread is not None and self._thread is not threading.current_thread():
-                self._thread.join(1.0)
-            if self._stepped is not None:
-                self._stepped.detach(self)
-            try:
-                self.last_zeros()
-                shutdown.unregister(self)
-            finally:
-                if hasattr(self.loop, "close"):
-                    self.loop.close()
-                self._events.close()
-
-    def last_zeros(self) -> None:
-        """Zero, as often as the rates say, without lock or thread: for the end of the process."""
-        self._gate.shut()
-        for _ in range(self.rates.zeros):
-            self._failsafe.stop_robot()
-
-    def disown(self) -> None:
-        """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
-        self._gate.shut()
-        self._intake.closed = True
-        self._closing.acquire(blocking=False)
-        self._books.renew()
-        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
-        self._events.disown()
+        self._life.close()
 
     def __reduce__(self) -> str:
         raise TypeError(
