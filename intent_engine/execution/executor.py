@@ -200,6 +200,7 @@ class Executor:
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
                     goal._wait, goal._askers = self._wait_for, stops.leases.askers
+                    goal._parts_of = stops.leases.part_of
                 with self._pulse.whole():
                     self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)
@@ -292,7 +293,8 @@ class Executor:
     def deny(self, actions: Action | Iterable[Action], *, spoken_at: float | None = None) -> bool:
         """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
 
-        Listeners are told of it in any case, since others may do it: an action may have been handed over to them.
+        What the handler of one of them submits is a part of it. Listeners are told in any case, since others may do it:
+        an action may have been handed over to them.
 
         Args:
             actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
@@ -311,7 +313,7 @@ class Executor:
             return False
         with self._books.locked():
             self._events.tell(EventKind.DENY, denied=listed)
-            found = does(self._conductor.goals, listed)
+            found = does([*self._conductor.goals, *self._books.stops.at_work], listed)
         if found:
             self.stop(spoken_at=spoken_at)
         self._events.flush()

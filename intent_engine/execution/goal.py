@@ -160,6 +160,7 @@ class Goal:
         self._lock = threading.RLock()  # a signal handler may stop while the goal changes its state
         self._wait: Callable[[Goal, float | None], None] | None = None
         self._askers: tuple[weakref.ref[Lease], ...] = ()  # leases of the handlers that asked for it, if any did
+        self._parts_of: tuple[Action, ...] = ()  # what those handlers carry out, or did
 
     @property
     def done(self) -> bool:

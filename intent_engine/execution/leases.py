@@ -11,6 +11,7 @@ import weakref
 from collections.abc import Callable, Iterable
 from contextvars import ContextVar
 
+from intent_engine.actions import Action
 from intent_engine.execution.goal import Goal, GoalState, Reason
 from intent_engine.execution.runs import Ending
 
@@ -34,6 +35,8 @@ class Lease:
         """The last stop when it began, or the handler's own since."""
         self.lost = Reason.NONE
         """Why it is over."""
+        self.works = True
+        """The handler has not returned."""
         self.leases = leases
         self.within = within
         """What the same thread, or task, was doing around it: the handler of another executor, perhaps."""
@@ -65,6 +68,21 @@ class Leases:
         # Those who can ask for nothing any more are left out: a handler may have begun itself again for days.
         return (weakref.ref(holder), *(giver for giver in holder.goal._askers if giver() is not None))
 
+    @property
+    def part_of(self) -> tuple[Action, ...]:
+        """What the handler carries out that asks for something now, and what that is a part of. Takes no lock."""
+        if (holder := self.holder) is None:
+            return ()
+        whole: list[Action] = []
+        for action in (holder.goal.asked, holder.goal.action, *holder.goal._parts_of):
+            if action not in whole:  # a handler may have begun itself again for days
+                whole.append(action)
+        return tuple(whole)
+
+    def at_work(self, since: object) -> list[Goal]:
+        """Those whose handlers may still submit something, though they may have ended; ``since``: the last stop."""
+        return [lease.goal for lease in self._all if lease.works and not lease.lost and lease.since is since]
+
     def carrying_out(self, goal: Goal, since: object, work: Callable[[], None]) -> Callable[[], None]:
         """The work of a handler that begins now, in whatever thread it is done."""
         lease = Lease(goal, since, self, None)
@@ -77,6 +95,7 @@ class Leases:
                 work()
             finally:
                 _held.reset(before)
+                lease.works = False
 
         return do
 

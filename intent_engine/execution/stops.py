@@ -38,6 +38,11 @@ class Stops:
         holder = self.leases.holder
         return self._latest if holder is None else holder.since
 
+    @property
+    def at_work(self) -> list[Goal]:
+        """The goals of handlers that may still submit something. Under the executor's lock."""
+        return self.leases.at_work(self._latest)
+
     def came_after(self, since: object) -> bool:
         """Whether a stop has been asked for since."""
         return self._latest is not since
