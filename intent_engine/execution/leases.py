@@ -49,7 +49,7 @@ class Leases:
     """Who has a lease on one robot, and who has lost it. Under the executor's lock, where it does not say otherwise."""
 
     def __init__(self) -> None:
-        self._all: weakref.WeakSet[Lease] = weakref.WeakSet()
+        self._all: tuple[weakref.ref[Lease], ...] = ()  # never changed in place: a signal handler may come at any time
 
     @property
     def holder(self) -> Lease | None:
@@ -81,12 +81,12 @@ class Leases:
 
     def at_work(self, since: object) -> list[Goal]:
         """Those whose handlers may still submit something, though they may have ended; ``since``: the last stop."""
-        return [lease.goal for lease in self._all if lease.works and not lease.lost and lease.since is since]
+        return [lease.goal for lease in _alive(self._all) if lease.works and not lease.lost and lease.since is since]
 
     def carrying_out(self, goal: Goal, since: object, work: Callable[[], None]) -> Callable[[], None]:
         """The work of a handler that begins now, in whatever thread it is done."""
         lease = Lease(goal, since, self, None)
-        self._all.add(lease)
+        self._all = (*(each for each in self._all if each() is not None), weakref.ref(lease))
 
         def do() -> None:
             lease.within = _held.get()
@@ -102,7 +102,7 @@ class Leases:
     def taken_over(self, goal: Goal | None, reason: Reason) -> None:
         """The robot is another's now: of the handlers, only those that asked for ``goal`` go on."""
         keep = _alive(goal._askers) if goal is not None else []
-        self._end([lease for lease in self._all if lease not in keep], reason)
+        self._end([lease for lease in _alive(self._all) if lease not in keep], reason)
 
     def cancelled(self, goal: Goal) -> None:
         """Somebody cancels what a handler does, or has asked for; if not a handler what is its own."""
@@ -123,7 +123,7 @@ class Leases:
         return Ending(GoalState.REJECTED, lost, why)
 
     def _of(self, goal: Goal) -> list[Lease]:
-        return [lease for lease in self._all if lease.goal is goal]
+        return [lease for lease in _alive(self._all) if lease.goal is goal]
 
     def _end(self, leases: Iterable[Lease], reason: Reason) -> None:
         for lease in leases:
