@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from intent_engine.actions import Action, to_json
+from intent_engine.execution.goal import Goal
 
-__all__ = ["denies"]
+__all__ = ["denies", "does"]
+
+
+def does(goals: Iterable[Goal], denied: Iterable[Action]) -> bool:
+    """Whether one of the goals is one of what shall not be done, was when it was asked for, or is a part of one: what
+    the handler of "clean" submits."""
+    done = [action for goal in goals for action in (goal.action, goal.asked, *goal._parts_of)]
+    return any(denies(one, action) for one in denied for action in done)
 
 
 def denies(denied: Action, done: Action) -> bool:

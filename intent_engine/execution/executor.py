@@ -15,7 +15,6 @@ Safety, in the order in which it is kept:
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import TracebackType
 
@@ -26,14 +25,17 @@ from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
 from intent_engine.execution.conductor import Conductor
-from intent_engine.execution.denial import denies
+from intent_engine.execution.denial import does
 from intent_engine.execution.events import Dispatcher, EventKind, Listener
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler
+from intent_engine.execution.intake import Intake
+from intent_engine.execution.life import Life
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
+from intent_engine.execution.progress import Progress
 from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
@@ -115,37 +117,26 @@ class Executor:
             robot,
             self._admission,
             loop,
-            lambda work: events.launch(stops.carrying_out(work)),
+            lambda goal, work: events.launch(stops.carrying_out(goal, work)),
             poke,
             self._failsafe.stop_robot,
         )
+        progress = Progress(events, self._failsafe, lambda: self._books.ended.notify_all())
+        self._intake = Intake(self._admission, self._failsafe, stops, progress, queue_limit)
         self._conductor = Conductor(
-            self._admission,
-            carriers,
-            loop,
-            self._failsafe,
-            events,
-            lambda: self._books.ended.notify_all(),
-            stops,
-            hold_limit,
-            queue_limit,
+            self._admission, carriers, loop, self._failsafe, events, self._intake, progress, stops, hold_limit
         )
         self._pulse = Pulse(self._books, self._conductor, events, self.clock)
-        self._closing = threading.Lock()
-        """Taken by who closes, for good."""
+        self._life = Life(
+            robot, loop, self._gate, self._failsafe, self._books, events, self._intake, self._waiting, self.rates.zeros
+        )
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
                 self._events.subscribe(listener)
         if hasattr(self.loop, "attach"):
             self.loop.attach(poke, self._failsafe.stop_robot)
-        self._thread: threading.Thread | None = None
-        if self._stepped is not None:
-            self._stepped.attach(self)
-        else:
-            self._thread = threading.Thread(target=self._pulse.run, name="executor", daemon=True)
-            self._thread.start()
-        shutdown.register(self, handle_sigterm)
+        self._life.begin(self.clock, self, self._pulse, handle_sigterm)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -164,7 +155,7 @@ class Executor:
 
         Either all of them are accepted or none: half of what was said is never done. What was asked for before a stop
         is rejected as well, if that comes before this call has returned; so is what a handler submits that was begun
-        before the stop, unless it was the handler that stopped.
+        before the stop, unless it was the handler that stopped, and what one submits that had to make way.
 
         Args:
             actions: what to do. A :class:`Stop` that comes first stops at once, whatever else is going on.
@@ -188,7 +179,8 @@ class Executor:
             ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
                 that is none.
         """
-        since: object = self._books.stops.since
+        stops = self._books.stops
+        since: object = stops.since
         several = isinstance(actions, Iterable) and not isinstance(actions, Mapping)
         listed: list[Action] = list(actions) if several else [actions]  # type: ignore[arg-type, list-item]
         if listed and isinstance(listed[0], Stop):
@@ -207,7 +199,8 @@ class Executor:
                 self._utterance += 1
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
-                    goal._wait = self._wait_for
+                    goal._wait, goal._askers = self._wait_for, stops.leases.askers
+                    goal._parts_of = stops.leases.part_of
                 with self._pulse.whole():
                     self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)
@@ -231,13 +224,13 @@ class Executor:
 
     def estop(self) -> None:
         """Stop, and refuse every command but another stop until :meth:`reset`."""
-        self._conductor.estopped = True
+        self._intake.estopped = True
         self._stop(Reason.ESTOP, EventKind.ESTOP)
 
     def reset(self) -> None:
         """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
         with self._books.locked():
-            self._conductor.estopped = False
+            self._intake.estopped = False
             if self._failsafe.fault and hasattr(self.loop, "restart"):
                 self.loop.restart()
             self._failsafe.fault = ""
@@ -300,7 +293,8 @@ class Executor:
     def deny(self, actions: Action | Iterable[Action], *, spoken_at: float | None = None) -> bool:
         """Stop, if one of these is being carried out or waits its turn: "don't clean the lab" to a robot that does.
 
-        Listeners are told of it in any case, since others may do it: an action may have been handed over to them.
+        What the handler of one of them submits is a part of it. Listeners are told in any case, since others may do it:
+        an action may have been handed over to them.
 
         Args:
             actions: :attr:`Interpretation.denied`. What they leave open may be anything: a custom action without slots
@@ -319,8 +313,7 @@ class Executor:
             return False
         with self._books.locked():
             self._events.tell(EventKind.DENY, denied=listed)
-            goals = self._conductor.goals
-            found = any(denies(one, each) for one in listed for goal in goals for each in (goal.action, goal.asked))
+            found = does([*self._conductor.goals, *self._books.stops.at_work], listed)
         if found:
             self.stop(spoken_at=spoken_at)
         self._events.flush()
@@ -391,14 +384,14 @@ class Executor:
 
     @property
     def estopped(self) -> bool:
-        return self._conductor.estopped
+        return self._intake.estopped
 
     def snapshot(self) -> Snapshot:
         """How things stand."""
         with self._books.lock:
             now, pose = self._conductor, self._failsafe.pose()
             return Snapshot(
-                now.running, now.queued, now.held, now.paused, now.estopped, now.closed, self.loop.written, pose
+                now.running, now.queued, now.held, now.paused, self.estopped, now.closed, self.loop.written, pose
             )
 
     # -- end ---------------------------------------------------------------------------------------------------------
@@ -409,39 +402,7 @@ class Executor:
         A robot that hangs in a call is not waited for longer than some seconds; what was asked of it ends when it
         answers.
         """
-        if not self._closing.acquire(blocking=False):
-            return
-        self._conductor.closed = True
-        try:
-            self._stop(Reason.CLOSED, EventKind.STOP)
-            self._books.enter_late()
-        finally:  # also where Ctrl-C, or a robot's sys.exit(), breaks that off
-            if self._thread is not None and self._thread is not threading.current_thread():
-                self._thread.join(1.0)
-            if self._stepped is not None:
-                self._stepped.detach(self)
-            try:
-                self.last_zeros()
-                shutdown.unregister(self)
-            finally:
-                if hasattr(self.loop, "close"):
-                    self.loop.close()
-                self._events.close()
-
-    def last_zeros(self) -> None:
-        """Zero, as often as the rates say, without lock or thread: for the end of the process."""
-        self._gate.shut()
-        for _ in range(self.rates.zeros):
-            self._failsafe.stop_robot()
-
-    def disown(self) -> None:
-        """In a child that was forked: the robot is the parent's, and what is submitted here is rejected."""
-        self._gate.shut()
-        self._conductor.closed = True
-        self._closing.acquire(blocking=False)
-        self._books.renew()
-        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
-        self._events.disown()
+        self._life.close()
 
     def __reduce__(self) -> str:
         raise TypeError(

@@ -29,6 +29,10 @@ class Waiting:
         self._ended = ended
         self._idle = idle
 
+    def renew(self, ended: threading.Condition) -> None:
+        """The books have a new lock: in a child that was forked."""
+        self._ended = ended
+
     def wait(self, goals: Sequence[Goal] | None, timeout: float | None) -> bool:
         """Whether the goals (None: all) have ended within ``timeout`` s.
 

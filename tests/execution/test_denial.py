@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import threading
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine import Executor, SimulatedRobot
+from intent_engine import Executor, Goal, SimulatedRobot
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Turn
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.denial import denies
@@ -91,3 +93,54 @@ def test_listeners_are_told_of_what_nobody_here_does():
                 "denied": [{"type": "custom", "name": "clean", "slots": {"room": room}} for room in ("lab", "hall")],
             }
         ]
+
+
+class Cleaning:
+    """A handler that drives by what it submits, which takes the place of its own goal."""
+
+    def __init__(self, returns: bool) -> None:
+        self.driving, self.resting, self.over = threading.Event(), threading.Event(), threading.Event()
+        self.returns = returns
+        self.driven: list[Goal] = []
+        self.executor = Executor(SimulatedRobot(), handlers={"clean": self.clean, "tidy": self.tidy})
+
+    def tidy(self, action: Custom) -> None:
+        self.driven += self.executor.submit(LAB)
+
+    def clean(self, action: Custom) -> None:
+        self.driven += self.executor.submit(Move(0.5, 50.0, 100.0))
+        self.driving.set()
+        if not self.returns:
+            assert self.resting.wait(30.0)
+            self.driven += self.executor.submit(Move(0.5, 50.0, 100.0))
+        self.over.set()
+
+
+@pytest.mark.parametrize("asked", [LAB, Custom("tidy")], ids=["itself", "by another handler"])
+@pytest.mark.parametrize("returns", [True, False])
+@pytest.mark.parametrize(("denied", "stops"), [(LAB, True), (Custom("clean"), True), (HALL, False)], ids=str)
+def test_what_a_handler_does_by_what_it_submits_is_denied_with_it(asked, returns, denied, stops):
+    scene = Cleaning(returns)
+    with scene.executor as executor:
+        executor.submit(asked)
+        assert scene.driving.wait(30.0)
+        assert executor.deny(denied) is stops
+        assert scene.driven[-1].done is stops
+        assert asked is LAB or executor.deny(asked) is not stops
+        scene.resting.set()
+        assert scene.over.wait(30.0)
+
+
+def test_a_handler_is_denied_between_two_drives_and_not_when_it_is_over(stage):
+    said: list[bool] = []
+
+    def clean(action):
+        s.executor.submit(Move(0.5, 0.5, 1.0))[0].result()
+        said.append(s.executor.deny(HALL))
+        said.append(s.executor.deny(LAB))
+
+    s = stage(handlers={"clean": clean})
+    s.executor.submit(LAB)
+    s.executor.run_until_idle()
+    assert said == [False, True]
+    assert not s.executor.deny(LAB)
