@@ -172,6 +172,33 @@ def test_a_slot_without_a_list_takes_what_both_heard_word_by_word(tmp_path, firs
     assert found.unclear == (("sixteen",) if clear else ())
 
 
+BLOCK = """
+language: en
+slots: {device: [block, stage], temp: {type: number, min: 0, max: 110}}
+intents:
+  heat: {action: custom, sentences: ["(heat|set) the {device} to {temp} degrees"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("second", "unclear"),
+    [
+        ("the block at ninety five degrees", ("set",)),
+        ("did the block at ninety five degrees", ("set",)),
+        ("set the block at ninety five degrees", ()),
+        ("send the block to ninety five degrees", ()),
+    ],
+)
+def test_without_a_verb_that_one_heard_a_thing_is_only_told_of(engine_of, second, unclear):
+    """ "Is the block at ninety five degrees"."""
+    said = "set the block to ninety five degrees"
+    first, other = (
+        Thinks(heard(text, 0.6, score=-0.9), {said: LIKELY}) for text in ("the block at ninety five degrees", second)
+    )
+    found = both_think(engine_of(BLOCK), first, other)
+    assert (found.text, found.unclear) == (said, unclear)
+
+
 def test_what_both_heard_to_the_end_is_not_left_out(engine):
     text = f"{FORWARD} at six miles"
     first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})
