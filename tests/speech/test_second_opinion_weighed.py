@@ -199,6 +199,23 @@ def test_without_a_verb_that_one_heard_a_thing_is_only_told_of(engine_of, second
     assert (found.text, found.unclear) == (said, unclear)
 
 
+SAMPLES = """
+language: en
+slots: {unit: {type: choice, values: {one: otter one, two: otter two}}, samples: {type: number, min: 1, max: 20}}
+intents:
+  sample: {action: custom, sentences: ["{unit} take {samples} samples"]}
+"""
+
+
+@pytest.mark.parametrize(("second", "left_out"), [("took", ("took",)), ("take", ())])
+def test_who_took_something_is_told_of(engine_of, second, left_out):
+    """Where both heard it: one of two may have misheard."""
+    said, freely = ("otter one {} six samples".format(verb) for verb in ("take", "took"))
+    first = Thinks(heard(freely, 0.6, score=-0.9), {said: LIKELY})
+    other = Thinks(heard(said.replace("take", second), 0.6, score=-0.9), {said: LIKELY})
+    assert both_think(engine_of(SAMPLES), first, other).left_out == left_out
+
+
 def test_what_both_heard_to_the_end_is_not_left_out(engine):
     text = f"{FORWARD} at six miles"
     first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})
