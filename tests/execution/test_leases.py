@@ -105,7 +105,9 @@ def test_a_handler_that_was_replaced_does_not_take_the_robot_back(how, policy):
         (new,) = scene.executor.submit(LONG)
         again = scene.finish()
         assert outcome(again) == (GoalState.REJECTED, Reason.PREEMPTED)
-        assert again.detail == "the handler that asks for it has no turn any more: another command has come since it began"
+        assert (
+            again.detail == "the handler that asks for it has no turn any more: another command has come since it began"
+        )
         assert not new.done
         assert outcome(scene.driven[0]) == (GoalState.CANCELED, Reason.PREEMPTED)
 
