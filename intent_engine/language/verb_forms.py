@@ -34,7 +34,7 @@ IRREGULAR: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 """and verbs with those that sound otherwise. "Left" is a side more often than a form of "leave", and "set", "put" and
 "cut" are their own."""
-_VERB_OF = {form: verb for verb, forms in IRREGULAR.items() for form in forms} | NEARLY_THE_VERB
+_VERB_OF = {**{form: verb for verb, forms in IRREGULAR.items() for form in forms}, **NEARLY_THE_VERB}
 
 
 def told_forms_of(word: str, language: str) -> Iterator[str]:

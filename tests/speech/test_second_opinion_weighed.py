@@ -210,7 +210,7 @@ intents:
 @pytest.mark.parametrize(("second", "left_out"), [("took", ("took",)), ("take", ())])
 def test_who_took_something_is_told_of(engine_of, second, left_out):
     """Where both heard it: one of two may have misheard."""
-    said, freely = ("otter one {} six samples".format(verb) for verb in ("take", "took"))
+    said, freely = (f"otter one {verb} six samples" for verb in ("take", "took"))
     first = Thinks(heard(freely, 0.6, score=-0.9), {said: LIKELY})
     other = Thinks(heard(said.replace("take", second), 0.6, score=-0.9), {said: LIKELY})
     assert both_think(engine_of(SAMPLES), first, other).left_out == left_out
