@@ -23,7 +23,7 @@ class Carriers:
         robot: drives by itself, picks and places.
         admission: knows the handlers, and for how long anything may go on.
         loop: writes the velocities of motions.
-        launch: does the work of a goal's handler, outside the executor's lock.
+        launch: does the work of a handler, outside the executor's lock.
         poke: is called when something has ended.
         stop_robot: the robot's own stop, for one inside a sequence.
     """
@@ -33,7 +33,7 @@ class Carriers:
         robot: Robot,
         admission: Admission,
         loop: VelocityLoop,
-        launch: Callable[[Goal, Callable[[], None]], None],
+        launch: Callable[[Callable[[], None]], None],
         poke: Callable[[], None],
         stop_robot: Callable[[], object],
     ) -> None:

@@ -70,7 +70,6 @@ class Conductor:
         self._events = events
         self._ended = ended
         self._stops = stops
-        self._leases = stops.leases
         self._hold_limit, self._queue_limit = hold_limit, queue_limit
         self._queue: deque[_Waiting] = deque()
         self._run: Run | None = None
@@ -119,7 +118,6 @@ class Conductor:
     def advance(self, now: float) -> None:
         """Do all that is due. Nothing that a robot raises leaves here."""
         if self._held_since is not None and now >= self._held_since + self._hold_limit:
-            self._leases.taken_over(None, Reason.HOLD_EXPIRED)
             self.stop(Reason.HOLD_EXPIRED, EventKind.STOP, now)
         while True:
             run = self._run
@@ -138,7 +136,6 @@ class Conductor:
             if ending is None:
                 break
             self._run = None
-            self._leases.broken_off(run.goal, ending.reason)
             self._end(run.goal, ending, now, run)
         if self._run is not None and now >= self._feedback_at:
             self._give_feedback(self._run, now)
@@ -177,7 +174,6 @@ class Conductor:
             return
         covered = self._covered_for(goals[0], amends, now) if amends is not None else None
         if policy is Policy.REPLACE:
-            self._leases.taken_over(goals[0], Reason.PREEMPTED)
             self._make_way(goals[0], now)
         before = self._queue[-1].goal if self._queue else self.running
         for goal, its in zip(goals, terms, strict=True):
@@ -194,7 +190,6 @@ class Conductor:
 
     def cancel(self, goal: Goal, now: float) -> None:
         """End one goal and what was said with it after it."""
-        self._leases.cancelled(goal)
         waiting = next((each for each in self._queue if each.goal is goal), None)
         if waiting is not None:
             self._queue.remove(waiting)
@@ -252,8 +247,6 @@ class Conductor:
             return Ending(GoalState.REJECTED, Reason.STOP, "a stop came after it was asked for")
         if self._stops.came_after_words(goal.times.spoken):
             return Ending(GoalState.REJECTED, Reason.STOP, "it was said before the last stop; say it again")
-        if (lost := self._leases.refusal(goal)) is not None:
-            return lost
         if self._failsafe.fault and self._admission.drives(goal.action):
             return Ending(GoalState.REJECTED, Reason.VELOCITY_LOOP, f"{self._failsafe.fault}; reset() starts it again")
         return self._admission.expired(goal, now) or self._admission.impossible(goal)
@@ -338,7 +331,6 @@ class Conductor:
             return True
         if run.needs_rest:
             self._loop.silence()
-        self._leases.taken_over(goal, Reason.PREEMPTED)
         self._run = run
         self._move(goal, GoalState.EXECUTING, now)
         if self._run is not run:
@@ -464,7 +456,6 @@ class Conductor:
                 self._events.tell(EventKind.ERROR, detail=told(error), reason=reason)
             return
         self._run = None
-        self._leases.broken_off(run.goal, reason)
         state = GoalState.CANCELED if run.goal.state is GoalState.CANCELING else GoalState.ABORTED
         self._end(run.goal, Ending(state, reason, told(error)), now, run)
 

@@ -115,7 +115,7 @@ class Executor:
             robot,
             self._admission,
             loop,
-            lambda goal, work: events.launch(stops.carrying_out(goal, work)),
+            lambda work: events.launch(stops.carrying_out(work)),
             poke,
             self._failsafe.stop_robot,
         )
@@ -164,7 +164,7 @@ class Executor:
 
         Either all of them are accepted or none: half of what was said is never done. What was asked for before a stop
         is rejected as well, if that comes before this call has returned; so is what a handler submits that was begun
-        before the stop, unless it was the handler that stopped, and what one submits that had to make way.
+        before the stop, unless it was the handler that stopped.
 
         Args:
             actions: what to do. A :class:`Stop` that comes first stops at once, whatever else is going on.
@@ -188,8 +188,7 @@ class Executor:
             ValueError: an unknown policy, an unknown keep or not one for each action, not a guard for each, or a time
                 that is none.
         """
-        stops = self._books.stops
-        since: object = stops.since
+        since: object = self._books.stops.since
         several = isinstance(actions, Iterable) and not isinstance(actions, Mapping)
         listed: list[Action] = list(actions) if several else [actions]  # type: ignore[arg-type, list-item]
         if listed and isinstance(listed[0], Stop):
@@ -208,7 +207,7 @@ class Executor:
                 self._utterance += 1
                 goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
                 for goal in goals:
-                    goal._wait, goal._askers = self._wait_for, stops.leases.askers
+                    goal._wait = self._wait_for
                 with self._pulse.whole():
                     self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)

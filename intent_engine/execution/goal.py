@@ -16,18 +16,14 @@ from __future__ import annotations
 import asyncio
 import itertools
 import threading
-import weakref
 from collections.abc import Callable, Generator
 from concurrent.futures import Future
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from intent_engine.actions import Action, to_json
 from intent_engine.execution.robots.robot import Pose
-
-if TYPE_CHECKING:
-    from intent_engine.execution.leases import Lease
 
 __all__ = ["Feedback", "Goal", "GoalState", "Guard", "Reason", "Times"]
 
@@ -159,7 +155,6 @@ class Goal:
         self._future.set_running_or_notify_cancel()
         self._lock = threading.RLock()  # a signal handler may stop while the goal changes its state
         self._wait: Callable[[Goal, float | None], None] | None = None
-        self._askers: tuple[weakref.ref[Lease], ...] = ()  # leases of the handlers that asked for it, if any did
 
     @property
     def done(self) -> bool:

@@ -42,7 +42,7 @@ class HandlerRun:
         self,
         goal: Goal,
         handler: Handler,
-        launch: Callable[[Goal, Callable[[], None]], None],
+        launch: Callable[[Callable[[], None]], None],
         poke: Callable[[], None],
         timeout: float,
     ) -> None:
@@ -57,7 +57,7 @@ class HandlerRun:
 
     def begin(self, now: float) -> None:
         self._deadline = now + self._timeout
-        self._launch(self.goal, self._work)
+        self._launch(self._work)
 
     def _work(self) -> None:
         if self._context.cancelled.is_set():

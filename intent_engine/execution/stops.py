@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from intent_engine.execution.events import EventKind
-from intent_engine.execution.goal import Goal, Reason
-from intent_engine.execution.leases import Leases
+from intent_engine.execution.goal import Reason
 
 __all__ = ["StopCall", "Stops"]
 
@@ -29,14 +29,14 @@ class Stops:
     def __init__(self) -> None:
         self._latest: StopCall | None = None
         self._said = -math.inf
-        self.leases = Leases()
+        self._work = threading.local()
+        """``since``: the last stop when the handler began that this thread carries out."""
 
     @property
     def since(self) -> object:
-        """What :meth:`came_after` compares with, for what is asked for now. A handler asks as of the time when it
-        was begun: one that does several things in turn was stopped with the first of them."""
-        holder = self.leases.holder
-        return self._latest if holder is None else holder.since
+        """What :meth:`came_after` compares with, for what is asked for now, in this thread. A handler asks as of the
+        time when it was begun: one that does several things in turn was stopped with the first of them."""
+        return getattr(self._work, "since", self._latest)
 
     def came_after(self, since: object) -> bool:
         """Whether a stop has been asked for since."""
@@ -48,15 +48,25 @@ class Stops:
 
     def asked(self, stop: StopCall) -> None:
         """Somebody asks for a stop. What a handler does after a stop of its own is its own to say."""
-        holder = self.leases.holder
-        if holder is not None and holder.since is self._latest:
-            holder.since = stop
+        if getattr(self._work, "since", stop) is self._latest:
+            self._work.since = stop
         self._latest = stop
 
     def entered(self, stops: Iterable[StopCall]) -> None:
         """Under the executor's lock: what they end has ended."""
         self._said = max(self._said, *(stop.said for stop in stops))
 
-    def carrying_out(self, goal: Goal, work: Callable[[], None]) -> Callable[[], None]:
+    def carrying_out(self, work: Callable[[], None]) -> Callable[[], None]:
         """The work of a handler that begins now, in whatever thread it is done."""
-        return self.leases.carrying_out(goal, self._latest, work)
+        since = self._latest
+
+        def do() -> None:
+            before = self._work.__dict__.copy()
+            self._work.since = since
+            try:
+                work()
+            finally:
+                self._work.__dict__.clear()
+                self._work.__dict__.update(before)
+
+        return do
