@@ -3,24 +3,45 @@ forbidden and ended ("non *girare*"), where a command says "gira"."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import Grammar
 
-__all__ = ["told_forms_of", "verbs_told"]
+__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "told_forms_of", "verbs_told"]
 
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
 LEAST_LETTERS = 2
-IRREGULAR = {"led": "lead"}
-"""Forms that sound like the verb itself, or nearly, and have no such ending."""
+NEARLY_THE_VERB: Mapping[str, str] = {
+    "led": "lead", "sent": "send", "bent": "bend", "built": "build", "lent": "lend", "spent": "spend",
+}  # fmt: skip
+"""English forms without such an ending that sound like the verb itself, or nearly,"""
+IRREGULAR: Mapping[str, tuple[str, ...]] = {
+    "begin": ("began", "begun"), "blow": ("blew", "blown"), "break": ("broke", "broken"), "bring": ("brought",),
+    "buy": ("bought",), "catch": ("caught",), "choose": ("chose", "chosen"), "come": ("came",), "dig": ("dug",),
+    "dive": ("dove",), "do": ("did", "done"), "draw": ("drew", "drawn"), "drive": ("drove", "driven"),
+    "fall": ("fell", "fallen"), "feed": ("fed",), "find": ("found",), "fly": ("flew", "flown"),
+    "freeze": ("froze", "frozen"), "get": ("got", "gotten"), "give": ("gave", "given"), "go": ("went", "gone"),
+    "grind": ("ground",), "hang": ("hung",), "hold": ("held",), "keep": ("kept",), "light": ("lit",),
+    "make": ("made",), "pay": ("paid",), "ride": ("rode", "ridden"), "ring": ("rang", "rung"),
+    "rise": ("rose", "risen"), "run": ("ran",), "say": ("said",), "seek": ("sought",), "sell": ("sold",),
+    "shake": ("shook", "shaken"), "shoot": ("shot",), "show": ("shown",), "sing": ("sang", "sung"),
+    "sink": ("sank", "sunk"), "sit": ("sat",), "sleep": ("slept",), "slide": ("slid",), "speak": ("spoke", "spoken"),
+    "spin": ("spun",), "stand": ("stood",), "stick": ("stuck",), "sweep": ("swept",), "swim": ("swam", "swum"),
+    "swing": ("swung",), "take": ("took", "taken"), "teach": ("taught",), "tell": ("told",),
+    "throw": ("threw", "thrown"), "wake": ("woke", "woken"), "wear": ("wore", "worn"), "win": ("won",),
+    "wind": ("wound",), "write": ("wrote", "written"),
+}  # fmt: skip
+"""and verbs with those that sound otherwise. "Left" is a side more often than a form of "leave", and "set", "put" and
+"cut" are their own."""
+_VERB_OF = {**{form: verb for verb, forms in IRREGULAR.items() for form in forms}, **NEARLY_THE_VERB}
 
 
 def told_forms_of(word: str, language: str) -> Iterator[str]:
     """The verbs of which a word may be such a form: of "stopped" these are "stopp", which is none, and "stop". None in
     other languages than English."""
-    if language == "en" and word in IRREGULAR:
-        yield IRREGULAR[word]
+    if language == "en" and word in _VERB_OF:
+        yield _VERB_OF[word]
     for ending, own in ENDINGS if language == "en" else ():
         stem = word.removesuffix(ending)
         if stem == word or len(stem) < LEAST_LETTERS:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
-from intent_engine.actions import Action, Move, Navigate, Pick, Place, Turn
+from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Turn
 from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal, GoalState
 from intent_engine.interpretation import Interpretation, Status
@@ -83,7 +83,10 @@ class CarriedOut:
             more = whole.actions[len(done) :]
             return Step(more, Policy.FOLLOW, goes_on=True) if more else None
         first = self.goals[0]
-        begun = first.state is GoalState.EXECUTING or (first.succeeded and not isinstance(first.action, Pick | Place))
+        at_work = first.state is GoalState.EXECUTING
+        if whole.corrected and at_work and len(self.goals) == 1 and isinstance(first.action, Custom):
+            return Step(whole.actions, Policy.REPLACE, goes_on=True)  # as after a "no" alone, which stops it
+        begun = at_work or (first.succeeded and not isinstance(first.action, Pick | Place))
         if not (begun and can_be_amended(self.meaning)):
             return None
         return Step(whole.actions, Policy.REPLACE, first, goes_on=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.references import Before
@@ -12,11 +12,15 @@ from intent_engine.runtime.amending import can_be_amended
 from intent_engine.runtime.judgement import Judge
 from intent_engine.runtime.transcript_grammar import grammar_of, intents_of, language_of
 from intent_engine.speech.endpoint import Outlook
+from intent_engine.speech.hypotheses.evidence import letters_apart
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY
 
 __all__ = ["Expectation"]
+
+LAST_WORDS = 3
+"""Words at the end of a command, "the swimming pool", of which others may have been said that it goes on from."""
 
 
 class Expectation:
@@ -55,13 +59,32 @@ class Expectation:
             if meaning.stops:
                 return meaning, Outlook.COMPLETE
             amended = amendable and can_be_amended(meaning)
-            if not prefix.settled or (prefix.resting and not amended):
+            rests = prefix.resting or self._as_like_unfinished(transcript, language)
+            if not prefix.settled or (rests and not amended):
                 waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
                 return meaning, waits[1 - amended + _hardly_heard(transcript)]
             # "Take up", before a "picture", is like "take off", which nothing can follow.
             over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
             return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED
         return meaning, Outlook.INCOMPLETE if prefix.status is PrefixStatus.INCOMPLETE else Outlook.OTHER
+
+    def _as_like_unfinished(self, transcript: Transcript, language: str | None) -> bool:
+        """Whether what was heard is as near to the beginning of another sentence as to the command that it was taken
+        for: "to the rule" may be "to the pool", and "to room" of which the number is to come."""
+        if transcript.word_by_word:
+            return False
+        said, heard = (self._spoken.words(text, language) for text in (transcript.text, transcript.free_text))
+        apart = letters_apart(said, heard) if heard else -1.0
+        return any(
+            letters_apart([*begun, word], heard) <= apart and self._begins_only([*begun, word], language)
+            for begun in (said[:count] for count in range(max(1, len(said) - LAST_WORDS), len(said)))
+            for word in self._engine.prefix(" ".join(begun), language=language, spoken=True).next_words
+            if word[0] != "<"
+        )
+
+    def _begins_only(self, words: Sequence[str], language: str | None) -> bool:
+        prefix = self._engine.prefix(" ".join(words), language=language, spoken=True)
+        return prefix.status is PrefixStatus.INCOMPLETE
 
     def _only_called(self, transcript: Transcript) -> bool:
         """Whether nothing was heard but the wake word: "robot", "hey robot"."""

@@ -52,7 +52,15 @@ def test_a_slip_and_more_of_a_thing_are_understood(lab, said, slots):
 
 @pytest.mark.parametrize(
     ("word", "verb"),
-    [("opens", "open"), ("closes", "close"), ("empties", "empty"), ("pausing", "pause"), ("gripped", "grip")],
+    [
+        ("opens", "open"),
+        ("closes", "close"),
+        ("empties", "empty"),
+        ("pausing", "pause"),
+        ("gripped", "grip"),
+        ("took", "take"),
+        ("led", "lead"),
+    ],
 )
 def test_the_verb_of_a_form(word, verb):
     assert verb in told_forms_of(word, "en")

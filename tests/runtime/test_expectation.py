@@ -96,6 +96,34 @@ def test_a_motion_is_not_waited_for_since_it_can_be_put_right(judge):
     assert expected(judge, heard)[1] is Outlook.EXTENDABLE
 
 
+HOTEL = """
+slots:
+  room: {type: number, whole: true, min: 100, max: 400}
+  place: [pool, laundry, lobby]
+intents:
+  bring: {action: custom, sentences: ["bring towels to (the {place}|{place}|room {room})"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "free", "outlook"),
+    [
+        ("bring towels to pool", "bring towels to rule", Outlook.EXTENDABLE),  # or to room ...
+        ("bring towels to pool", "ring towels to rule", Outlook.EXTENDABLE),
+        ("bring towels to pool", "bringing towels to rume", Outlook.EXTENDABLE),
+        ("bring towels to the pool", "bring towels to room", Outlook.EXTENDABLE),
+        ("bring towels to pool", "ring towels to pull", Outlook.SETTLED),
+        ("bring towels to the lobby", "bring towels to the loby", Outlook.SETTLED),
+        ("bring towels to the lobby", "bring towels the lobby", Outlook.SETTLED),
+        ("bring towels to pool", "bring towels to pool", Outlook.COMPLETE),
+    ],
+)
+def test_what_is_as_like_an_unfinished_sentence_is_waited_for(engine_of, text, free, outlook):
+    confidence = 1.0 if text == free else 0.9
+    heard = Transcript(text, CLEARLY, free, gap=0.1, confidence=confidence)
+    assert expected(Judge(engine_of(HOTEL)), heard)[1] is outlook
+
+
 OWN_WAITS = """
 intents:
   order: {action: {type: custom, name: order}, sentences: ["a latte [with milk]"], wait: 450 ms}

@@ -172,6 +172,50 @@ def test_a_slot_without_a_list_takes_what_both_heard_word_by_word(tmp_path, firs
     assert found.unclear == (("sixteen",) if clear else ())
 
 
+BLOCK = """
+language: en
+slots: {device: [block, stage], temp: {type: number, min: 0, max: 110}}
+intents:
+  heat: {action: custom, sentences: ["(heat|set) the {device} to {temp} degrees"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("second", "unclear"),
+    [
+        ("the block at ninety five degrees", ("set",)),
+        ("did the block at ninety five degrees", ("set",)),
+        ("set the block at ninety five degrees", ()),
+        ("send the block to ninety five degrees", ()),
+    ],
+)
+def test_without_a_verb_that_one_heard_a_thing_is_only_told_of(engine_of, second, unclear):
+    """ "Is the block at ninety five degrees"."""
+    said = "set the block to ninety five degrees"
+    first, other = (
+        Thinks(heard(text, 0.6, score=-0.9), {said: LIKELY}) for text in ("the block at ninety five degrees", second)
+    )
+    found = both_think(engine_of(BLOCK), first, other)
+    assert (found.text, found.unclear) == (said, unclear)
+
+
+SAMPLES = """
+language: en
+slots: {unit: {type: choice, values: {one: otter one, two: otter two}}, samples: {type: number, min: 1, max: 20}}
+intents:
+  sample: {action: custom, sentences: ["{unit} take {samples} samples"]}
+"""
+
+
+@pytest.mark.parametrize(("second", "left_out"), [("took", ("took",)), ("take", ())])
+def test_who_took_something_is_told_of(engine_of, second, left_out):
+    """Where both heard it: one of two may have misheard."""
+    said, freely = (f"otter one {verb} six samples" for verb in ("take", "took"))
+    first = Thinks(heard(freely, 0.6, score=-0.9), {said: LIKELY})
+    other = Thinks(heard(said.replace("take", second), 0.6, score=-0.9), {said: LIKELY})
+    assert both_think(engine_of(SAMPLES), first, other).left_out == left_out
+
+
 def test_what_both_heard_to_the_end_is_not_left_out(engine):
     text = f"{FORWARD} at six miles"
     first = Thinks(replace(heard(FORWARD, 0.5), free_text=text), {FORWARD: LIKELY})

@@ -14,6 +14,7 @@ from rapidfuzz.distance import Levenshtein
 
 from intent_engine.language.likeness import sound
 from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.verb_forms import IRREGULAR, NEARLY_THE_VERB
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
 __all__ = [
@@ -183,10 +184,13 @@ def _instead(own: Sequence[str], heard: Sequence[str]) -> set[tuple[tuple[str, .
 
 def _told(verb: str, after: Sequence[str]) -> Iterable[str]:
     """The forms of a verb in which somebody tells what they do or did. The end of the past is heard before vowels:
-    "turned on", while "turn left" may be written "turned left"."""
+    "turned on", while "turn left" may be written "turned left", and "send two" may be "sent two"; "took two" was heard
+    wherever it stands."""
     stems = (verb, verb.removesuffix("e"), verb + verb[-1])
-    endings = ("ing", "ed") if after and after[0][0] in "aeiou" else ("ing",)
-    return [stem + ending for stem in stems for ending in endings]
+    heard = bool(after) and after[0][0] in "aeiou"
+    forms = [stem + ending for stem in stems for ending in (("ing", "ed") if heard else ("ing",))]
+    nearly = [form for form, its in NEARLY_THE_VERB.items() if its == verb and heard]
+    return [*forms, *nearly, *IRREGULAR.get(verb, ())]
 
 
 def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: int) -> Sequence[str]:

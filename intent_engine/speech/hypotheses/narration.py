@@ -11,10 +11,13 @@ from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
+from intent_engine.language.likeness import sound
+from intent_engine.language.thing_words import ARTICLES
+
 if TYPE_CHECKING:
     from intent_engine.language.grammar import Grammar
 
-__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "narrating", "told"]
+__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "narrating", "told", "verbless"]
 
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
@@ -44,6 +47,8 @@ ASKING = frozenset(("who", "whose", "what", "which", "where", "when", "why", "ho
 heard."""
 OTHERS = frozenset(("he", "she", "they"))
 """Subjects that no command begins with, whoever is meant."""
+MOST_VERB = 2
+"""Words of a verb, before the article of what something is done to: "pick up the ..."."""
 MISHEARD = 0.4
 """Share of the letters in which a word of a command differs at most from such a word that was heard in its place."""
 
@@ -98,6 +103,31 @@ def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) ->
         if tells and leaves_out(words, [word], known):
             return first[: place + 1]
     return ()
+
+
+def verbless(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:
+    """Whether a sentence begins with a verb that no model heard, and what one of them heard begins with the very
+    article and noun behind it, and what the others heard too, but for words that tell or ask something before these:
+    "the block at ninety degrees" and "did the block at ninety degrees" are no "set the block to ninety degrees".
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard, without such.
+    """
+    own = words[lead:]
+    article = next((at for at, word in enumerate(own) if word in ARTICLES), 0)
+    if not 0 < article <= MOST_VERB or article + 1 >= len(own):
+        return False
+    begun = [_before_named(own[article + 1], one) for one in heard if one]
+    return [] in begun and all(one is not None and (NARRATING | TELLING).issuperset(one) for one in begun)
+
+
+def _before_named(noun: str, heard: Sequence[str]) -> list[str] | None:
+    """What was heard before the first article, where a noun stands behind that; None: it does not."""
+    place = next((at for at, word in enumerate(heard) if word in ARTICLES), len(heard))
+    named = heard[place + 1 : place + 2]
+    return list(heard[:place]) if [sound(word) for word in named] == [sound(noun)] else None
 
 
 def _stands_for(heard: str, words: Sequence[str]) -> bool:

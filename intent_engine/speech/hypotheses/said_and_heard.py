@@ -16,7 +16,7 @@ from intent_engine.speech.hypotheses.left_out import (
     tells,
     unheard,
 )
-from intent_engine.speech.hypotheses.narration import told
+from intent_engine.speech.hypotheses.narration import told, verbless
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 __all__ = ["SaidAndHeard"]
@@ -84,7 +84,9 @@ class SaidAndHeard:
     def begins_unheard(self) -> tuple[str, ...]:
         """The word with which the command begins, where no model heard it, and what they heard is none."""
         lead = self._lead
-        if self._free or lead >= len(self.words) or not begins_unheard(self.words, lead, self.heard):
+        if self._free or lead >= len(self.words):
+            return ()
+        if not begins_unheard(self.words, lead, self.heard) and not self._verbless(lead):
             return ()
         rest = self.grammar.parse(" ".join(self.words[lead + 1 :]), self.language)
         return () if rest.actions else (self.words[lead],)
@@ -96,6 +98,10 @@ class SaidAndHeard:
     @property
     def _free(self) -> bool:
         return bool(begin_of(self.words)) or self.grammar.parse(" ".join(self.words), self.language).stops
+
+    def _verbless(self, lead: int) -> bool:
+        heard = [one[self.grammar.lead(one, self.language) :] for one in self.heard]
+        return self._english and verbless(self.words, lead, heard)
 
     @property
     def _english(self) -> bool:

@@ -246,9 +246,11 @@ class SpokenGrammar:
 
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence is what people say: without words in free slots that no list has, and without a
-        turn of more than a circle ("five fourteen degrees" was "by fourteen"). Else it may be another that was heard a
-        little wrong; so it may with words that are :meth:`empty_inside`."""
-        return not (circles(meaning) or self.unknown(words, meaning, language))
+        turn of more than a circle ("five fourteen degrees" was "by fourteen"), or more than a whole of what has no
+        limit. Else it may be another that was heard a little wrong; so it may with words that are
+        :meth:`empty_inside`."""
+        much = circles(meaning) or self._known(language).usual.more_than_whole(meaning)
+        return not (much or self.unknown(words, meaning, language))
 
     def empty_inside(self, words: Sequence[str], language: str | None = None) -> list[str]:
         """The words that say nothing and stand between others of a sentence: "turn like by sixteen degrees"."""

@@ -21,6 +21,8 @@ NEARLY = 1e-3
 TIMES = 5.0
 """A number that is so many times as large as the most that people say is unusual twice, and so on. Of 358 distances
 that people told a robot the largest are 20 feet (SCOUT); robots in a field go farther."""
+MOST_PERCENT = 1.0
+"""The most percent that people usually say, a whole, of a slot that names no limit of its own."""
 FULL_CIRCLE = 2 * math.pi + 0.01
 """rad of a turn that people ask for, and a little."""
 
@@ -41,7 +43,7 @@ class UsualNumbers:
         """What a sentence says without a number: "a little"."""
         for name, intent in grammar.intents.items():
             slots = {**grammar.slots, **slots_by_label((one.template for one in intent.all_sentences), grammar)}
-            known = {label: slot for label, slot in slots.items() if slot.usual_steps or slot.usual_max}
+            known = {label: slot for label, slot in slots.items() if slot.usual_steps or _most(slot) is not None}
             if known:
                 self._slots[name] = known
 
@@ -51,9 +53,19 @@ class UsualNumbers:
         is as much."""
         if not self._slots:
             return 0
-        said = any(is_number(word, self._language) for word in plain(meaning.text))
         return sum(
-            _beside(value, slot.usual_steps) + _beyond(value, slot.usual_max)
+            _beside(value, slot.usual_steps) + _beyond(value, _most(slot)) for value, slot in self._said(meaning)
+        )
+
+    def more_than_whole(self, meaning: Interpretation) -> bool:
+        """Whether it says more than a hundred percent of what names no limit: "two thousand" may be "two thirds"."""
+        return any(_more_than_whole(value, slot) for value, slot in self._said(meaning))
+
+    def _said(self, meaning: Interpretation) -> Iterator[tuple[float, Slot]]:
+        """The numbers of a sentence that were said as such, each with its slot."""
+        said = any(is_number(word, self._language) for word in plain(meaning.text))
+        return (
+            (value, slot)
             for intent, slots in _commands(meaning.intent, meaning.slots)
             for label, slot in self._slots.get(intent, {}).items()
             if isinstance(value := slots.get(label), float | int)
@@ -61,9 +73,20 @@ class UsualNumbers:
         )
 
 
+def _more_than_whole(value: float, slot: Slot) -> bool:
+    return slot.usual_max is None and _beyond(value, _most(slot)) > 0
+
+
 def _beside(value: float, steps: Iterable[float]) -> int:
     """Of how many steps a number is no multiple."""
     return sum(abs(value / step - round(value / step)) > NEARLY for step in steps)
+
+
+def _most(slot: Slot) -> float | None:
+    """The most of a slot that people say; None: any."""
+    if slot.usual_max is None and slot.maximum is None and slot.type == "percent":
+        return MOST_PERCENT
+    return slot.usual_max
 
 
 def _beyond(value: float, most: float | None) -> int:

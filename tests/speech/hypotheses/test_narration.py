@@ -7,7 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.engine import IntentEngine
-from intent_engine.speech.hypotheses.narration import ASKING, NARRATING, SUBJECTS, TELLING, leaves_out, narrating, told
+from intent_engine.speech.hypotheses.narration import (
+    ASKING,
+    NARRATING,
+    SUBJECTS,
+    TELLING,
+    leaves_out,
+    narrating,
+    told,
+    verbless,
+)
 
 
 @pytest.mark.parametrize(
@@ -84,3 +93,28 @@ def test_nothing_is_told_by_a_sentence_that_was_heard(words, others, lead):
 def test_what_is_told_all_have_heard(words, heard, lead):
     found = list(told(words, heard, lead))
     assert all(one[: len(found)] == found for one in heard)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "without"),
+    [
+        ("heat the block to ninety degrees", ["the block at ninety degrees"] * 2, True),
+        ("heat the block to ninety degrees", ["the block at ninety degrees"], True),  # a model that hears alone
+        ("heat the block to ninety degrees", ["the block keeps to ninety", "the blok needs to ninety"], True),
+        ("heat the block to ninety degrees", ["the block at ninety degrees", "did the block at ninety degrees"], True),
+        ("heat the block to ninety degrees", ["the block at ninety degrees", ""], True),
+        ("heat the block to ninety degrees", ["the block at ninety degrees", "eat the block at ninety degrees"], False),
+        ("heat the block to ninety degrees", ["did the block to ninety degrees"] * 2, False),  # "did" may be "heat"
+        ("heat the block to ninety degrees", ["the blocks at ninety degrees", "the clock at ninety degrees"], False),
+        ("heat the block to ninety degrees", [], False),
+        ("switch on the pump", ["the pump is on", "the pump was on"], True),
+        ("go back to the dock", ["the dock is on", "the dock was on"], False),
+        ("heat block two", ["block two"] * 2, False),
+        ("the block to ninety degrees", ["the block to ninety degrees"] * 2, False),
+        ("heat", ["the"], False),
+        ("", ["the block"], False),
+    ],
+)
+def test_a_thing_of_which_something_is_said_is_no_command_for_it(sentence, heard, without):
+    """ "Is the block at ninety degrees": nobody heard that anything is to be done."""
+    assert verbless(sentence.split(), 0, [one.split() for one in heard]) is without

@@ -21,12 +21,15 @@ slots:
   turned: {type: angle, usual_step: [5 deg, 45 deg]}
   wide: {type: distance, usual_max: 20 m}
   count: {type: number}
+  boost: {type: percent, max: 300 percent}
+  blend: {type: percent, usual_max: 400 percent}
 intents:
   dim: {action: {type: custom}, sentences: ["dim to {level}", "dim {level:much} more"]}
   swim: {action: {type: custom}, sentences: ["swim {far}", "swim back {near:far}"]}
   spin: {action: {type: custom}, sentences: ["spin {turned}"]}
   wade: {action: {type: custom}, sentences: ["wade {wide}"]}
   hop: {action: {type: custom}, sentences: ["hop {count} times"]}
+  boost: {action: {type: custom}, sentences: ["boost to {boost}", "blend {blend}"]}
   dive: {action: {type: custom}, regex: "dive to (?P<level>.+)"}
 """
 
@@ -63,6 +66,11 @@ def unusual(engine: IntentEngine, text: str) -> int:
         ("spin a hundred degrees", 1),
         ("spin ninety two degrees", 2),
         ("hop 17 times", 0),
+        ("dim to a hundred percent", 0),
+        ("dim to 110 percent", 1),  # nothing is more than a whole,
+        ("dim to 2000 percent", 2),
+        ("boost to 200 percent", 0),  # unless its slot says so
+        ("blend 200 percent", 0),
         ("dive to 14 percent", 1),
         ("dim to 14 percent and then dim to 40 percent and swim 3 meters", 2),
     ],
@@ -108,3 +116,17 @@ def test_more_than_a_circle_is_less_likely(engine):
     grammar = SpokenGrammar(engine)
     said = [grammar.parse(f"turn left {angle} degrees") for angle in (355, 360, 365, 356, 366)]
     assert [grammar.unusual(one) / UNUSUAL for one in said] == [1, 0, 2, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("dim to two thousand percent", False),
+        ("dim to two thirds", True),
+        ("boost to two hundred percent", True),
+        ("blend five hundred percent", True),  # said of what has a limit of its own
+        ("wade a hundred meters", True),
+    ],
+)
+def test_more_than_a_whole_may_be_another_number_though_it_was_heard_word_by_word(own, text, plain):
+    assert SpokenGrammar(own).plain(text.split(), own.parse(text)) is plain
