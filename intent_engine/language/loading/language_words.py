@@ -30,7 +30,8 @@ _OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"
 _WORDING = (
     "greeting", "hesitation", "way_back", "asked", "request", "agrees", "agreeing", "compares", "before_verb",
     "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb", "excludes",
-    "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted",
+    "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking", "affirming",
+    "declining", "standing_for",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
