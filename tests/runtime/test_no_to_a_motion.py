@@ -44,6 +44,7 @@ def test_it_is_heard_beside_the_nearest_sentence_of_the_grammar(state, score, st
     [
         ("go to the kitchen", "no, the bedroom"),
         ("go to the kitchen", "actually the bedroom"),
+        ("go to the kitchen", "wrong way, the bedroom"),
         ("go to the kitchen", "no no go to the bedroom"),
         ("go forward ten meters", "no no the kitchen"),
         ("go forward ten meters", "no, go to the moon"),

@@ -33,6 +33,7 @@ def objects_to_what_is_done(
         rest = parse(" ".join(core.words[begun:]))
         if rest.actions or rest.status is Status.AMBIGUOUS or rest.unknown_place:
             return True
-    ways = (core.words, phrases.without_standing_for(core.words)) if before else ()
+    words = core.words if phrases.correction.at(core.words, 0) else [*phrases.correcting, *core.words[begun:]]
+    ways = (words, phrases.without_standing_for(words)) if before else ()
     corrected = (parse(f"{before}, {' '.join(words)}") for words in ways)
     return any(one.corrected and not one.stops for one in corrected)

@@ -62,6 +62,8 @@ class Phrases:
         self.stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
         self.negation = PhraseSet(negation)
         self.correction = PhraseSet(operators.correction)
+        self.correcting = next(iter(operators.correction), ())
+        """One of them, for what corrects in other words: "wrong way, the lab"."""
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)
