@@ -258,6 +258,8 @@ class _Parses(Protocol):
 
     def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
 
+    def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None: ...
+
 
 _Parser = TypeVar("_Parser", bound=_Parses)
 
@@ -288,7 +290,7 @@ def _by_itself(
 ) -> tuple[Interpretation, _Parser]:
     """What a text means whatever was asked, with what it points back to, and the parser that says so."""
     before, needs = _pointed_at(last)
-    done = last.text if isinstance(last, Interpretation) and last.actions else ""
+    done = _text_before(last)
     parser = parsers[0]
     try:
         if len(parsers) == 1:
@@ -299,11 +301,14 @@ def _by_itself(
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
     if done and not (found.actions or found.denied):  # "not the kitchen"
         found = replace(found, denied=parser.denied_part(text, done, state))
+    denies = found.actions or found.denied
+    if MOVING in state and not denies and (stop := parser.objection(text, done, state)) is not None:
+        return stop, parser  # "no, the lab", long after "go to the kitchen"
     if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
         found = resolve(found, before, grammar.operators.pronoun, needs, state, grammar.wording.several)
     if found.question is not None and before:
-        found = replace(found, question=replace(found.question, before=before, needs=needs))
+        found = replace(found, question=replace(found.question, before=before, needs=needs, said_before=done))
     return found, parser
 
 
@@ -337,6 +342,15 @@ def _pointed_at(last: Before | None) -> tuple[tuple[Action, ...] | None, tuple[N
     if last.question is not None:
         return last.question.before, last.question.needs
     return last.actions, last.needs
+
+
+def _text_before(last: Before | None) -> str:
+    """The text of what was done before; empty if that is not known."""
+    if not isinstance(last, Interpretation):
+        return ""
+    if last.question is not None:
+        return last.question.said_before
+    return last.text if last.actions else ""
 
 
 def _first_accepted(

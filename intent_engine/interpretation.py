@@ -49,6 +49,8 @@ class Question:
     """What was done before it was asked, which "again" and "it" still point to,"""
     needs: tuple[Needs, ...] = ()
     """and what each of that asks of the states of the robot; empty if that is not known."""
+    said_before: str = ""
+    """The text of it, which "not the kitchen" still points to; empty if that is not known."""
 
 
 @dataclass(frozen=True, slots=True)

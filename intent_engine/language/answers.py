@@ -43,6 +43,8 @@ class Answers:
         self._no = PhraseSet(wording.declining)
         said = grammar.fillers  # "first" is one as well, where a sentence begins
         self._fillers = PhraseSet(one for one in said if evaluate(list(one), "ordinal", grammar.language) is None)
+        self._correction = PhraseSet(grammar.operators.correction)
+        self._negation = PhraseSet(grammar.operators.negation)
         self._standing_for = wording.standing_for
         self._articles = thing_words(grammar.language).articles
 
@@ -72,6 +74,21 @@ class Answers:
     def declines(self, words: Sequence[str]) -> bool:
         """Whether an answer says that nothing of it is meant, and nothing else."""
         return bool(words) and self._no.cover(words)
+
+    def corrected(self, words: Sequence[str]) -> Sequence[str]:
+        """What is left of an answer behind its last correction: "thirteen", of "three, no, thirteen"."""
+        found = self._correction.find(words, 1)
+        while found is not None and sum(found) < len(words):
+            words = words[sum(found) :]
+            found = self._correction.find(words, 1)
+        return words
+
+    def excluded(self, words: Sequence[str], names: Sequence[str], sentences: Sequence[str]) -> set[int]:
+        """The places of the alternatives of which an answer says that they are not meant: "not bay three"."""
+        start = self._no.at(words, 0)
+        length = self._negation.at(words, start)
+        rest = words[start + length :]
+        return (self.meant(rest, names, sentences) or set()) if length and rest else set()
 
     def meant(self, words: Sequence[str], names: Sequence[str], sentences: Sequence[str]) -> set[int] | None:
         """The places of the alternatives that an answer may mean; empty: it is about them, and means none that there
@@ -179,6 +196,9 @@ def answered(
             if found.status is Status.ACCEPTED:
                 return None
             return Interpretation(text, Status.REJECTED, reason=NONE_MEANT, denied=found.denied)
+        excluded = reader.excluded(words, asked.alternatives, asked.question.choices)
+        if excluded and found.status is not Status.ACCEPTED:
+            return _without(excluded, asked, asked.question, text, found)
         if asked.status is Status.INCOMPLETE:
             if reader.agrees(words):
                 continue  # that it goes on is no rest of it
@@ -200,7 +220,7 @@ def _chosen(
     parse: Callable[[str], Interpretation],
 ) -> Interpretation | None:
     """The alternative that an answer tells, or the question once more."""
-    meant = reader.meant(words, asked.alternatives, question.choices)
+    meant = reader.meant(reader.corrected(words), asked.alternatives, question.choices)
     if meant is None:
         return None
     choice = question.choices[meant.pop()] if len(meant) == 1 else ""
@@ -212,6 +232,19 @@ def _chosen(
     if found.status is Status.ACCEPTED and (found.actions != whole.actions or not whole.actions):
         return either(asked, found, whole) if whole.actions else None
     return _as_answer(text, whole)
+
+
+def _without(
+    excluded: Collection[int], asked: Interpretation, question: Question, text: str, found: Interpretation
+) -> Interpretation:
+    """The question once more, without what is not meant."""
+    left = [at for at in range(len(asked.alternatives)) if at not in excluded]
+    if not left or not question.choices:
+        return Interpretation(text, Status.REJECTED, reason=NONE_MEANT, denied=found.denied)
+    names = tuple(asked.alternatives[at] for at in left)
+    reason = f"{text!r} tells what is not meant; say which is: {' or '.join(names)}"
+    rest = replace(question, choices=tuple(question.choices[at] for at in left))
+    return replace(asked, text=text, alternatives=names, question=rest, reason=reason, denied=found.denied)
 
 
 def _completed(

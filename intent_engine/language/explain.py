@@ -71,6 +71,10 @@ class Witness:
         """See :meth:`Interpreter.denied_part`."""
         return self._interpreter.denied_part(text, before, state)
 
+    def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None:
+        """See :meth:`Interpreter.objection`."""
+        return self._interpreter.objection(text, before, state)
+
     def explanation(self, found: Interpretation) -> Explanation:
         """How the last text came to be ``found``: what this interpreter gave, with "it" and "again" put in."""
         before = self._found

@@ -109,7 +109,7 @@ class Acting:
         self.summary.utterances += 1
         if (answer := self._answer(utterance, meaning)) is not None:
             transcript, meaning = transcript.as_heard(), answer
-            understood = replace(understood, meaning=meaning, step=Step(meaning.actions))
+            understood = replace(understood, meaning=meaning, step=Step(meaning.actions), corrects=False)
         asks = replace(meaning, question=None) if utterance.torn else meaning
         self._asked.take(asks, self.last, self._base + utterance.last_voice)
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):

@@ -52,8 +52,9 @@ class Answering:
         if answer is None or answer.stops:
             return answer
         if found.status is Status.ACCEPTED:
-            differs = answer.status is Status.ACCEPTED and answer.actions != found.actions
-            return either(asked, found, answer) if differs else None
+            if answer.status is not Status.ACCEPTED:
+                return answer  # the words that were heard may be a command, or the answer
+            return either(asked, found, answer) if answer.actions != found.actions else None
         if answer.status is not Status.ACCEPTED:
             return answer
         again = replace(asked, text=heard.free_text)

@@ -42,7 +42,7 @@ class LastAsked:
             self.forget()
             return
         if isinstance(last, Interpretation):
-            question = Question(question.choices, last.actions, last.needs)
+            question = Question(question.choices, last.actions, last.needs, last.text)
         self._asked, self._ended = replace(meaning, question=question), ended
 
     def at(self, began: float) -> Interpretation | None:

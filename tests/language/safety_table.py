@@ -933,7 +933,7 @@ MOTION_FORBIDDEN = [
 NOT_EVEN_MOVING = [
     *("don't pick up the cup", "don't turn left, turn right", "I don't want to go forward", "he said don't move"),
     *("I do not want it to stop", "he never says stop", "whatever you do don't stop", "go to the bus and then stop"),
-    *("no, left", "no thanks", "no problem", "where is the bus stop in this town", "the stop is over there"),
+    *("no thanks", "no problem", "where is the bus stop in this town", "the stop is over there"),
 ]
 
 

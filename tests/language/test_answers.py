@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -63,7 +65,7 @@ def test_an_answer_that_tells_one_alternative_is_the_whole_sentence(answer, plac
 
 @pytest.mark.parametrize(
     "answer",
-    ["yes", "bay", "thirty", "one", "the third", "three and thirteen", "not bay 3", "no bay 3", "if bay 3", "right"],
+    ["yes", "bay", "thirty", "one", "the third", "three and thirteen", "no bay 3", "if bay 3", "right"],
 )
 def test_what_tells_no_one_alternative_does_nothing_of_them(answer):
     found = told(BAYS, "go to bay", answer)
@@ -290,3 +292,30 @@ def test_of_several_languages_each_may_answer():
 )
 def test_a_name_takes_the_place_of_the_words_said_for_it(text, said, name, whole):
     assert with_name(text, said, name) == whole
+
+
+def test_not_the_kitchen_is_still_of_what_is_done_when_something_is_asked():
+    """Whoever types, or has a node, gives what asks back as the last."""
+    asked = told(BAYS, "go to the kitchen", "go to bay")
+    assert went(replace(asked, actions=BAYS.parse("not the kitchen", last=asked).denied)) == ["kitchen"]
+
+
+@pytest.mark.parametrize(
+    ("answer", "left"),
+    [
+        ("not bay 3", ("bay 13",)),
+        ("no, not three", ("bay 13",)),
+        ("not the second one", ("bay 3",)),
+        ("not the lab", ("bay 3", "bay 13")),
+    ],
+)
+def test_what_is_not_meant_is_no_alternative_any_more(answer, left):
+    asked = told(BAYS, "go to bay")
+    found = BAYS.parse(answer, last=asked)
+    assert not found.actions
+    assert found.alternatives == left or (len(left) == 2 and found.question is None)
+
+
+def test_none_is_left():
+    found = told(BAYS, "go to bay", "not bay 3", "not bay 13")
+    assert (found.reason, found.question) == (NONE_MEANT, None)

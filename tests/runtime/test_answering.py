@@ -7,7 +7,7 @@ import pytest
 from continuing_stage import ENGINE, Frames, Knows, Said, Script, Talk, Voiced, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
-from intent_engine.actions import Action, Navigate, Turn
+from intent_engine.actions import Action, Navigate, Place, Turn
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.runtime import Heard, HeardKind
@@ -210,3 +210,27 @@ def test_what_was_hardly_heard_and_talk_ask_nothing_that_an_answer_could_do(judg
     found = asked_by(judge, text, **heard)
     assert not found.actions
     assert found.question is None
+
+
+def test_what_may_be_the_answer_or_a_command_is_asked_again():
+    doors = bays("left door", "right door")
+    for answer in ("left", "right"):
+        said = Talk("go to the door", answer, engine=doors, pause=APART)
+        assert not given(said), answer
+        assert "may be a command" in said.last.interpretation.reason
+    assert places(Talk("go to the door", "left", "the left one", engine=doors, pause=APART)) == ["left door"]
+
+
+def test_what_is_not_meant_is_asked_about_no_more():
+    assert not given(Talk("go to bay", "not bay three", "three", engine=BAYS, pause=APART))
+    for answer in ("thirteen", "yes"):
+        assert places(Talk("go to bay", "not bay three", answer, engine=BAYS, pause=APART)) == ["bay 13"]
+
+
+def test_no_to_a_question_takes_back_nothing_that_was_done_before_it():
+    said = Talk("pick up the cup", "go to bay", "no", "put it on the table", engine=BAYS, pause=APART)
+    assert given(said)[-1] == [Place("cup", "table")]
+
+
+def test_an_answer_may_be_corrected():
+    assert places(Talk("go to bay", "three, no, thirteen", engine=BAYS, pause=APART)) == ["bay 13"]

@@ -37,3 +37,31 @@ def test_it_is_heard_beside_the_nearest_sentence_of_the_grammar(state, score, st
     """ "Go" is the likest sentence, and was not said."""
     heard = Transcript("go", score, "no", gap=0.0, confidence=0.1)
     assert Judge(ENGINE).meaning(heard, state, ()).stops is stops
+
+
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        ("go to the kitchen", "no, the bedroom"),
+        ("go to the kitchen", "actually the bedroom"),
+        ("go to the kitchen", "wrong way, the bedroom"),
+        ("go to the kitchen", "no no go to the bedroom"),
+        ("go forward ten meters", "no no the kitchen"),
+        ("go forward ten meters", "no, go to the moon"),
+        ("go forward ten meters", "make it two meters"),
+        ("turn left two full turns", "no, right"),
+        ("go forward ten meters", "no, left"),
+        ("turn left two full turns", "not left right"),
+    ],
+)
+def test_so_it_does_where_what_is_meant_instead_follows(command, said):
+    """Long after the command, what is meant instead is not done; the robot stops."""
+    heard = Talk(command, said, pause=3.0)
+    (goal,) = (goal for event in heard.done for goal in event.goals)
+    assert goal.state is GoalState.CANCELED
+
+
+@pytest.mark.parametrize("said", ["no, that is the kitchen", "no, I saw it there", "no, Anna", "sorry Anna"])
+def test_what_follows_may_be_said_to_somebody_else(said):
+    (goal,) = (goal for event in Talk("go to the kitchen", said, pause=3.0).done for goal in event.goals)
+    assert goal.state is GoalState.SUCCEEDED

@@ -18,6 +18,7 @@ from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.no_command import NoCommand
+from intent_engine.language.meaning.objecting import objects_to_what_is_done
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.replacement import Replacements
@@ -104,6 +105,14 @@ class Interpreter:
         _, parts = self.understand(before, state)
         done = [list(part.reading.words) for part in parts if part.reading is not None and part.accepted]
         return self._negations.denied_part(core, [Utterance(one, [False] * len(one)) for one in done], state)
+
+    def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None:
+        """The stop of a robot that moves, at a "no" with more behind it ("no, the lab", after "go to the kitchen");
+        None: it may be said to somebody else. The arguments are those of :meth:`denied_part`."""
+        said = self._said(text)
+        if not objects_to_what_is_done(self.phrases, said, before, lambda one: self.understand(one, state)[0]):
+            return None
+        return replace(self._stopped(text)[0], reason=f"{' '.join(said.words)!r} {OBJECTED}")
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""

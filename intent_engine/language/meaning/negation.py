@@ -130,11 +130,21 @@ class Negations:
             if not named.words or self._negation.find(named.words) is not None:
                 continue
             for said in done:
-                denied = said if self._corrections.is_said(said, named, state) else None
-                denied = denied or self._corrections.instead(said, named, state)
-                if denied is not None and (action := self._action(denied, state)) is not None:
+                if (action := self._with_part(said, named, state)) is not None:
                     return (action,)
+                for at in range(1, len(named)):  # "not left right", as it is heard without its pause
+                    shorter, instead = named.part(0, at), named.part(at, len(named))
+                    if self._corrections.instead(said, instead, state) is None:
+                        continue
+                    if (action := self._with_part(said, shorter, state)) is not None:
+                        return (action,)
         return ()
+
+    def _with_part(self, said: Utterance, named: Utterance, state: Collection[str]) -> Action | None:
+        """A command that was done, with what is named in the place of its like; None: there is no like of it."""
+        denied = said if self._corrections.is_said(said, named, state) else None
+        denied = denied or self._corrections.instead(said, named, state)
+        return None if denied is None else self._action(denied, state)
 
     def denied_beside(self, core: Utterance, wanted: Utterance, state: Collection[str]) -> tuple[Action, ...]:
         """What shall not be done of an utterance of which something is wanted: "don't clean the lab, clean the hall",

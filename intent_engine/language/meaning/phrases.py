@@ -62,6 +62,8 @@ class Phrases:
         self.stop_by_sound = PhraseSet((*operators.stop, *operators.stop_by_sound))
         self.negation = PhraseSet(negation)
         self.correction = PhraseSet(operators.correction)
+        self.correcting = next(iter(operators.correction), ())
+        """One of them, for what corrects in other words: "wrong way, the lab"."""
         self.cancel = PhraseSet(operators.cancel)
         self.sequence = PhraseSet(operators.sequence)
         self._later = PhraseSet(operators.later)
@@ -71,6 +73,7 @@ class Phrases:
         self.objection = PhraseSet(operators.objection)
         self._objecting = PhraseSet((*operators.objection, *operators.correction))
         self._thanking = PhraseSet(wording.thanking)
+        self._standing_for = wording.standing_for
         self._opener = PhraseSet(operators.opener)
         self._restart = PhraseSet((*operators.opener, *operators.contrast))
         self._opening = PhraseSet(operators.opening)
@@ -307,7 +310,30 @@ class Phrases:
         """Whether nothing is said but that what goes on is not meant: "no", "no, that's wrong". "No, thanks" is said to
         somebody who offers something. ``core`` is what was said without its fillers."""
         objects = self.objection.find(core.words) is not None and self._objecting.cover(core.words)
-        return objects and self._thanking.find(said.words) is None
+        return objects and not self.thanks(said)
+
+    def thanks(self, said: Utterance) -> bool:
+        """Whether somebody is thanked."""
+        return self._thanking.find(said.words) is not None
+
+    def without_standing_for(self, words: Sequence[str]) -> list[str]:
+        """Words without those that only stand for a thing: "the right", of "the right one"."""
+        return [word for word in words if word not in self._standing_for]
+
+    def objected(self, core: Utterance) -> tuple[int, int]:
+        """How many words at the beginning take back what was said before or object to what is done, and how often they
+        object in one breath: twice in "no no, the lab", once in "no. No problem"."""
+        words, position, counts = core.words, 0, [0]
+        while length := self._objecting.at(words, position):
+            single = [self.objection.at([words[at]], 0) for at in range(position, position + length)]
+            for at, objects in enumerate(single, position):
+                if core.breaks[at] and at:
+                    counts.append(0)
+                counts[-1] += objects
+            if not any(single):
+                counts[-1] += self.objection.at(words, position) > 0
+            position += length
+        return position, max(counts)
 
     def only_stops(self, words: list[str], position: int) -> bool:
         """Whether nothing but stop phrases and fillers follows, with at least one of the former first."""
