@@ -21,7 +21,6 @@ OBJECTED = "said to a robot that moves"
 UNKNOWN_PLACE = "no place is called"
 """What is wrong with a place that is not on the map, as reasons have it."""
 
-
 _KEYS = ("text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason")
 
 
@@ -44,7 +43,9 @@ class Question:
 
     choices: tuple[str, ...] = ()
     """For each of its alternatives the whole sentence that is meant by it; empty where it stands for none. None at all
-    of a sentence that is not finished: its answer is the rest of it."""
+    of a sentence that is not finished."""
+    beginning: str = ""
+    """The sentence that is not finished, whose rest is the answer; empty: there is none."""
     before: tuple[Action, ...] = ()
     """What was done before it was asked, which "again" and "it" still point to,"""
     needs: tuple[Needs, ...] = ()

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from intent_engine.execution.events import Event, EventKind
-from intent_engine.interpretation import Interpretation, Question
+from intent_engine.interpretation import Interpretation
 from intent_engine.language.references import Before
 
 __all__ = ["QUESTION_LASTS", "LastAsked"]
@@ -42,7 +42,7 @@ class LastAsked:
             self.forget()
             return
         if isinstance(last, Interpretation):
-            question = Question(question.choices, last.actions, last.needs)
+            question = replace(question, before=last.actions, needs=last.needs)
         self._asked, self._ended = replace(meaning, question=question), ended
 
     def at(self, began: float) -> Interpretation | None:
