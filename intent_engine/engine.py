@@ -187,7 +187,13 @@ class IntentEngine:
         Returns:
             Accepted, if it tells one alternative: its ``text`` is the whole sentence that is meant. Else nothing is
             done: it may ask again, or say that nothing of it is meant, or cannot be done in these states.
+
+        Raises:
+            TypeError: ``asked`` is no interpretation, or ``text`` no ``str``.
+            ConfigError: no grammar of that language is loaded.
         """
+        if not isinstance(asked, Interpretation):
+            raise TypeError(f"answer takes the interpretation that asks, as parse gave it, not {asked!r:.80}")
         _only_text("answer", text)
         parsers = self._loaded.parsers(language)
         return _answer(parsers, text, states_of(state), (spoken, heard), asked)

@@ -21,7 +21,17 @@ OBJECTED = "said to a robot that moves"
 UNKNOWN_PLACE = "no place is called"
 """What is wrong with a place that is not on the map, as reasons have it."""
 
-_KEYS = ("text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason")
+_KINDS: Mapping[str, tuple[str, tuple[type, ...]]] = {
+    "text": ("a text", (str,)),
+    "status": ("a text", (str,)),
+    "intent": ("a text or null", (str, type(None))),
+    "slots": ("an object", (Mapping,)),
+    "actions": ("a list", (list, tuple)),
+    "confidence": ("a number", (int, float)),
+    "alternatives": ("a list of texts", (list, tuple)),
+    "reason": ("a text", (str,)),
+}
+"""The keys of an interpretation in JSON, each with what it holds."""
 
 
 class Status(StrEnum):
@@ -153,8 +163,13 @@ class Interpretation:
         """
         if not isinstance(data, Mapping):
             raise TypeError(f"Interpretation.from_json takes what to_json gave, a dictionary, not {data!r:.80}")
-        if missing := [key for key in _KEYS if key not in data]:
-            raise ValueError(f"an interpretation in JSON has {', '.join(_KEYS)}; {', '.join(missing)} is missing")
+        if missing := [key for key in _KINDS if key not in data]:
+            raise ValueError(f"an interpretation in JSON has {', '.join(_KINDS)}; {', '.join(missing)} is missing")
+        for key, (kind, types) in _KINDS.items():
+            value = data[key]
+            right = isinstance(value, types) and not isinstance(value, bool)
+            if not right or (key == "alternatives" and not all(isinstance(one, str) for one in value)):
+                raise ValueError(f"{key} of an interpretation in JSON is {kind}, not {value!r:.80}")
         return Interpretation(
             text=data["text"],
             status=Status(data["status"]),
