@@ -290,3 +290,12 @@ def test_of_several_languages_each_may_answer():
 )
 def test_a_name_takes_the_place_of_the_words_said_for_it(text, said, name, whole):
     assert with_name(text, said, name) == whole
+
+
+def test_of_talk_that_was_heard_nothing_is_asked():
+    """To any word some sentence is the nearest: after "cup" and a "yes" to somebody else the robot backed up."""
+    assert told(LAB, "cup").question.choices == ("back up",)
+    for how in ({"heard": True}, {"spoken": True}):
+        assert told(LAB, "cup", **how).question is None
+        assert not told(LAB, "cup", "yes", **how).actions
+    assert went(told(LAB, "go to the lap", "yes", heard=True)) == ["lab"]
