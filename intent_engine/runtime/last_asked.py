@@ -8,10 +8,11 @@ from dataclasses import replace
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.references import Before
+from intent_engine.speech.endpoint import Settings
 
 __all__ = ["QUESTION_LASTS", "LastAsked"]
 
-QUESTION_LASTS = 10.0
+QUESTION_LASTS = Settings().question_lasts
 """s from the end of what was not clear to the beginning of its answer: the robot asks, and a person thinks."""
 
 
