@@ -17,6 +17,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
+from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.utterance import plain
 from intent_engine.needs import MOVING, Needs, states_of
@@ -155,7 +156,8 @@ class IntentEngine:
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one. What is spoken was heard.
             heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Who types it tells of
-                something, and nothing is done.
+                something, and nothing is done. Of what is no command the nearest sentences are asked only who types:
+                what is heard may be talk.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
                 states in which that could not be said. If that asked something back ("bay 3 or bay 13?"), a text that
                 answers it ("the second one") is understood as the sentence that it stands for; how long a question
@@ -187,7 +189,13 @@ class IntentEngine:
         Returns:
             Accepted, if it tells one alternative: its ``text`` is the whole sentence that is meant. Else nothing is
             done: it may ask again, or say that nothing of it is meant, or cannot be done in these states.
+
+        Raises:
+            TypeError: ``asked`` is no interpretation, or ``text`` no ``str``.
+            ConfigError: no grammar of that language is loaded.
         """
+        if not isinstance(asked, Interpretation):
+            raise TypeError(f"answer takes the interpretation that asks, as parse gave it, not {asked!r:.80}")
         _only_text("answer", text)
         parsers = self._loaded.parsers(language)
         return _answer(parsers, text, states_of(state), (spoken, heard), asked)
@@ -307,6 +315,8 @@ def _by_itself(
     if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
         found = resolve(found, before, grammar.operators.pronoun, needs, state, grammar.wording.several)
+    if any(by_voice) and NO_COMMAND in found.reason:
+        found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
     if found.question is not None and before:
         found = replace(found, question=replace(found.question, before=before, needs=needs, said_before=done))
     return found, parser

@@ -21,8 +21,17 @@ OBJECTED = "said to a robot that moves"
 UNKNOWN_PLACE = "no place is called"
 """What is wrong with a place that is not on the map, as reasons have it."""
 
-
-_KEYS = ("text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason")
+_KINDS: Mapping[str, tuple[str, tuple[type, ...]]] = {
+    "text": ("a text", (str,)),
+    "status": ("a text", (str,)),
+    "intent": ("a text or null", (str, type(None))),
+    "slots": ("an object", (Mapping,)),
+    "actions": ("a list", (list, tuple)),
+    "confidence": ("a number", (int, float)),
+    "alternatives": ("a list of texts", (list, tuple)),
+    "reason": ("a text", (str,)),
+}
+"""The keys of an interpretation in JSON, each with what it holds."""
 
 
 class Status(StrEnum):
@@ -44,7 +53,9 @@ class Question:
 
     choices: tuple[str, ...] = ()
     """For each of its alternatives the whole sentence that is meant by it; empty where it stands for none. None at all
-    of a sentence that is not finished: its answer is the rest of it."""
+    of a sentence that is not finished."""
+    beginning: str = ""
+    """The sentence that is not finished, whose rest is the answer; empty: there is none."""
     before: tuple[Action, ...] = ()
     """What was done before it was asked, which "again" and "it" still point to,"""
     needs: tuple[Needs, ...] = ()
@@ -154,8 +165,13 @@ class Interpretation:
         """
         if not isinstance(data, Mapping):
             raise TypeError(f"Interpretation.from_json takes what to_json gave, a dictionary, not {data!r:.80}")
-        if missing := [key for key in _KEYS if key not in data]:
-            raise ValueError(f"an interpretation in JSON has {', '.join(_KEYS)}; {', '.join(missing)} is missing")
+        if missing := [key for key in _KINDS if key not in data]:
+            raise ValueError(f"an interpretation in JSON has {', '.join(_KINDS)}; {', '.join(missing)} is missing")
+        for key, (kind, types) in _KINDS.items():
+            value = data[key]
+            right = isinstance(value, types) and not isinstance(value, bool)
+            if not right or (key == "alternatives" and not all(isinstance(one, str) for one in value)):
+                raise ValueError(f"{key} of an interpretation in JSON is {kind}, not {value!r:.80}")
         return Interpretation(
             text=data["text"],
             status=Status(data["status"]),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from intent_engine import Executor, IntentEngine, Interpretation, Runtime, SimulatedRobot
+from intent_engine import Executor, IntentEngine, Interpretation, Runtime, SimulatedRobot, Status
 from intent_engine.actions import Move
 from intent_engine.errors import AudioError, ConfigError
 from intent_engine.execution.clock import VirtualClock
@@ -209,6 +209,9 @@ def test_what_no_endpoint_is_set_to(given, says):
         Settings(**given)
 
 
+NOTHING = Interpretation("hello", Status.REJECTED).to_json()
+
+
 @pytest.mark.parametrize(
     ("call", "says"),
     [
@@ -217,6 +220,19 @@ def test_what_no_endpoint_is_set_to(given, says):
         (lambda: IntentEngine(None), "IntentEngine takes grammars that are read"),
         (lambda: Interpretation.from_json(None), "Interpretation.from_json takes what to_json gave, a dictionary"),
         (lambda: Interpretation.from_json({"text": "stop"}), "status, intent, .*, reason is missing"),
+        (
+            lambda: Interpretation.from_json(NOTHING | {"slots": 3}),
+            "slots of an interpretation in JSON is an object, not 3",
+        ),
+        (lambda: Interpretation.from_json(NOTHING | {"actions": 3}), "actions of .* is a list, not 3"),
+        (lambda: Interpretation.from_json(NOTHING | {"text": 3}), "text of .* is a text, not 3"),
+        (
+            lambda: Interpretation.from_json(NOTHING | {"alternatives": [3]}),
+            r"alternatives of .* is a list of texts, not \[3\]",
+        ),
+        (lambda: Interpretation.from_json(NOTHING | {"confidence": "1"}), "confidence of .* is a number, not '1'"),
+        (lambda: Interpretation.from_json(NOTHING | {"status": "done"}), "'done' is not a valid Status"),
+        (lambda: IntentEngine.from_files("en").answer("go to bay", "yes"), "answer takes the interpretation that asks"),
         (lambda: Journal(None), "a journal is given by its path, not as None"),
         (lambda: FileSource(5), "a recording is given by its path, not as 5"),
         (lambda: load(b"home.yaml"), "a map is given by its path, not as b'home.yaml'"),

@@ -28,7 +28,7 @@ class Cleaner(Node):
     def told(self, message: String) -> None:
         told = json.loads(message.data)
         if told["type"] == "custom" and told["name"] == "clean":
-            self.room = told["slots"]["room"]
+            self.room = told["slots"].get("room") or "floor"  # "clean" alone names none
             self.get_logger().info(f"cleaning the {self.room}")  # here the brushes begin to turn
         elif told["type"] == "stop" or (told["type"] == "cancel" and any(map(self.is_meant, told["actions"]))):
             if self.room is not None:
@@ -37,7 +37,9 @@ class Cleaner(Node):
 
     def is_meant(self, denied: dict) -> bool:
         """Whether what was denied is what is done: "don't clean" is any room."""
-        return denied["type"] == "custom" and denied["name"] == "clean" and denied["slots"]["room"] in (None, self.room)
+        if denied["type"] != "custom" or denied["name"] != "clean":
+            return False
+        return denied["slots"].get("room") in (None, self.room)
 
 
 def main() -> None:

@@ -68,6 +68,8 @@ def changed(running: Action | None, drives: bool, factor: float, limits: Limits)
     if factor > 1 and speed <= abs(present) * (1 + 1e-9):
         why = f"{abs(present):.4g} {unit} is the limit of this robot"
         return Ending(GoalState.REJECTED, Reason.LIMIT, f"it cannot go faster: {why}")
+    if not math.isfinite(speed):  # of a robot without limits
+        return Ending(GoalState.REJECTED, Reason.LIMIT, f"it cannot go faster: {factor:.4g} times as fast is no speed")
     duration = amount / speed if speed else math.inf
     if factor < 1 and not duration <= limits.duration * (1 + 1e-9):
         why = f"it would take {duration:.4g} s, and this robot's limit is {limits.duration:.4g} s"

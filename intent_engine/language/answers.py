@@ -199,10 +199,10 @@ def answered(
         excluded = reader.excluded(words, asked.alternatives, asked.question.choices)
         if excluded and found.status is not Status.ACCEPTED:
             return _without(excluded, asked, asked.question, text, found)
-        if asked.status is Status.INCOMPLETE:
+        if asked.question.beginning:
             if reader.agrees(words):
                 continue  # that it goes on is no rest of it
-            whole = _completed(asked, text, words, found, parse)
+            whole = _completed(asked, asked.question.beginning, text, words, found, parse)
         else:
             whole = _chosen(asked, asked.question, text, words, found, reader, parse)
         if whole is not None:
@@ -249,13 +249,14 @@ def _without(
 
 def _completed(
     asked: Interpretation,
+    beginning: str,
     text: str,
     words: Sequence[str],
     found: Interpretation,
     parse: Callable[[str], Interpretation],
 ) -> Interpretation | None:
     """An unfinished sentence with its rest, if both are one."""
-    whole = parse(f"{asked.text.rstrip(' .,!?…')}, {' '.join(words)}")
+    whole = parse(f"{beginning.rstrip(' .,!?…')}, {' '.join(words)}")
     if found.status is Status.ACCEPTED:
         if len(words) >= _COMMAND or not whole.actions:
             return None  # another command, and no thing of that name to pick up
@@ -279,7 +280,7 @@ def _as_answer(text: str, whole: Interpretation) -> Interpretation:
 def either(asked: Interpretation, command: Interpretation, answer: Interpretation) -> Interpretation:
     """What may be a command of its own, or an answer that does something else: nobody knows, so it is asked again."""
     reason = f"{command.text!r} may be a command, or the answer that means {answer.text!r}; say it in a whole sentence"
-    if asked.status is Status.INCOMPLETE:
+    if asked.question is not None and asked.question.beginning:
         both = (command.text, answer.text)
         return Interpretation(command.text, Status.AMBIGUOUS, alternatives=both, reason=reason)
     return replace(asked, text=command.text, status=Status.AMBIGUOUS, reason=reason)

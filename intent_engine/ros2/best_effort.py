@@ -34,7 +34,7 @@ class HearAll:
 
         self._node, self._kind, self._name, self._heard = node, kind, topic, heard
         self._before: deque[int] = deque(maxlen=4 * self.DEPTH)
-        """When the messages were published that came last, in ns; while two subscriptions hear."""
+        """When the messages were published that came last, in ns: each counts once, whoever heard it."""
         self._reliable = self._subscribe(reliable=True)
         self._other: Any = None
         # Of the computer's time: a simulator that is paused keeps no stop from the node.

@@ -111,7 +111,8 @@ class Acting:
             transcript, meaning = transcript.as_heard(), answer
             understood = replace(understood, meaning=meaning, step=Step(meaning.actions), corrects=False)
         asks = replace(meaning, question=None) if utterance.torn else meaning
-        self._asked.take(asks, self.last, self._base + utterance.last_voice)
+        spoken_at = self._base + utterance.last_voice
+        self._asked.take(asks, self.last, spoken_at)
         if meaning.status is not Status.ACCEPTED and self._judgement.unsure(transcript):
             transcript = transcript.as_heard()  # what was said, not what was looked for
         told: dict[str, Any] = {
@@ -119,7 +120,6 @@ class Acting:
             "goes_on": understood.step.goes_on,
             "in_turn": understood.step.in_turn,
         }
-        spoken_at = self._base + utterance.last_voice
         if meaning.stops:
             self._continuing.stopped(utterance, meaning)  # while what it stops is known to be under way
         if meaning.stops or understood.withdrawn:  # before anybody is told: who is may take its time

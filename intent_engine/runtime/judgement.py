@@ -12,7 +12,6 @@ from dataclasses import replace
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Question, Status
-from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
@@ -91,12 +90,11 @@ class Judge:
             )
         if meaning.status is Status.REJECTED and not meaning.refuses and self.unsure(transcript):
             return self._with_reason(meaning, transcript, state, last)
-        return meaning if self._may_ask(meaning, transcript) else replace(meaning, question=None)
+        return meaning if self._may_ask(transcript) else replace(meaning, question=None)
 
-    def _may_ask(self, meaning: Interpretation, transcript: Transcript) -> bool:
-        """Whether an answer to what a meaning asks back may be acted on. Not where its own words were hardly heard, nor
-        where they are talk, to which some sentence is always the nearest."""
-        return not (_unheard(transcript) or self.unsure(transcript) or NO_COMMAND in meaning.reason)
+    def _may_ask(self, transcript: Transcript) -> bool:
+        """Whether an answer to what is asked back may be acted on: not where its own words were hardly heard."""
+        return not (_unheard(transcript) or self.unsure(transcript))
 
     def _with_reason(
         self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Before

@@ -6,12 +6,13 @@ import math
 from dataclasses import replace
 
 from intent_engine.execution.events import Event, EventKind
-from intent_engine.interpretation import Interpretation, Question
+from intent_engine.interpretation import Interpretation
 from intent_engine.language.references import Before
+from intent_engine.speech.endpoint import Settings
 
 __all__ = ["QUESTION_LASTS", "LastAsked"]
 
-QUESTION_LASTS = 10.0
+QUESTION_LASTS = Settings().question_lasts
 """s from the end of what was not clear to the beginning of its answer: the robot asks, and a person thinks."""
 
 
@@ -42,7 +43,7 @@ class LastAsked:
             self.forget()
             return
         if isinstance(last, Interpretation):
-            question = Question(question.choices, last.actions, last.needs, last.text)
+            question = replace(question, before=last.actions, needs=last.needs, said_before=last.text)
         self._asked, self._ended = replace(meaning, question=question), ended
 
     def at(self, began: float) -> Interpretation | None:

@@ -186,6 +186,17 @@ def test_a_guard_that_forbids_it():
         assert goal.action == MOVE
 
 
+def test_a_speed_that_no_number_is_large_enough_for_is_refused():
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        (goal,) = executor.submit(MOVE)
+        executor.pause()
+        first, second = executor.submit([ChangeSpeed(1e200), ChangeSpeed(1e200)])
+        assert first.succeeded
+        assert (second.state, second.reason) == (GoalState.REJECTED, Reason.LIMIT)
+        assert not goal.done
+
+
 def test_a_robot_that_fails_meanwhile():
     """As with any motion, its goal is aborted and the robot stopped."""
     from execution_stage import FailingRobot

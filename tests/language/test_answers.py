@@ -319,3 +319,12 @@ def test_what_is_not_meant_is_no_alternative_any_more(answer, left):
 def test_none_is_left():
     found = told(BAYS, "go to bay", "not bay 3", "not bay 13")
     assert (found.reason, found.question) == (NONE_MEANT, None)
+
+
+def test_of_talk_that_was_heard_nothing_is_asked():
+    """To any word some sentence is the nearest: after "cup" and a "yes" to somebody else the robot backed up."""
+    assert told(LAB, "cup").question.choices == ("back up",)
+    for how in ({"heard": True}, {"spoken": True}):
+        assert told(LAB, "cup", **how).question is None
+        assert not told(LAB, "cup", "yes", **how).actions
+    assert went(told(LAB, "go to the lap", "yes", heard=True)) == ["lab"]

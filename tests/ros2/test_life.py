@@ -62,7 +62,7 @@ def test_a_frozen_node_leaves_zero(peer):
     from ros_stage import until
 
     with driving(peer) as node:
-        node.process.send_signal(signal.SIGSTOP)
+        node.freeze()
         until(peer.standing)
         assert stays_still(peer)
         node.process.send_signal(signal.SIGCONT)
@@ -120,7 +120,7 @@ def test_text_that_waited_too_long_is_not_acted_on_but_a_stop_is(peer):
 
     with NodeProcess(peer, expire_after=0.5) as node:
         peer.meet()
-        node.process.send_signal(signal.SIGSTOP)
+        node.freeze()
         peer.say("go forward one meter")
         peer.say("stop")
         time.sleep(1.0)

@@ -152,6 +152,15 @@ def test_an_answer_must_be_heard_clearly():
     assert not answer(BAYS, "go to bay", "three", unclear=("three",)).actions
 
 
+def test_the_rest_of_a_sentence_that_was_not_heard_clearly_may_be_said_again():
+    found, heard = BAYS.parse("the kitchen", spoken=True), Transcript("the kitchen", CLEARLY - 0.01, "the kitchen")
+    asked = BAYS.parse("go to", last=())
+    again = Answering(BAYS).answer(asked, heard, found, ())
+    assert (again.text, again.actions) == ("the kitchen", ())
+    clearly = Answering(BAYS).answer(again, Transcript("the kitchen", 0.0, "the kitchen"), found, ())
+    assert clearly.actions == BAYS.parse("go to the kitchen").actions
+
+
 def test_a_number_that_sounds_like_another_answer_is_asked_again():
     alike = bays("bay 30", "bay 13")
     assert "sounds like" in answer(alike, "go to bay", "thirteen").reason

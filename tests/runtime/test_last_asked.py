@@ -8,7 +8,6 @@ from intent_engine.actions import Turn
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.interpretation import Interpretation, Question, Status
 from intent_engine.runtime.last_asked import QUESTION_LASTS, LastAsked
-from intent_engine.speech.endpoint import Settings
 
 ASKED = Interpretation("go to bay", Status.AMBIGUOUS, alternatives=("bay 3",), question=Question(("go to bay 3",)))
 TURNED = Interpretation("turn left", Status.ACCEPTED, "turn", {}, (Turn(1.0, 0.5, 2.0),), 1.0)
@@ -22,7 +21,6 @@ def last() -> LastAsked:
 
 
 def test_a_question_lasts_a_while(last):
-    assert Settings().question_lasts == QUESTION_LASTS
     assert last.at(5.0 + QUESTION_LASTS) == ASKED
     assert last.at(5.1 + QUESTION_LASTS) is None
     assert last.at(25.0) is None

@@ -59,7 +59,7 @@ class NoCommand:
 
                 following = likely_words(self._matcher, words, most=MOST_FOLLOWING)
                 reason = "the sentence is not finished"
-                asked = Question()
+                asked = Question(beginning=text)
                 return Interpretation(
                     text, Status.INCOMPLETE, reason=reason, alternatives=following, question=asked
                 ), ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from intent_engine.interpretation import Status
@@ -19,6 +19,19 @@ from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["WrittenOtherwise"]
+
+
+def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
+    return True
+
+
+_NUMBERS = (
+    (figures_apart, are_apart),
+    (figures_joined, _always),
+    (every_one, is_every_one),
+    (without_number, is_called_so),
+)
+"""How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
 
 class WrittenOtherwise:
@@ -56,20 +69,11 @@ class WrittenOtherwise:
             written = self._in_the_infinitive(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state)
-        if written is None:
-            written = self._understood_as(text, core, figures_apart(core, language), state)
-            if not are_apart(core, _readings(written), language):
-                written = None
-        if written is None:
-            written = self._understood_as(text, core, figures_joined(core, language), state)
-        if written is None:
-            written = self._understood_as(text, core, every_one(core, language), state)
-            if not is_every_one(core, _readings(written), language):
-                written = None
-        if written is None:
-            written = self._understood_as(text, core, without_number(core, language), state)
-            if not is_called_so(core, _readings(written), language):
-                written = None
+        for otherwise, is_meant in _NUMBERS:
+            if written is None:
+                written = self._understood_as(text, core, otherwise(core, language), state)
+                if not is_meant(core, _readings(written), language):
+                    written = None
         return written if written is not None else self._counted_otherwise(text, core, state)
 
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
