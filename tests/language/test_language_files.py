@@ -66,10 +66,10 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     },
     "operators": {
         "adds": "en", "agrees": "en", "asked": "de", "behind_verb": "de", "compares": "en es fr it",
-        "denying": "fr", "before_verb": "de es fr it", "forbidden": "de es fr it", "forbidding": "en es fr it",
+        "denying": "fr", "before_verb": "de es fr it", "forbidding": "en es fr it",
         "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
-        "counting": "de en fr it",
+        "counting": "de en fr it", "standing_for": "en es fr it",
     },
     "things": {
         "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",
@@ -77,6 +77,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         # To be done: nobody has written these for all languages.
         "definite": "de en", "itself": "de en", "manner": "de en", "measures": "de en",
         "not_bare": "de en", "not_held": "de en", "pronouns": "de en",
+        "describing": "en", "solid": "en",
     },
 }  # fmt: skip
 """Lists that not every language has, and those that have them. Any other belongs into each."""
