@@ -7,17 +7,21 @@ sound could be compared, so its words are only taken where they were heard clear
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
+
+from rapidfuzz.distance import Levenshtein
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.answers import either
+from intent_engine.language.likeness import sound
+from intent_engine.language.name_words import ORDINALS
 from intent_engine.language.numbers.english import ALIKE
 from intent_engine.language.utterance import plain
 from intent_engine.runtime.transcript_grammar import language_of
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.thresholds import CLEARLY
+from intent_engine.speech.thresholds import CLEARLY, ENOUGH_FOR_AN_ANSWER
 
 __all__ = ["Answering"]
 
@@ -58,7 +62,9 @@ class Answering:
         if answer.status is not Status.ACCEPTED:
             return answer
         again = replace(asked, text=heard.free_text)
-        if heard.score < CLEARLY or heard.unclear:
+        # The rest of a sentence may be any of the grammar's words, an answer only what was asked about.
+        one_of_few = asked.question is not None and not asked.question.beginning
+        if heard.score < (ENOUGH_FOR_AN_ANSWER if one_of_few else CLEARLY) or heard.unclear:
             return replace(again, reason=_NOT_CLEAR.format(answer.text))
         if self._sounds_like_another(asked, heard, answer, state):
             return replace(again, reason=_SOUNDS_ALIKE.format(heard.free_text))
@@ -74,12 +80,24 @@ class Answering:
     def _sounds_like_another(
         self, asked: Interpretation, heard: Transcript, answer: Interpretation, state: Collection[str]
     ) -> bool:
-        """Whether another answer is said with a number that sounds like one that was heard: "thirty", "thirteen"."""
+        """Whether another answer is said with a word that sounds like one that was heard: "thirty" and "thirteen",
+        "the left one" and "the last one"."""
         words = plain(heard.free_text)
+        telling = ORDINALS.union(*map(plain, asked.alternatives))
         for place, word in enumerate(words):
-            if word in ALIKE:
-                other = " ".join((*words[:place], ALIKE[word], *words[place + 1 :]))
-                meant = self._read(asked, heard, other, state)
+            for alike in _alike(word, telling):
+                meant = self._read(asked, heard, " ".join((*words[:place], alike, *words[place + 1 :])), state)
                 if meant is not None and meant.actions and meant.actions != answer.actions:
                     return True
         return False
+
+
+def _alike(word: str, telling: Collection[str]) -> Iterator[str]:
+    """Words that sound like one: the number that is heard for it, and of those that tell an answer all but one sound
+    of which is the same."""
+    if word in ALIKE:
+        yield ALIKE[word]
+    for other in telling:
+        one, another = sound(word), sound(other)
+        if other != word and min(len(one), len(another)) > 1 and Levenshtein.distance(one, another) <= 1:
+            yield other

@@ -56,13 +56,13 @@ class Judge:
         self.engine = engine
 
     def meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:
-        """What a transcript means; nothing, where it is too unlike what was heard. A "no" that was heard of it stops a
-        robot that moves, though the nearest sentence of the grammar may be another."""
+        """What a transcript means; nothing, where it is too unlike what was heard. A stop that was heard of it, or a
+        "no", stops a robot that moves, though the nearest sentence of the grammar may be another."""
         meaning = self._meaning(transcript, state, last)
         if MOVING in state and meaning.status is not Status.ACCEPTED and transcript.score > HARDLY_A_WORD:
             language = language_of(self.engine, transcript)
             heard = self.engine.parse(transcript.free_text, state=state, language=language, spoken=True, last=last)
-            return heard if heard.objects else meaning
+            return heard if heard.stops else meaning
         return meaning
 
     def _meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:

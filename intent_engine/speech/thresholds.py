@@ -9,6 +9,7 @@ from intent_engine.speech.recognizer import Transcript
 
 __all__ = [
     "CLEARLY",
+    "ENOUGH_FOR_AN_ANSWER",
     "HARDLY_A_SENTENCE",
     "HARDLY_A_WORD",
     "SURE_ENOUGH",
@@ -40,6 +41,10 @@ heard as hardly a word, and some of them hold the robot: "Please now take one" w
 CLEARLY = -0.35
 """Mean log probability of the words heard, below which quiet ones beside a pause may be lost: of what is heard in doubt
 of orders of coffee four of ten are below it in quiet, and six of ten at 6 dB."""
+
+ENOUGH_FOR_AN_ANSWER = -1.0
+"""The same from which an answer to what was asked back is taken, which says hardly more than the word that was asked
+for, and so is never heard as well as a sentence (docs/decisions/language-answers.md)."""
 
 
 def enough_to_stop(transcript: Transcript) -> float:

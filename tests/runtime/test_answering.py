@@ -17,7 +17,7 @@ from intent_engine.runtime.judgement import Judge
 from intent_engine.runtime.last_asked import QUESTION_LASTS
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
-from intent_engine.speech.thresholds import CLEARLY, SURE_ENOUGH, WORTH_ASKING
+from intent_engine.speech.thresholds import CLEARLY, ENOUGH_FOR_AN_ANSWER, SURE_ENOUGH, WORTH_ASKING
 
 APART = ONE_SENTENCE + 0.2
 """s after which an utterance is by itself."""
@@ -144,8 +144,8 @@ def answer(engine: IntentEngine, asks: str, text: str, score: float = 0.0, **hea
 
 
 def test_an_answer_must_be_heard_clearly():
-    assert answer(BAYS, "go to bay", "three", CLEARLY).actions
-    hardly = answer(BAYS, "go to bay", "three", CLEARLY - 0.01)
+    assert answer(BAYS, "go to bay", "three", ENOUGH_FOR_AN_ANSWER).actions
+    hardly = answer(BAYS, "go to bay", "three", ENOUGH_FOR_AN_ANSWER - 0.01)
     assert (hardly.actions, hardly.alternatives) == ((), ("bay 3", "bay 13"))
     assert hardly.question is not None, "it is asked again"
     assert "not heard clearly" in hardly.reason
@@ -169,8 +169,19 @@ def test_a_number_that_sounds_like_another_answer_is_asked_again():
     assert not answer(ENGINE, "go forward", "thirteen meters")
 
 
+def test_an_answer_that_sounds_like_another_is_asked_again():
+    """Of "the left one" a recogniser wrote "the last one"."""
+    doors = bays("left door", "right door")
+    found = answer(doors, "go to the door", "the last one")
+    assert (found.actions, found.alternatives) == ((), ("left door", "right door"))
+    assert "sounds like" in found.reason
+    assert answer(doors, "go to the door", "the left one").actions
+    assert answer(doors, "go to the door", "the right one").actions
+    assert answer(doors, "go to the door", "the second one").actions
+
+
 def test_no_is_taken_however_it_was_heard():
-    assert answer(BAYS, "go to bay", "no", CLEARLY - 1.0).status is Status.REJECTED
+    assert answer(BAYS, "go to bay", "no", ENOUGH_FOR_AN_ANSWER - 1.0).status is Status.REJECTED
 
 
 @pytest.fixture(scope="module")

@@ -211,3 +211,18 @@ def test_a_word_that_may_have_been_a_stop_must_be_surer(judge, text, alternative
     """Of 464 "stop" in noise four were heard "go", and the robot drove off. But any word is compared with a "stop"."""
     transcript = Transcript(text, -2.0, text, alternatives=alternatives, behind=behind, confidence=confidence)
     assert bool(judge.meaning(transcript, (), ()).actions) is done
+
+
+@pytest.mark.parametrize(
+    ("freely", "state", "stops"),
+    [
+        ("No, no, the bedroom.", ["moving"], True),
+        ("No, the bedroom.", ["moving"], True),
+        ("No, no, the bedroom.", [], False),
+        ("No, that is the bedroom.", ["moving"], False),
+    ],
+)
+def test_a_no_with_what_is_meant_stops_whatever_sentence_is_the_nearest(judge, freely, state, stops):
+    """Of "no, no, the left door" the nearest sentence was "do not the left four", and the robot drove on."""
+    transcript = Transcript("do not the left four", -0.2, freely, confidence=0.15)
+    assert judge.meaning(transcript, state, judge.engine.parse("go to the kitchen")).stops is stops
