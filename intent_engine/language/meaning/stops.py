@@ -40,7 +40,8 @@ class Stops:
         A clause is one that begins the utterance (after fillers, a wake word or "no"), follows a pause, or ends a
         sentence that was begun ("go forward stop"). "the bus stop", "don't stop" and "stop the music" are none; but
         while the robot moves, an utterance that *begins* with a stop word stops it whatever comes after, and so does
-        one that ends with it and denies nothing: "you will hit the wall stop". To stand for a bus stop costs a word.
+        one that ends with it and denies nothing: "you will hit the wall stop", or joins it to what is denied: "don't go
+        to the bar and stop". To stand for a bus stop costs a word.
         """
         words = said.words
         phrases = self._phrases
@@ -51,23 +52,31 @@ class Stops:
             return True
         if self._corrected_after(words, start):
             return True
+        denies = phrases.negation.find(words) is not None
         for position in range(start + 1, len(words)):
             if not self._stop.at(words, position):
                 continue
-            warned = MOVING in state and phrases.negation.find(words) is None
+            if MOVING in state and denies and self._joined_to_what_is_denied(words, position):
+                return True
+            warned = MOVING in state and not denies
             if said.breaks[position] or warned or self._clause_begins(words, start, position):
                 if phrases.negated_before(words, position):
                     continue
                 if self._corrected_after(words, position):
                     return True
-                ends = phrases.only_stops(words, position)
-                if not ends or phrases.joined_before(words, position):
+                if not phrases.only_stops(words, position) or phrases.joined_before(words, position):
                     continue
                 # "go to the bus, stop": where there is a bus as well as a bus stop, the pause tells which.
                 parted = said.breaks[position] and self._commands.accepts(words[start:position], state)
                 if parted or not self._is_command(words, state):
                     return True
         return False
+
+    def _joined_to_what_is_denied(self, words: list[str], position: int) -> bool:
+        """Whether only stops follow from here on, behind a joint: what they are joined to may be denied alone."""
+        phrases = self._phrases
+        joined = phrases.joined_before(words, position) and phrases.only_stops(words, position)
+        return joined and not phrases.negated_before(words, position)
 
     @step(Kind.STOP)
     def by_sound(self, said: Utterance) -> bool:
