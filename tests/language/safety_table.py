@@ -913,7 +913,7 @@ TABLE = {
 
 WHILE_MOVING = [
     *("stop the music", "stop by the kitchen", "whoa what was that", "freeze, he said"),
-    *("uh robot stop the music", "no stop the music"),
+    *("uh robot stop the music", "no stop the music", "wait stop the music"),
     *("you are going to hit the wall stop", "watch out halt", "my word stop", "the bus stop", "no no no", "nope, no"),
 ]
 MOTION_FORBIDDEN = [
