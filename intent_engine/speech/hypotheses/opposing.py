@@ -12,7 +12,9 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.numbers.spelled import number_words
 from intent_engine.language.opposites import opposed
+from intent_engine.speech.hypotheses.detours import leads
 from intent_engine.speech.hypotheses.evidence import letters_apart
 from intent_engine.speech.hypotheses.word_pieces import MANY_WORDS
 from intent_engine.ways import opposite_ways, ways
@@ -46,7 +48,7 @@ def opposing(
         return []
     moves = any(ways(meaning.actions))
     found = []
-    for place, other in _others(search, words):
+    for place, other in _others(search, words, number_words(language)):
         said = (*words[:place], other, *words[place + 1 :])
         listed = other in opposed(words[place], language)
         if (listed or moves) and _opposite(meaning.actions, parse(" ".join(said)).actions, listed=listed):
@@ -54,14 +56,20 @@ def opposing(
     return [said for _, said in sorted(found)][:MOST_OPPOSED]
 
 
-def _others(search: UtteranceSearch, words: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """The places of a sentence, each with other words that may stand there."""
-    state = search.graph.start()
+def _others(search: UtteranceSearch, words: Sequence[str], numbers: Collection[str]) -> Iterator[tuple[int, str]]:
+    """The places of a sentence, each with other words with which it is one as well. Not those of its quantities, which
+    tell how far and not which way: to ask of all words that may stand anywhere what they mean took up to a second."""
+    graph = search.graph
+    state = graph.start()
     for place, word in enumerate(words):
         likely: Collection[str] = search.words_after(state)[1]
-        if len(likely) <= MANY_WORDS:
-            yield from ((place, other) for other in sorted(likely) if other != word)
-        state = search.graph.step(state, word)
+        quantity = any(near in numbers for near in words[max(0, place - 1) : place + 1])
+        if len(likely) <= MANY_WORDS and not quantity:
+            rest = tuple(words[place + 1 :])
+            yield from (
+                (place, other) for other in sorted(likely) if other != word and leads(graph, state, (other, *rest))
+            )
+        state = graph.step(state, word)
         if state is None:
             return
 
