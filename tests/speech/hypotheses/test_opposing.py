@@ -6,7 +6,7 @@ import pytest
 
 from intent_engine.engine import IntentEngine
 from intent_engine.language.opposites import opposed
-from intent_engine.speech.hypotheses.opposing import MOST_OPPOSED
+from intent_engine.speech.hypotheses.opposing import MOST_OPPOSED, opposing
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.ways import opposite_ways
 
@@ -68,3 +68,16 @@ def test_words_that_mean_the_opposite_are_so_in_any_domain(engine_of):
 def test_in_german_too(root):
     engine = IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
     assert "fahr zurück" in against(SpokenGrammar(engine), "fahr vorwärts", "fahr zurück", "de")
+
+
+def test_how_far_says_nothing_of_which_way(engine, grammar):
+    """To ask of every number and unit that may be said what it means took up to a second."""
+    words = ["go", "back", "two", "meters", "at", "half", "speed"]
+    asked = []
+
+    def parse(text):
+        asked.append(text.split())
+        return engine.parse(text)
+
+    assert opposing(grammar.search(), parse, words, [words])
+    assert {"two", "meters", "half", "speed"} <= set.intersection(*map(set, asked))
