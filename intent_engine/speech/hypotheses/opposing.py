@@ -22,8 +22,8 @@ from intent_engine.ways import opposite_ways, ways
 __all__ = ["opposing"]
 
 MOST_OPPOSED = 6
-"""Commands that are compared, those first that are likest to what was heard: of 180 commands to move and turn at 10 dB
-there were up to 27, and the likeliest was always among the first four."""
+"""Commands that are compared, those first that are likest to what was heard: of one to move or turn the shipped English
+grammar has up to 34."""
 
 
 def opposing(
