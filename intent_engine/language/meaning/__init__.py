@@ -6,6 +6,7 @@ changes a sentence's sense; a compound is taken whole or not at all; two meaning
 Each rule has its module, and knows only those above it:
 
 - ``phrases``: fillers, wake words and operators, found in words;
+- ``numbers_in_pieces``: "nine, uh, forty five";
 - ``command``: one command, exactly said or with misheard names;
 - ``dictation``: "write down ...", and then anything;
 - ``correction_places``: where what corrects may stand;
@@ -16,6 +17,8 @@ Each rule has its module, and knows only those above it:
 - ``negation``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;
 - ``told``: how what was understood is told;
+- ``fillers_or_words``: "right then turn left";
+- ``talk``: "could you turn left?" and "can you fly?", "turned left";
 - ``interpreter``: the order in which they are asked, and what comes of it.
 
 ``steps`` marks what they decide, for explanations.

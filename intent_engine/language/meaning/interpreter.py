@@ -10,26 +10,24 @@ from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
-from intent_engine.language.meaning.command import Clause, Commands, described, more_telling
+from intent_engine.language.meaning.command import Clause, Commands, more_telling
 from intent_engine.language.meaning.compound import Compounds
-from intent_engine.language.meaning.conditions import Conditions
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation
+from intent_engine.language.meaning.fillers_or_words import FillersOrWords
 from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.no_command import NoCommand
+from intent_engine.language.meaning.numbers_in_pieces import NumbersInPieces
 from intent_engine.language.meaning.objecting import objects_to_what_is_done
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
-from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
-from intent_engine.language.meaning.told import Understood, as_told, as_told_together, which_number
-from intent_engine.language.meaning.told_as_done import told_as_done
+from intent_engine.language.meaning.talk import Talk
+from intent_engine.language.meaning.told import Understood, as_stop, as_told, as_told_together, which_number
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
-from intent_engine.language.numbers.english import ZERO
 from intent_engine.language.numbers.vague import said_exactly
 from intent_engine.language.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
@@ -73,10 +71,10 @@ class Interpreter:
         self._corrections = made(Corrections(phrases, self._commands, replacements))
         self._compounds = made(Compounds(phrases, self._commands, self._corrections))
         self._cancelled = Cancelled(phrases, self._commands, self._compounds)
-        self._questions = Questions(phrases, self._commands)
+        self._talk = Talk(phrases, self._commands)
         self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
-        self._sayings = Sayings(phrases, self.matcher.grammar)
-        self._conditions = Conditions(phrases, self.matcher.grammar)
+        self._fillers = FillersOrWords(phrases, self._commands, self._meant)
+        self._numbers = made(NumbersInPieces(phrases, self.matcher))
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -141,11 +139,13 @@ class Interpreter:
         """The same, with the commands of which the meaning is made."""
         if len(text) > MAX_CHARACTERS:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
+        typed = not (spoken or heard)
         sentence = without_enumeration(text)
         if sentence is not text:
             said = self._said(sentence)
             understood = self._meant(sentence, said, state, spoken)
-            understood = self._unless_told(sentence, said, understood, typed=not (spoken or heard))
+            if reason := self._talk.tells(said, understood, typed=typed):
+                understood = self._rejected(sentence, reason)
             if understood[0].status is Status.ACCEPTED:
                 return understood  # else it may be how a number was written: "2. Meters ahead"
         said = self._said(text)
@@ -158,29 +158,12 @@ class Interpreter:
         lettered = Utterance.with_letters(text, self._language)
         if lettered is not None and not meant[0].stops:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
-        if self._questions.asks(text, said, meant[1], spoken=spoken):
-            return self._rejected(text, "a question, and not one to do something")
-        if meant[0].actions and (saying := self._sayings.within(said, meant[1])):
-            return self._rejected(text, f"{saying!r} is a saying, and may be no thing to take; name the thing")
-        if meant[0].reason or self._conditions.may_stand_in(words):
-            meant = self._unless_told(text, said, meant, typed=not (spoken or heard))
+        talk = self._talk
+        if reason := talk.asks_or_quotes(text, said, meant, spoken=spoken) or talk.tells(said, meant, typed=typed):
+            return self._rejected(text, reason)
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
-            return self._either(text, meant, other, state)
+            return self._fillers.or_either(text, meant, other, state)
         return meant
-
-    def _unless_told(self, text: str, said: Utterance, meant: Understood, *, typed: bool) -> Understood:
-        """What was meant, unless its words are a condition, or tell of what somebody did. A stop is one anyhow.
-
-        Nothing is read as another word without a reason given.
-        """
-        found, parts = meant
-        condition = self._conditions.within(said, parts)
-        told = told_as_done(said.words, parts, self.matcher.alikes, self._language) if typed else None
-        if (not condition and told is None) or not found.actions or found.stops:
-            return meant
-        if told is None:
-            return self._rejected(text, f"{condition!r} and what follows may be a condition; say the command alone")
-        return self._rejected(text, f"{told[0]!r} tells what somebody does or did; a command says {told[1]!r}")
 
     def _said(self, text: str) -> Utterance:
         return self.matcher.as_written(Utterance.of(text, self._language))
@@ -201,20 +184,6 @@ class Interpreter:
             tells = True  # "no row is called 'b bay'"
         return (lettered, found) if tells else otherwise
 
-    def _either(self, text: str, meant: Understood, other: Utterance, state: Collection[str]) -> Understood:
-        """What was meant, unless the same command in other words is another: a filler may have taken the "right" of
-        "turn right away ninety degrees". Nobody knows, so nothing is done."""
-        found = self._meant(text, other, state, spoken=False)
-        alike = len(found[0].actions) == len(meant[0].actions) and not (found[0].stops or meant[0].stops)
-        if not alike or found[0].actions == meant[0].actions:
-            return meant
-        meanings = tuple(
-            ", then ".join(described(part.reading) for part in parts if part.reading is not None)
-            for _, parts in (meant, found)
-        )
-        reason = "it could mean two things"
-        return Interpretation(text, Status.AMBIGUOUS, alternatives=meanings, reason=reason), ()
-
     def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool = False) -> Understood:
         words, phrases = said.words, self.phrases
         if phrases.stop.may_stand_in(words) and self._stops.heard(said, state):
@@ -234,7 +203,7 @@ class Interpreter:
                     return understood  # "stop turning left" is a stop, too, and never needs it
                 return self._rejected(text, f"did not begin with {' '.join(self.matcher.grammar.wake[0])!r}")
             said = woken or said
-        in_pieces = self._number_in_pieces(said)
+        in_pieces = self._numbers.in_pieces(said)
         clause = self._commands.exact(said.words, state, "", said.breaks) if not in_pieces else None
         if clause is not None and clause.accepted:
             free = clause.reading is not None and clause.reading.free_words > 0
@@ -245,11 +214,10 @@ class Interpreter:
             return as_told(text, clause)
         if core.words and phrases.only_agrees(said):
             return self._agreed(text, core)
-        listed = phrases.as_a_list(said)
-        if listed is not None and (either := self._listed(text, *listed, state)) is not None:
-            return either
-        if phrases.fillers.may_stand_in(said.words) and not self._number_restarted(core):
-            again = self._without_fillers(said, core, state)
+        if (listed := self._fillers.listed(text, said, state)) is not None:
+            return listed
+        if phrases.fillers.may_stand_in(said.words) and not self._numbers.restarted(core):
+            again = self._fillers.besides(said, core, state)
             if again is not None and (again.accepted or clause is None or again.no_name):
                 clause = again  # "take your time please" takes no "time please"
             if clause is not None and clause.accepted:
@@ -260,7 +228,7 @@ class Interpreter:
             return self._rejected(text, "no command in it")
         if clause is not None and clause.ambiguous:
             return as_told(text, clause)
-        if self._number_restarted(core):
+        if self._numbers.restarted(core):
             if self._stops_beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
@@ -284,9 +252,6 @@ class Interpreter:
                 return found.text
         return ""
 
-    def _as_said(self, said: Utterance, state: Collection[str]) -> Clause | None:
-        return self._commands.exact(said.words, state, breaks=said.breaks)
-
     def _dictated(self, text: str, state: Collection[str], *, spoken: bool) -> Understood | None:
         """A command in which something is dictated, alone or behind others: "turn left, and write down that ...". What
         is before it must be commands by itself: "don't turn left, and say hello" is understood as any other text."""
@@ -295,54 +260,8 @@ class Interpreter:
         for before, dictated in self._dictation.behind(text, state):
             found, parts = self._meant(before, self._said(before), state, spoken)
             if found.status is Status.ACCEPTED and parts and not found.stops:
-                return self._joined(text, [*parts, dictated.clause])
+                return as_told_together(text, [*parts, dictated.clause], self._stop_intent)
         return None
-
-    def _listed(self, text: str, first: list[str], rest: Utterance, state: Collection[str]) -> Understood | None:
-        """ "right then left": two commands. "right then turn left", "right, turn left": two, or one after a word that
-        says nothing. Nobody knows, so nothing is done. None: no command follows, or a stop."""
-        before = self._commands.exact(first, state)
-        found, parts = self._meant(text, rest, state, spoken=False)
-        if not found.actions:  # behind a joint some sentences are none: "turn left go forward", "drop it"
-            without = rest.part(self.phrases.goes_on(rest.words), len(rest))
-            if self.phrases.as_a_list(without) is not None:
-                return found, parts  # "right then right then ...": a list, whatever opens it
-            found, parts = self._meant(text, without, state, spoken=False)
-        if before is None or before.reading is None or not before.accepted or not parts or not found.actions:
-            return None
-        begins = parts[0].reading
-        if begins is not None and not self._commands.opens_with_a_verb(begins):
-            return self._joined(text, [before, *parts])
-        after = ", then ".join(described(part.reading) for part in parts if part.reading is not None)
-        clearer = "in a whole sentence" if rest.breaks[0] else "with a pause"
-        reason = f"{' '.join(first)!r} may be a command, or say nothing here; say it {clearer}"
-        either = (f"{described(before.reading)}, then {after}", after)
-        return Interpretation(text, Status.AMBIGUOUS, alternatives=either, reason=reason), ()
-
-    def _without_fillers(self, said: Utterance, core: Utterance, state: Collection[str]) -> Clause | None:
-        """What an utterance says besides its fillers."""
-        phrases = self.phrases
-        clause = self._as_said(core, state)
-        if clause is None:  # "uh, again": some fillers are sentences as well, or parts of one
-            clause = self._as_said(phrases.without_idle_fillers(said), state)
-        if clause is None:  # "robot, wait for me here", of which both are
-            clause = self._as_said(phrases.without_opening(said), state)
-        if clause is None:  # "light hey on", of a grammar that has free names besides
-            clause = self._as_said(phrases.without_greetings(said), state)
-            if clause is not None and clause.reading is not None and clause.reading.free_words:
-                clause = None  # "say thank you to everybody here", of a slot that has not so many words
-        less = phrases.without_whole_fillers(said)
-        if not core.words or len(less) == len(core):
-            return clause
-        other = self._as_said(less, state)
-        if other is None or not other.accepted or (other.reading and phrases.cuts_a_filler(said, other.reading)):
-            return clause
-        if clause is None or not clause.accepted or clause.reading is None or other.reading is None:
-            return other
-        if clause.action == other.action or clause.reading.free_words < other.reading.free_words:
-            return clause
-        meanings = (described(clause.reading), described(other.reading))
-        return Clause(clause.reading, reason="it could mean two things", alternatives=meanings, ambiguous=True)
 
     def _operated(
         self, text: str, said: Utterance, core: Utterance, state: Collection[str], clause: Clause | None
@@ -409,7 +328,7 @@ class Interpreter:
                 if parts is None and len(fuller) > len(core):
                     parts = self._compounds.split(fuller, state, exactly=True)
         if parts is not None:
-            return self._joined(text, self._hesitations.or_either(parts, said, state))
+            return as_told_together(text, self._hesitations.or_either(parts, said, state), self._stop_intent)
         single = self._compounds.part(core, state, loosely=not negated)
         if single is not None and (single.accepted or single.ambiguous):
             return as_told(text, single)
@@ -420,7 +339,7 @@ class Interpreter:
             other = self._run_ons.split(fuller, state) if len(fuller) > len(core) else None
             if other is not None and [one.action for one in other] != [one.action for one in commands]:
                 return self._rejected(text, "it could mean two things")
-            return self._joined(text, self._hesitations.or_either(commands, said, state))
+            return as_told_together(text, self._hesitations.or_either(commands, said, state), self._stop_intent)
         written = self._otherwise.understood(text, core, state)
         if written is not None:
             return written
@@ -456,33 +375,10 @@ class Interpreter:
     def _awake(self, said: Utterance) -> Utterance | None:
         return self.phrases.awake(said)
 
-    @step(Kind.NUMBERS)
-    def _number_restarted(self, core: Utterance) -> bool:
-        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
-        words, is_number = core.words, self.matcher.is_number
-        return core.paused_in_number() or any(
-            is_number(words[place - 1]) and is_number(words[place]) for place in core.joined
-        )
-
-    def _number_in_pieces(self, said: Utterance) -> bool:
-        """ "Two, oh, four meters": not 204."""
-        fillers = self.phrases.fillers
-        if said.paused_in_number():
-            return True
-        return not ZERO.isdisjoint(said.words) and any(
-            said.zero_between(place) and said.paused_beside(place) and fillers.at(said.words, place) == 1
-            for place in range(1, len(said))
-        )
-
     # -- results ------------------------------------------------------------------------------------------------
 
     def _stopped(self, text: str) -> Understood:
-        return Interpretation(text, Status.ACCEPTED, self._stop_intent, {}, (Stop(),), 1.0), ()
-
-    def _joined(self, text: str, parts: list[Clause]) -> Understood:
-        if len(parts) > 1 and any(isinstance(part.action, Stop) for part in parts):
-            return self._stopped(text)[0], tuple(parts)
-        return as_told_together(text, parts)
+        return as_stop(text, self._stop_intent)
 
     def _agreed(self, text: str, core: Utterance) -> Understood:
         reason = f"{core.words[-1]!r} may be a command, or only agree; say it in a whole sentence"

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
+from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Question, Status
 from intent_engine.language.answers import with_name
 from intent_engine.language.meaning.command import Clause, slot_values
 
-__all__ = ["Understood", "as_told", "as_told_together", "asked_back", "which_number"]
+__all__ = ["Understood", "as_stop", "as_told", "as_told_together", "asked_back", "which_number"]
 
 Understood: TypeAlias = tuple[Interpretation, tuple[Clause, ...]]
 """What a text means, and the commands of which that is made; none where nothing but a stop or a refusal came of it."""
@@ -44,10 +45,17 @@ def asked_back(text: str, clause: Clause) -> Question | None:
     return Question(choices) if any(choices) else None
 
 
-def as_told_together(text: str, parts: Sequence[Clause]) -> Understood:
-    """Accepted commands in a row as they are told; one alone as itself."""
+def as_stop(text: str, intent: str) -> Understood:
+    """A stop as it is told, whatever was said besides; ``intent`` is the one of the grammar that stops."""
+    return Interpretation(text, Status.ACCEPTED, intent, {}, (Stop(),), 1.0), ()
+
+
+def as_told_together(text: str, parts: Sequence[Clause], stop_intent: str) -> Understood:
+    """Accepted commands in a row as they are told: one alone as itself, several of which one stops as that stop."""
     if len(parts) == 1:
         return as_told(text, parts[0])
+    if any(isinstance(part.action, Stop) for part in parts):
+        return as_stop(text, stop_intent)[0], tuple(parts)
     steps = []
     score = 1.0
     for part in parts:

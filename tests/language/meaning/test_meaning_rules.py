@@ -11,12 +11,12 @@ from safety_table import MOTION_FORBIDDEN, NEGATED, STOP, TABLE, WHILE_MOVING, m
 from intent_engine.engine import IntentEngine
 from intent_engine.language.grammar import Grammar, Operators
 from intent_engine.language.locations import load
-from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.hesitation import Hesitations
 from intent_engine.language.meaning.negation import Negations
+from intent_engine.language.meaning.numbers_in_pieces import NumbersInPieces
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
@@ -77,7 +77,7 @@ RULES = {
     (Stops, "_clause_begins"): lambda self, words, start, position: True,
     (Phrases, "after_opening"): lambda self, words: 0,
     (Phrases, "only_stops"): lambda self, words, position: bool(words[position:]),
-    (Interpreter, "_number_restarted"): lambda self, core: False,
+    (NumbersInPieces, "restarted"): lambda self, core: False,
     (Corrections, "_pause_after"): lambda self, part, position: True,
     (Corrections, "corrected"): lambda self, part, state, before="": None,
     (Corrections, "_corrected_before"): lambda self, part, state: None,

@@ -1,0 +1,36 @@
+"""Numbers that were not said in one breath: of "nine, uh, forty five" nobody knows which one was meant."""
+
+from __future__ import annotations
+
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.steps import Kind, step
+from intent_engine.language.numbers.english import ZERO
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["NumbersInPieces"]
+
+
+class NumbersInPieces:
+    """Whether a number of an utterance was said in pieces, which together are another."""
+
+    def __init__(self, phrases: Phrases, matcher: Matcher) -> None:
+        self._fillers = phrases.fillers
+        self._is_number = matcher.is_number
+
+    @step(Kind.NUMBERS)
+    def restarted(self, core: Utterance) -> bool:
+        """ "nine, uh, forty five degrees": two numbers, not 945. Which one was meant nobody can know."""
+        words, is_number = core.words, self._is_number
+        return core.paused_in_number() or any(
+            is_number(words[place - 1]) and is_number(words[place]) for place in core.joined
+        )
+
+    def in_pieces(self, said: Utterance) -> bool:
+        """ "Two, oh, four meters": not 204."""
+        if said.paused_in_number():
+            return True
+        return not ZERO.isdisjoint(said.words) and any(
+            said.zero_between(place) and said.paused_beside(place) and self._fillers.at(said.words, place) == 1
+            for place in range(1, len(said))
+        )

@@ -1,0 +1,62 @@
+"""What has the words of a command and is none: a question, a saying, a condition, what somebody did."""
+
+from __future__ import annotations
+
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.conditions import Conditions
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.questions import Questions
+from intent_engine.language.meaning.sayings import Sayings
+from intent_engine.language.meaning.told import Understood
+from intent_engine.language.meaning.told_as_done import told_as_done
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["Talk"]
+
+
+class Talk:
+    """Why what was understood is not to be done, by how it was said."""
+
+    def __init__(self, phrases: Phrases, commands: Commands) -> None:
+        grammar = commands.matcher.grammar
+        self._alikes = commands.matcher.alikes
+        self._language = grammar.language
+        self._questions = Questions(phrases, commands)
+        self._sayings = Sayings(phrases, grammar)
+        self._conditions = Conditions(phrases, grammar)
+
+    def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
+        """Why it is a question, or may be a saying; empty: it is neither.
+
+        Args:
+            text: what was said or typed.
+            said: its words.
+            meant: what they were understood as.
+            spoken: whether a wake word is needed, if the grammar has one.
+        """
+        found, parts = meant
+        if self._questions.asks(text, said, parts, spoken=spoken):
+            return "a question, and not one to do something"
+        if found.actions and (saying := self._sayings.within(said, parts)):
+            return f"{saying!r} is a saying, and may be no thing to take; name the thing"
+        return ""
+
+    def tells(self, said: Utterance, meant: Understood, *, typed: bool) -> str:
+        """Why its words are a condition, or tell of what somebody did; empty: they do not. A stop is one anyhow.
+
+        Args:
+            said: the words.
+            meant: what they were understood as.
+            typed: whether somebody typed them. A recogniser may write "turned left" for "turn left".
+        """
+        found, parts = meant
+        if not (found.reason or self._conditions.may_stand_in(said.words)):  # what reads a word as another says so
+            return ""
+        if not found.actions or found.stops:
+            return ""
+        told = told_as_done(said.words, parts, self._alikes, self._language) if typed else None
+        if told is not None:
+            return f"{told[0]!r} tells what somebody does or did; a command says {told[1]!r}"
+        if condition := self._conditions.within(said, parts):
+            return f"{condition!r} and what follows may be a condition; say the command alone"
+        return ""
