@@ -9,7 +9,7 @@ from typing import Any
 from intent_engine.language.action_builder import CannotActError, build_action, defaults_of, holds
 from intent_engine.language.explanation import Candidate, SlotSource
 from intent_engine.language.grammar import Intent, Place
-from intent_engine.language.meaning.command import Clause
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
 

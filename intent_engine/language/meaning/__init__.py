@@ -7,6 +7,7 @@ Each rule has its module, and knows only those above it:
 
 - ``phrases``: fillers, wake words and operators, found in words;
 - ``numbers_in_pieces``: "nine, uh, forty five";
+- ``clause``: what is understood as one command, or why not;
 - ``command``: one command, exactly said or with misheard names;
 - ``dictation``: "write down ...", and then anything;
 - ``correction_places``: where what corrects may stand;
@@ -18,13 +19,13 @@ Each rule has its module, and knows only those above it:
 - ``stops``: "stop", wherever it is a command;
 - ``told``: how what was understood is told;
 - ``fillers_or_words``: "right then turn left";
-- ``talk``: "could you turn left?" and "can you fly?", "turned left";
+- ``talk``: "left, right?", "turned left";
 - ``interpreter``: the order in which they are asked, and what comes of it.
 
 ``steps`` marks what they decide, for explanations.
 """
 
-from intent_engine.language.meaning.command import Clause
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.interpreter import MAX_CHARACTERS, MAX_WORDS, Interpreter, Understood
 
 __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Clause", "Interpreter", "Understood"]

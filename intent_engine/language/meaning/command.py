@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
-from typing import Any
 
 from intent_engine.actions import Action, Stop
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
@@ -13,58 +11,22 @@ from intent_engine.language.adjacent_numbers import number_said_apart
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.share_of_a_turn import share_of_a_turn
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
-from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.thing_words import ARTICLES, any_articles, thing_words
+from intent_engine.language.reading import Reading
+from intent_engine.language.thing_words import ARTICLES, thing_words
 from intent_engine.language.verb_forms import told_forms_of
 
-__all__ = ["LEAST_WORDS", "Clause", "Commands", "described", "forbidden", "more_telling", "slot_values"]
+__all__ = ["LEAST_WORDS", "Commands", "forbidden"]
 
 LEAST_WORDS = 2
 """Of a command among others: a word alone ("back", "right") is as likely the end of something else."""
 _NUMBER_PARTED = "{!r} may be a number of its own, as it was said; say it again in one breath"
 _PARTED = "{!r} after a pause is no part of a name; say it in a sentence of its own, or without the pause"
-
-
-@dataclass(frozen=True, slots=True)
-class Clause:
-    """One command, understood, or why not."""
-
-    reading: Reading | None = None
-    action: Action | None = None
-    reason: str = ""
-    """Why it is not accepted; or what was changed to accept it."""
-    alternatives: tuple[str, ...] = ()
-    ambiguous: bool = False
-    parted: bool = False
-    """Whether it is a sentence, but was not said in one breath where it must be."""
-
-    @property
-    def accepted(self) -> bool:
-        return self.action is not None
-
-    @property
-    def wrong_slot(self) -> SlotReading | None:
-        """The first of its slots that has no value, and why; None: all have one."""
-        return _wrong_slot(self.reading)
-
-    @property
-    def unknown_place(self) -> bool:
-        """Whether it would be a command, were its place on the map; an article is none, it begins a name."""
-        slot = _wrong_slot(self.reading)
-        if self.reading is None or slot is None or (slot.slot.type, slot.status) != ("location", "unknown"):
-            return False
-        return not any_articles().issuperset(self.reading.words[slot.start : slot.end])
-
-    @property
-    def no_name(self) -> bool:
-        """Whether it would be a command, were some free words the name of anything: "take your time"."""
-        slot = _wrong_slot(self.reading)
-        return slot is not None and slot.slot.type in FREE_KINDS
 
 
 class Commands:
@@ -297,7 +259,7 @@ class Commands:
     def _too_much(self, reading: Reading) -> Clause | None:
         """Why a value of a list is none, if one of them was said and more words behind it: "pan left thirty meters" has
         a side. None: none was said."""
-        slot = _wrong_slot(reading)
+        slot = next((slot for slot in reading.slots if slot.problem), None)
         if slot is None or (slot.slot.type, slot.status) != ("choice", "unknown"):
             return None
         words = list(reading.words)
@@ -341,22 +303,6 @@ def forbidden(reading: Reading, state: Collection[str]) -> str:
     return reading.intent.needs.unmet(state)
 
 
-def slot_values(reading: Reading) -> dict[str, Any]:
-    """Slots for a person or a program: SI numbers, names, text; a relative speed as its factor of the usual one."""
-    values: Mapping[str, Any] = reading.values()
-    return {
-        label: value.factor if isinstance(value, Relative) else value
-        for label, value in values.items()
-        if value is not None
-    }
-
-
-def described(reading: Reading) -> str:
-    """A short name of a meaning, for "did you mean"."""
-    values = ", ".join(f"{label}: {value}" for label, value in slot_values(reading).items())
-    return f"{reading.intent.name} ({values})" if values else reading.intent.name
-
-
 def _problem_clause(reading: Reading) -> Clause:
     slot = next(slot for slot in reading.slots if slot.problem)
     names = tuple(name for name, _ in slot.rivals[:3])
@@ -387,18 +333,6 @@ def _problem_rank(reading: Reading) -> tuple[int, int, float]:
     nearest = slot.rivals[0][1] if slot.rivals else 0.0
     rank = order.get(slot.status, 2 if slot.slot.type == "location" else 3)
     return rank, slot.end - slot.start, -nearest
-
-
-def more_telling(exact: Clause | None, loose: Clause | None) -> Clause | None:
-    """Of two reasons why words are no command the one that tells more: that no place is called "library" says more of
-    "take me to the library" than that "me" is nothing to take."""
-    if exact is None or loose is None:
-        return exact or loose
-    return loose if exact.no_name and loose.unknown_place else exact
-
-
-def _wrong_slot(reading: Reading | None) -> SlotReading | None:
-    return next((slot for slot in reading.slots if slot.problem), None) if reading is not None else None
 
 
 def _tells_what(reading: Reading) -> bool:

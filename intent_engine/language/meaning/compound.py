@@ -10,7 +10,8 @@ from itertools import pairwise
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
 from intent_engine.language.grammar import MOTIONS
-from intent_engine.language.meaning.command import Clause, Commands, described
+from intent_engine.language.meaning.clause import Clause, described
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.meaning.command import Clause
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance

@@ -9,7 +9,8 @@ from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
 from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.steps import Kind, step

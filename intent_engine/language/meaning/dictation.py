@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 
 from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.phrase_set import PhraseSet

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.meaning.command import Clause, Commands, described
+from intent_engine.language.meaning.clause import Clause, described
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told_together
 from intent_engine.language.utterance import Utterance

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from intent_engine.language.meaning.command import Clause, described
+from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance

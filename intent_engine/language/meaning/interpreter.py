@@ -10,7 +10,8 @@ from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
-from intent_engine.language.meaning.command import Clause, Commands, more_telling
+from intent_engine.language.meaning.clause import Clause, more_telling
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.dictation import Dictated, Dictation

@@ -7,7 +7,8 @@ from functools import cached_property
 
 from intent_engine.actions import Action, Custom
 from intent_engine.language.grammar import MOTIONS
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.forbidden_verbs import as_told, verb_first

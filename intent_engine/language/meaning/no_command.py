@@ -6,7 +6,8 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation, Question, Status
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases

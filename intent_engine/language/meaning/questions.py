@@ -9,7 +9,8 @@ import re
 from collections.abc import Collection, Sequence
 
 from intent_engine.actions import Stop
-from intent_engine.language.meaning.command import Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from intent_engine.language.meaning.command import LEAST_WORDS, Clause, Commands
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.name_words import is_identifier
 from intent_engine.language.thing_words import thing_words

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from intent_engine.language.meaning.command import Clause
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.verb_forms import told_forms_of
 
 __all__ = ["told_as_done"]
