@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from intent_engine.execution.goal import Goal, GoalState, Reason
     from intent_engine.execution.robots.robot import Capability, Pose, Robot
     from intent_engine.execution.robots.simulated import SimulatedRobot
-    from intent_engine.interpretation import Interpretation, Status
+    from intent_engine.interpretation import Interpretation, Question, Status
     from intent_engine.prefix import Prefix, PrefixStatus
     from intent_engine.runtime import Runtime
 
@@ -40,6 +40,7 @@ __all__ = [
     "Pose",
     "Prefix",
     "PrefixStatus",
+    "Question",
     "Reason",
     "Robot",
     "Runtime",
@@ -55,7 +56,7 @@ __all__ = [
 _HOMES = {
     "engine": ("IntentEngine",),
     "prefix": ("Prefix", "PrefixStatus"),
-    "interpretation": ("Interpretation", "Status"),
+    "interpretation": ("Interpretation", "Question", "Status"),
     "actions": (
         "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "ChangeSpeed", "Custom", "from_json",
         "to_json",

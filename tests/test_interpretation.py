@@ -7,8 +7,9 @@ import json
 from hypothesis import given
 from hypothesis import strategies as st
 
+import intent_engine
 from intent_engine.actions import Move, Navigate, Stop
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Interpretation, Question, Status
 
 KEYS = ["text", "status", "intent", "slots", "actions", "confidence", "alternatives", "reason"]
 
@@ -50,3 +51,8 @@ def test_confidence_is_written_to_four_places():
 def test_equal_ones_have_one_hash(interpretation):
     again = Interpretation.from_json(interpretation.to_json())
     assert len({interpretation, again}) == 1
+
+
+def test_what_an_interpretation_asks_is_a_public_type() -> None:
+    assert intent_engine.Question is Question
+    assert "Question" in intent_engine.__all__
