@@ -307,11 +307,12 @@ def _by_itself(
             found, parser = _first_accepted(parsers, text, state, by_voice)
     except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
         return Interpretation(text, Status.REJECTED, reason=str(error)), parser
-    if done and not (found.actions or found.denied):  # "not the kitchen"
-        found = replace(found, denied=parser.denied_part(text, done, state))
-    denies = found.actions or found.denied
-    if MOVING in state and not denies and (stop := parser.objection(text, done, state)) is not None:
-        return stop, parser  # "no, the lab", long after "go to the kitchen"
+    by_part = parser.denied_part(text, done, state) if done and not (found.actions or found.denied) else ()
+    if by_part:  # "not the kitchen"
+        found = replace(found, denied=by_part)
+    does = found.actions or by_part
+    if MOVING in state and not does and (stop := parser.objection(text, done, state)) is not None:
+        return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
     if before is not None or len(found.actions) > 1 or found.corrected:
         grammar = parser.matcher.grammar
         found = resolve(found, before, grammar.operators.pronoun, needs, state, grammar.wording.several)

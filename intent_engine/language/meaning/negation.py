@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Custom
@@ -36,6 +36,14 @@ class Negations:
 
     def stands_in(self, core: Utterance) -> bool:
         return self._negation.may_stand_in(core.words) and self._first(core) is not None
+
+    def begins(self, core: Utterance) -> bool:
+        """Whether an utterance begins with its negation, or with words of correction before that."""
+        found = self._first(core)
+        if found is None:
+            return False
+        lengths = (0, *self._phrases.correction.lengths_at(core.words, 0))
+        return any(tuple(core.words[length : found[0]]) in self._before for length in lengths if length <= found[0])
 
     def _first(self, core: Utterance) -> tuple[int, int] | None:
         """(position, length) of the first negation that is no correction, nor a part of one: "no espera" corrects,
@@ -93,19 +101,39 @@ class Negations:
         )
 
     def denied(self, core: Utterance, state: Collection[str]) -> tuple[Action, ...]:
-        """What an utterance with a negation says not to do, if that is a whole command: "don't clean the lab". A word
-        of correction may stand before it, which in Spanish is the negation as well: "no, no limpies el laboratorio"."""
-        for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)):
-            part = core.part(begin, len(core))
-            found = self._first(part)
-            if found is None:
-                continue
-            position, length = found
-            start = position if tuple(part.words[:position]) in self._before else 0
-            told = self._denied(part.part(start, len(part)), position - start, length, state)
-            if told is not None and (action := self._action(told, state)) is not None:
-                return (action,)
+        """What an utterance with a negation says not to do: "don't clean the lab". A word of correction may stand
+        before it, which in Spanish is the negation as well: "no, no limpies el laboratorio".
+
+        More may follow that is not clear, and leaves what stands before it forbidden: "don't clean the lab, then clean
+        the hall" may want the hall, or neither.
+        """
+        parts = (core.part(begin, len(core)) for begin in (0, *self._phrases.correction.lengths_at(core.words, 0)))
+        return next(filter(None, (self._forbidden(part, state) for part in parts)), ())
+
+    def _forbidden(self, part: Utterance, state: Collection[str]) -> tuple[Action, ...]:
+        """The commands that are forbidden one after another, each in words of its own, from the first word on."""
+        found = self._first(part)
+        if found is None:
+            return ()
+        position, length = found
+        start = position if tuple(part.words[:position]) in self._before else 0
+        for end, after in self._ends_of_forbidden(part, start, position, length):
+            told = self._denied(part.part(start, end), position - start, length, state)
+            action = self._action(told, state) if told is not None else None
+            if action is not None:
+                return (action, *self._forbidden(part.part(after, len(part)), state))
         return ()
+
+    def _ends_of_forbidden(self, part: Utterance, start: int, position: int, length: int) -> Iterator[tuple[int, int]]:
+        """Where what is forbidden may end, the longest first, and where what follows it begins: behind a joint, a
+        contrast or a pause. A negation stands last only in the same breath: "nicht" of "geh ins Labor, nicht, äh, in
+        die Küche" forbids no lab."""
+        yield len(part), len(part)
+        last = position > start and self._behind_the_verb and not part.breaks[position]
+        for end in range(len(part) - 1, position + length - last, -1):
+            joint = max(self._phrases.sequence.at(part.words, end), self._phrases.contrast.at(part.words, end))
+            if joint or part.breaks[end]:
+                yield end, end + joint
 
     def denied_part(self, core: Utterance, done: Sequence[Utterance], state: Collection[str]) -> tuple[Action, ...]:
         """What an utterance says not to do by naming a part of it: "not the kitchen", after "go to the kitchen".
