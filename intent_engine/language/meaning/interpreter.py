@@ -303,10 +303,13 @@ class Interpreter:
                 ways = (core, self.phrases.without_idle_fillers(said), said)  # "oh" may be a zero
                 if MOVING in state and any(self._negations.forbids_motion(way, state) for way in ways):
                     return self._stopped(text)
+                denied = self._negations.denied(core, state)
+                begins = self._negations.begins(core)
+                if MOVING in state and self._stops.behind_what_is_denied(core, denied, begins=begins):
+                    return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
-                refused, _ = self._rejected(text, reason)
-                return replace(refused, denied=self._negations.denied(core, state)), ()
+                return replace(self._rejected(text, reason)[0], denied=denied), ()
             found, told = self._affirmed(text, said, wanted, state, None, negated=True)
             return replace(found, denied=self._negations.denied_beside(core, wanted, state)), told
         return self._affirmed(text, said, core, state, clause, negated=False)

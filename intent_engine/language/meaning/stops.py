@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from intent_engine.actions import Action, Stop
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.doing import verbs
@@ -77,6 +78,29 @@ class Stops:
         phrases = self._phrases
         joined = phrases.joined_before(words, position) and phrases.only_stops(words, position)
         return joined and not phrases.negated_before(words, position)
+
+    @step(Kind.STOP)
+    def behind_what_is_denied(self, core: Utterance, denied: Collection[Action], *, begins: bool) -> bool:
+        """Whether a clause of an utterance that denies something begins with a stop, or is only to hold, whatever comes
+        after: "don't turn left and stop there and wait", "don't go to the bar, and wait". That all of it is denied may
+        be meant as well; of a robot that moves, a stop that was not meant costs a word.
+
+        It ``begins`` with its negation, or a command is ``denied``: "she does not work and stop signs are red" is talk.
+        No stop is denied itself: "halte nicht an und warte" goes on.
+        """
+        words, phrases = core.words, self._phrases
+        if not (begins or denied) or any(isinstance(action, Stop) for action in denied):
+            return False
+        for position in range(1, len(words)):
+            stops = self._stop.at(words, position)
+            if stops and phrases.negated_before(words, position):
+                return False  # "don't stop and wait"
+            joined = phrases.joined_before(words, position) or phrases.contrast.ends(words[:position])
+            if not (joined or core.breaks[position]) or phrases.negated_before(words, position):
+                continue
+            if stops or phrases.only_hold(words[position:]):
+                return phrases.negation.find(words[:position]) is not None
+        return False
 
     @step(Kind.STOP)
     def by_sound(self, said: Utterance) -> bool:
