@@ -90,7 +90,7 @@ executor.close()
 """
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="Windows forks no process; CI is Linux, and runs it")
 def test_a_child_that_was_forked_while_the_lock_was_held_is_answered():
     done = subprocess.run([sys.executable, "-c", CHILD], capture_output=True, text=True, timeout=30, check=True)
     assert done.stdout == "closed True True\n"
