@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any
 
-from intent_engine.actions import Action, actions_of
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.answers import Answers, answered
+from intent_engine.interpretation import Interpretation
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
-from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
-from intent_engine.language.references import Before, resolve
+from intent_engine.language.references import Before
+from intent_engine.language.understanding import Understanding
 from intent_engine.language.utterance import plain
-from intent_engine.needs import MOVING, Needs, states_of
+from intent_engine.needs import MOVING, states_of
 from intent_engine.prefix import Prefix, PrefixStatus, prefix_of
 
 if TYPE_CHECKING:
@@ -170,7 +167,7 @@ class IntentEngine:
         """
         _only_text("parse", text)
         parsers = self._loaded.parsers(language)
-        return _understood(parsers, text, state, (spoken, heard), last)[0]
+        return Understanding(parsers, last, states_of(state), spoken, heard).of(text)[0]
 
     def answer(
         self,
@@ -198,7 +195,7 @@ class IntentEngine:
             raise TypeError(f"answer takes the interpretation that asks, as parse gave it, not {asked!r:.80}")
         _only_text("answer", text)
         parsers = self._loaded.parsers(language)
-        return _answer(parsers, text, states_of(state), (spoken, heard), asked)
+        return Understanding(parsers, asked, states_of(state), spoken, heard).answer(text)
 
     def explain(
         self,
@@ -214,8 +211,8 @@ class IntentEngine:
         from intent_engine.language.explain import Witness
 
         _only_text("explain", text)
-        parsers = self._loaded.parsers(language)
-        found, witness = _understood([Witness(parser) for parser in parsers], text, state, (spoken, heard), last)
+        witnesses = [Witness(parser) for parser in self._loaded.parsers(language)]
+        found, witness = Understanding(witnesses, last, states_of(state), spoken, heard).of(text)
         return witness.explanation(found)
 
     def dictated(self, text: str, *, language: str | None = None) -> Dictated | None:
@@ -253,127 +250,3 @@ class IntentEngine:
 def _only_text(method: str, text: object) -> None:
     if not isinstance(text, str):
         raise TypeError(f"{method} takes a str, not {type(text).__name__}")
-
-
-class _Parses(Protocol):
-    """What understands the text of one language: an interpreter, or a witness of one."""
-
-    matcher: Matcher
-
-    def interpret(
-        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
-    ) -> Interpretation: ...
-
-    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
-
-    def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None: ...
-
-
-_Parser = TypeVar("_Parser", bound=_Parses)
-
-
-def _understood(
-    parsers: Sequence[_Parser],
-    text: str,
-    state: Collection[str],
-    by_voice: tuple[bool, bool],
-    last: Before | None,
-) -> tuple[Interpretation, _Parser]:
-    """What a text means, with what it points back to, and the parser that says so. ``by_voice``: whether it was spoken,
-    and whether it was heard."""
-    state = states_of(state)
-    found, parser = _by_itself(parsers, text, state, by_voice, last)
-    if isinstance(last, Interpretation) and last.question is not None:
-        answer = _answer(parsers, text, state, by_voice, last, found)
-        found = found if answer is None else answer
-    return found, parser
-
-
-def _by_itself(
-    parsers: Sequence[_Parser],
-    text: str,
-    state: Collection[str],
-    by_voice: tuple[bool, bool],
-    last: Before | None,
-) -> tuple[Interpretation, _Parser]:
-    """What a text means whatever was asked, with what it points back to, and the parser that says so."""
-    before, needs = _pointed_at(last)
-    done = _text_before(last)
-    parser = parsers[0]
-    try:
-        if len(parsers) == 1:
-            found = parser.interpret(text, state, spoken=by_voice[0], heard=by_voice[1])
-        else:
-            found, parser = _first_accepted(parsers, text, state, by_voice)
-    except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
-        return Interpretation(text, Status.REJECTED, reason=str(error)), parser
-    by_part = parser.denied_part(text, done, state) if done and not (found.actions or found.denied) else ()
-    if by_part:  # "not the kitchen"
-        found = replace(found, denied=by_part)
-    does = found.actions or by_part
-    if MOVING in state and not does and (stop := parser.objection(text, done, state)) is not None:
-        return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
-    if before is not None or len(found.actions) > 1 or found.corrected:
-        grammar = parser.matcher.grammar
-        found = resolve(found, before, grammar.operators.pronoun, needs, state, grammar.wording.several)
-    if any(by_voice) and NO_COMMAND in found.reason:
-        found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
-    if found.question is not None and before:
-        found = replace(found, question=replace(found.question, before=before, needs=needs, said_before=done))
-    return found, parser
-
-
-def _answer(
-    parsers: Sequence[_Parser],
-    text: str,
-    state: Collection[str],
-    by_voice: tuple[bool, bool],
-    asked: Interpretation,
-    found: Interpretation | None = None,
-) -> Interpretation | None:
-    """What a text means as an answer, and ``found`` by itself; None: it is none."""
-    if asked.question is None:
-        return None
-
-    def whole(sentence: str) -> Interpretation:
-        """What a whole sentence means, of which the first part was called for already."""
-        return _by_itself(parsers, sentence, state, (False, any(by_voice)), asked)[0]
-
-    if found is None:
-        found = _by_itself(parsers, text, state, by_voice, asked)[0]
-    readers = [Answers(one.matcher.grammar) for one in parsers]
-    return answered(asked, text, found, readers, whole, called=by_voice[0])
-
-
-def _pointed_at(last: Before | None) -> tuple[tuple[Action, ...] | None, tuple[Needs, ...]]:
-    """What words point back to after ``last``, and what it asks of the states of the robot; None: it is not known. A
-    question leaves what was done before it."""
-    if not isinstance(last, Interpretation):
-        return (None if last is None else actions_of("last", last)), ()
-    if last.question is not None:
-        return last.question.before, last.question.needs
-    return last.actions, last.needs
-
-
-def _text_before(last: Before | None) -> str:
-    """The text of what was done before; empty if that is not known."""
-    if not isinstance(last, Interpretation):
-        return ""
-    if last.question is not None:
-        return last.question.said_before
-    return last.text if last.actions else ""
-
-
-def _first_accepted(
-    parsers: Sequence[_Parser], text: str, state: Collection[str], by_voice: tuple[bool, bool]
-) -> tuple[Interpretation, _Parser]:
-    """The interpretation of the first language that accepts a text; else the one that says most about it."""
-    first: tuple[Interpretation, _Parser] | None = None
-    for parser in parsers:
-        found = parser.interpret(text, state, spoken=by_voice[0], heard=by_voice[1])
-        if found.status is Status.ACCEPTED:
-            return found, parser
-        if first is None or (first[0].status is Status.REJECTED and found.status is not Status.REJECTED):
-            first = found, parser
-    assert first is not None
-    return first
