@@ -1,4 +1,5 @@
-"""Words typed without the letters that a keyboard lacks, as the grammar has them: "kueche", "arrete", "metros mas"."""
+"""Words as the grammar has them: typed without the letters that a keyboard lacks ("kueche", "arrete", "metros mas"),
+and titles."""
 
 from __future__ import annotations
 
@@ -7,10 +8,11 @@ from dataclasses import fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from intent_engine.language.normalize import TITLES, without_accents
+from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.units import units
 from intent_engine.language.thing_words import ThingWords, thing_words
+from intent_engine.language.titles import Titles
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
 
@@ -36,51 +38,12 @@ class Keyboards:
         """The utterance with such words as the grammar has them; the same one if there are none."""
         words = list(map(self._word, said.words)) if self._meant else said.words
         read = said if words == said.words else replace(said, words=words)
-        return read if self._titles_begin.isdisjoint(read.words) else self._with_titles(read)
-
-    def _with_titles(self, said: Utterance) -> Utterance:
-        """The utterance with titles as the grammar has them: "Dr. Müller" as "Doktor Müller", or the other way."""
-        words: list[str] = []
-        breaks: list[bool | None] = []
-        at = 0
-        while at < len(said):
-            lengths = (length for length in (2, 1) if tuple(said.words[at : at + length]) in self._titles)
-            length = next(lengths, 0)
-            if not length or at + length == len(said):  # behind which no name comes
-                words.append(said.words[at])
-                breaks.append(said.breaks[at])
-                at += 1
-                continue
-            meant = self._titles[tuple(said.words[at : at + length])]
-            words += meant
-            breaks += (said.breaks[at], *[False] * (len(meant) - 1))
-            at += length
-        return said if words == said.words else replace(said, words=words, breaks=breaks)
+        return self._titles.read(read)
 
     @cached_property
-    def _titles_begin(self) -> frozenset[str]:
-        return frozenset(words[0] for words in self._titles)
-
-    @cached_property
-    def _titles(self) -> Mapping[tuple[str, ...], tuple[str, ...]]:
-        """Ways to write a title that the grammar and its map have not -> the one that they have. English ones are
-        written in full wherever they stand, and those of a grammar and a map that are spelled like them as well."""
-        language = self._matcher.grammar.language
-        titles = thing_words(language).titles if language != "en" else {}
+    def _titles(self) -> Titles:
         known = self._known.union(word.rstrip(".") for word in self.words_of_places)
-        found: dict[tuple[str, ...], tuple[str, ...]] = {}
-        for full in dict.fromkeys(titles.values()):
-            ways = [tuple(short.split()) for short, meant in titles.items() if meant == full]
-            read = {way: TITLES.get(way[0], way) if len(way) == 1 else way for way in ways}
-            had = {meant for way, meant in read.items() if known.issuperset(way) or known.issuperset(meant)}
-            if full in known:
-                had.add((full,))
-            if len(had) == 1:  # of several nobody knows
-                (one,) = had
-                found |= {way: one for way in ((full,), *ways, *read.values()) if way != one}
-            else:  # "Sig.ra" is no "Sig.", whatever is behind that
-                found |= {way: way for way in ways if len(way) > 1}
-        return found
+        return Titles(known, self._matcher.grammar.language)
 
     def _word(self, word: str) -> str:
         if not word.isascii() or word in self._known:
