@@ -16,10 +16,9 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.answers import either
 from intent_engine.language.likeness import sound
-from intent_engine.language.name_words import ORDINALS
-from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.numbers.alike import alike
 from intent_engine.language.utterance import plain
-from intent_engine.runtime.transcript_grammar import language_of
+from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, ENOUGH_FOR_AN_ANSWER
 
@@ -83,21 +82,19 @@ class Answering:
         """Whether another answer is said with a word that sounds like one that was heard: "thirty" and "thirteen",
         "the left one" and "the last one"."""
         words = plain(heard.free_text)
-        telling = ORDINALS.union(*map(plain, asked.alternatives))
+        language = grammar_of(self._engine, heard).language
+        names = set[str]().union(*map(plain, asked.alternatives))
         for place, word in enumerate(words):
-            for alike in _alike(word, telling):
-                meant = self._read(asked, heard, " ".join((*words[:place], alike, *words[place + 1 :])), state)
+            for other in (*alike(word, language), *_like(word, names)):
+                meant = self._read(asked, heard, " ".join((*words[:place], other, *words[place + 1 :])), state)
                 if meant is not None and meant.actions and meant.actions != answer.actions:
                     return True
         return False
 
 
-def _alike(word: str, telling: Collection[str]) -> Iterator[str]:
-    """Words that sound like one: the number that is heard for it, and of those that tell an answer all but one sound
-    of which is the same."""
-    if word in ALIKE:
-        yield ALIKE[word]
-    for other in telling:
+def _like(word: str, names: Collection[str]) -> Iterator[str]:
+    """Words of names all but one sound of which is the same as that of a word."""
+    for other in names:
         one, another = sound(word), sound(other)
         if other != word and min(len(one), len(another)) > 1 and Levenshtein.distance(one, another) <= 1:
             yield other

@@ -10,7 +10,7 @@ from collections.abc import Collection
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.numbers.alike import alike
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.references import Before
 from intent_engine.language.utterance import plain
@@ -44,9 +44,10 @@ class FollowUp:
         """What words that were heard clearly mean after those before, if both are a command word by word. Numbers that
         sound like another are left to the models. ``last`` was understood before all of them."""
         clearly = CORRECTED_CLEARLY if self.corrects(transcript) else CLEARLY
-        if transcript.score < clearly or ALIKE.keys() & set(plain(transcript.free_text)):
+        words, language = plain(transcript.free_text), grammar_of(self._engine, transcript).language
+        if transcript.score < clearly or any(alike(word, language) for word in words):
             return None
-        called = len(plain(transcript.free_text)) - len(self._words(transcript))
+        called = len(words) - len(self._words(transcript))
         text = " ".join(transcript.free_text.split()[called:])  # "robot, turn left", and "robot, no, right"
         meaning = self.text(f"{before}, {text}", transcript, state, last)
         return meaning if meaning.status is Status.ACCEPTED and meaning.confidence == 1.0 else None

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Question, Status
-from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.numbers.alike import alike
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.runtime.asking_back import other_way, run_together
@@ -68,7 +68,7 @@ class Judge:
     def _meaning(self, transcript: Transcript, state: Collection[str], last: Before) -> Interpretation:
         language = language_of(self.engine, transcript)
         meaning = self.engine.parse(transcript.text, state=state, language=language, spoken=True, last=last)
-        if meaning.status is Status.ACCEPTED and not meaning.stops and (why := _unheard(transcript)):
+        if meaning.status is Status.ACCEPTED and not meaning.stops and (why := self._unheard(transcript)):
             return Interpretation(transcript.text, Status.REJECTED, reason=why, alternatives=(transcript.text,))
         if meaning.status is Status.ACCEPTED and self.unsure(transcript, meaning):
             near = Interpretation(
@@ -92,9 +92,12 @@ class Judge:
             return self._with_reason(meaning, transcript, state, last)
         return meaning if self._may_ask(transcript) else replace(meaning, question=None)
 
+    def _unheard(self, transcript: Transcript) -> str:
+        return _unheard(transcript, grammar_of(self.engine, transcript).language)
+
     def _may_ask(self, transcript: Transcript) -> bool:
         """Whether an answer to what is asked back may be acted on: not where its own words were hardly heard."""
-        return not (_unheard(transcript) or self.unsure(transcript))
+        return not (self._unheard(transcript) or self.unsure(transcript))
 
     def _with_reason(
         self, refused: Interpretation, transcript: Transcript, state: Collection[str], last: Before
@@ -175,11 +178,12 @@ class Judge:
         return any(self.engine.parse(other, language=language).stops for other in near)
 
 
-def _unheard(transcript: Transcript) -> str:
+def _unheard(transcript: Transcript, language: str) -> str:
     """Why words that are a command may not have been said; empty: they may be taken."""
     unclear = dict.fromkeys(transcript.unclear)  # one word may be so for several reasons
-    numbers = [f"{word!r} may have been {ALIKE[word]!r}" for word in unclear if word in ALIKE]
-    words = [word for word in unclear if word not in ALIKE]
+    others = {word: " or ".join(map(repr, alike(word, language))) for word in unclear}
+    numbers = [f"{word!r} may have been {other}" for word, other in others.items() if other]
+    words = [word for word, other in others.items() if not other]
     more = _listed(transcript.left_out)
     told = [
         *numbers,

@@ -254,3 +254,15 @@ def test_no_to_a_question_takes_back_nothing_that_was_done_before_it():
 
 def test_an_answer_may_be_corrected():
     assert places(Talk("go to bay", "three, no, thirteen", engine=BAYS, pause=APART)) == ["bay 13"]
+
+
+def test_numbers_that_sound_alike_are_those_of_the_language(engine_of):
+    """Of "zwei" a model makes "drei", and neither is an English number."""
+    halls = engine_of(
+        "language: de\nslots: {ort: {type: location}}\nintents:\n"
+        "  fahr: {action: {type: navigate, location: '{ort}'}, sentences: ['fahr zu {ort}']}\n",
+        locations={"halle zwei": (1.0, 0.0, 0.0), "halle drei": (2.0, 0.0, 0.0), "halle neun": (3.0, 0.0, 0.0)},
+    )
+    found = answer(halls, "fahr zu halle", "zwei")
+    assert "sounds like" in found.reason
+    assert answer(halls, "fahr zu halle", "neun").actions

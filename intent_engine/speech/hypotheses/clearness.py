@@ -11,8 +11,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord
-from intent_engine.language.numbers import foreign
-from intent_engine.language.numbers.english import ALIKE, DIGITS
+from intent_engine.language.numbers.alike import alike
+from intent_engine.language.numbers.english import DIGITS
 from intent_engine.language.numbers.spelled import in_digits, number_end
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
@@ -41,7 +41,7 @@ SURELY_SAID = 6.5
 """nats by which a command is likelier than one with a "don't" at the piece where they part, from which the whole need
 not be compared: of 295 that were ahead by as much there, in quiet and in noise, each was as a whole by 5.8 and more."""
 RIVAL_MARGIN = 3.0
-"""nats by which a number must be likelier than one that sounds like it (``ALIKE``),"""
+"""nats by which a number must be likelier than one that sounds like it (``numbers/alike.py``),"""
 TEEN = 1.0
 """and one in -teen by so many more, one in -ty by so many less: both models are ready to hear a -teen. Of 196 numbers
 of 14 synthetic voices, clean and at 10 and 6 dB, 91, 89 and 86 % are clear with it and 0.5, 1.5 and 2.0 % taken for the
@@ -268,12 +268,10 @@ class Clearness(Scoring):
 def _sounding_like(words: Sequence[str], at: int, language: str | None) -> Iterator[tuple[str, float]]:
     """What a word of a number may have been, each with the nats by which it must be likelier."""
     word, after = words[at], "".join(words[at + 1 : at + 2])
-    if language not in (None, "en"):
-        yield from ((other, RIVAL_MARGIN) for other in foreign.alike(word, language))
-        return
-    if word in ALIKE:
-        yield ALIKE[word], RIVAL_MARGIN + (-TEEN if word.endswith("ty") else TEEN)
-    if word in FOR_FORTY and after in DIGITS:
+    english = language in (None, "en")
+    ends = (-TEEN if word.endswith("ty") else TEEN) if english else 0.0
+    yield from ((other, RIVAL_MARGIN + ends) for other in alike(word, language))
+    if english and word in FOR_FORTY and after in DIGITS:
         yield FOR_FORTY[word], FOR_MARGIN
 
 

@@ -1,0 +1,20 @@
+"""Numbers that are taken for each other by ear: "fifteen" and "fifty", "zwei" and "drei"."""
+
+from __future__ import annotations
+
+from intent_engine.language.numbers import foreign
+from intent_engine.language.numbers.english import ALIKE
+
+__all__ = ["alike"]
+
+
+def alike(word: str, language: str | None = None) -> tuple[str, ...]:
+    """The numbers that sound like one; none, where the word is no such number.
+
+    Args:
+        word: as texts are compared.
+        language: two letters; None: English.
+    """
+    if language in (None, "en"):
+        return (ALIKE[word],) if word in ALIKE else ()
+    return foreign.alike(word, language)
