@@ -13,8 +13,9 @@ if TYPE_CHECKING:
     from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn, from_json, to_json
     from intent_engine.engine import IntentEngine
     from intent_engine.errors import IntentEngineError
-    from intent_engine.execution.executor import Executor, Policy
+    from intent_engine.execution.executor import Executor
     from intent_engine.execution.goal import Goal, GoalState, Reason
+    from intent_engine.execution.policy import Policy
     from intent_engine.execution.robots.robot import Capability, Pose, Robot
     from intent_engine.execution.robots.simulated import SimulatedRobot
     from intent_engine.interpretation import Interpretation, Question, Status
@@ -62,7 +63,8 @@ _HOMES = {
         "to_json",
     ),
     "errors": ("IntentEngineError",),
-    "execution.executor": ("Executor", "Policy"),
+    "execution.executor": ("Executor",),
+    "execution.policy": ("Policy",),
     "execution.goal": ("Goal", "GoalState", "Reason"),
     "execution.robots.robot": ("Robot", "Capability", "Pose"),
     "execution.robots.simulated": ("SimulatedRobot",),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import Any
 
 from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
@@ -22,11 +21,12 @@ from intent_engine.execution.goal import Goal, GoalState, Guard, Reason
 from intent_engine.execution.handlers import Handler
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.raised import with_type
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending
 
-__all__ = ["Admission", "Policy", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
+__all__ = ["Admission", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
 
 log = logging.getLogger(__name__)
 
@@ -40,19 +40,6 @@ _NEEDS: dict[type[Any], Capability] = {
     Pick: Capability.PICK,
     Place: Capability.PLACE,
 }
-
-
-class Policy(StrEnum):
-    """What a new command does when another one is being carried out."""
-
-    REPLACE = "replace"
-    """It takes its place at once (the default)."""
-    QUEUE = "queue"
-    """It waits its turn."""
-    FOLLOW = "follow"
-    """It waits its turn as a part of the command before it: if that is not done to its end, neither is this."""
-    REFUSE = "refuse"
-    """It is rejected."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ import logging
 import math
 
 from intent_engine.actions import ChangeSpeed, Stop
-from intent_engine.execution.admission import Admission, Policy, Terms, forbidden
+from intent_engine.execution.admission import Admission, Terms, forbidden
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe, reason_of
@@ -18,6 +18,7 @@ from intent_engine.execution.goal import Goal, GoalState, Reason
 from intent_engine.execution.handlers import HandlerRun
 from intent_engine.execution.intake import Intake
 from intent_engine.execution.motion import Motion, Travel
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.progress import Progress
 from intent_engine.execution.queue import GoalQueue, Queued
 from intent_engine.execution.raised import pass_on_interrupt, told

@@ -20,7 +20,7 @@ from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import given, shutdown
-from intent_engine.execution.admission import Admission, Policy, check_robot, checked, limits_of
+from intent_engine.execution.admission import Admission, check_robot, checked, limits_of
 from intent_engine.execution.books import Books
 from intent_engine.execution.carriers import Carriers
 from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
@@ -35,6 +35,7 @@ from intent_engine.execution.intake import Intake
 from intent_engine.execution.life import Life
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Follower, Keep, Rates
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.progress import Progress
 from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
@@ -43,7 +44,7 @@ from intent_engine.execution.snapshot import Snapshot
 from intent_engine.execution.stops import StopCall
 from intent_engine.execution.waiting import Waiting
 
-__all__ = ["Executor", "Policy", "Snapshot"]
+__all__ = ["Executor", "Snapshot"]
 
 
 class Executor:

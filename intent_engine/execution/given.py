@@ -12,6 +12,7 @@ from typing import Any
 from intent_engine.actions import ACTION_TYPES
 from intent_engine.execution.goal import Goal
 from intent_engine.execution.motion import Rates
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.hints import did_you_mean
 from intent_engine.values import check_number, check_text, check_timeout, is_number, named
@@ -77,8 +78,7 @@ def check_spoken(spoken_at: object) -> None:
     if spoken_at is None or time_of(spoken_at) is not None:
         return
     if not is_number(spoken_at):
-        policies = ("replace", "queue", "follow", "refuse")
-        by_name = isinstance(spoken_at, str) and spoken_at in policies
+        by_name = isinstance(spoken_at, str) and spoken_at in [*Policy]
         hint = f"; a policy is given by its name: policy={str(spoken_at)!r}" if by_name else ""
         raise TypeError(f"spoken_at is a time on the executor's clock in s, not {spoken_at!r:.80}{hint}")
     raise ValueError(f"spoken_at must be a time on the executor's clock, not {spoken_at}")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from intent_engine.execution.admission import Admission, Policy
+from intent_engine.execution.admission import Admission
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.goal import Goal, GoalState, Reason
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.progress import Progress
 from intent_engine.execution.runs import Ending
 from intent_engine.execution.stops import Stops

@@ -17,11 +17,11 @@ from typing import Any
 from intent_engine.actions import Action
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import IntentEngineError
-from intent_engine.execution.admission import Policy
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.guardian import Guardian
 from intent_engine.execution.journal import Journal
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_support import acknowledge

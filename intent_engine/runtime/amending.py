@@ -10,8 +10,8 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Turn
-from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal, GoalState
+from intent_engine.execution.policy import Policy
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.utterance import plain
 

@@ -16,8 +16,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import Goal
+from intent_engine.execution.policy import Policy
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.references import Before
 from intent_engine.needs import MOVING

@@ -10,10 +10,11 @@ import pytest
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.execution.clock import MonotonicClock
 from intent_engine.execution.events import EventKind
-from intent_engine.execution.executor import Executor, Policy
+from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.limits import Limits, OverLimit
 from intent_engine.execution.motion import Keep
+from intent_engine.execution.policy import Policy
 from intent_engine.execution.robots.robot import Capability, Pose
 from intent_engine.execution.robots.simulated import SimulatedRobot
 

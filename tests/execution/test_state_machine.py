@@ -18,10 +18,11 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import EventKind
-from intent_engine.execution.executor import Executor, Policy
+from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Keep, Rates
+from intent_engine.execution.policy import Policy
 from intent_engine.interpretation import Status
 
 ACCELERATION, TURN_ACCELERATION = 0.8, 1.6

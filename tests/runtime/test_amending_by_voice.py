@@ -7,8 +7,8 @@ import threading
 import pytest
 
 from intent_engine import Executor, SimulatedRobot
-from intent_engine.execution.admission import Policy
 from intent_engine.execution.goal import GoalState
+from intent_engine.execution.policy import Policy
 from intent_engine.runtime.amending import CarriedOut, Step
 
 GRAMMAR = """
