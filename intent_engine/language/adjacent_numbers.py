@@ -9,7 +9,7 @@ from itertools import pairwise
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.numbers.digit_by_digit import said_together
-from intent_engine.language.numbers.english import HALVES, NUMBER_WORDS
+from intent_engine.language.numbers.english_words import HALVES, NUMBER_WORDS
 from intent_engine.language.reading import Reading, SlotReading
 
 __all__ = [

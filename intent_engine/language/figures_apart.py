@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.language.adjacent_numbers import may_hold
-from intent_engine.language.numbers.english import DIGITS, SMALL, ZERO
+from intent_engine.language.numbers.english_words import DIGITS, SMALL, ZERO
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading

@@ -9,7 +9,7 @@ from intent_engine.language import quantities
 from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.template_tree import Node, Reference, references

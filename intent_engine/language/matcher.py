@@ -16,7 +16,7 @@ from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
 from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.network import Call, Edge, Networks, State
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.sentence_networks import SentenceNetworks, call_of

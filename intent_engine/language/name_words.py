@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.normalize import words_of
-from intent_engine.language.numbers import english, english_ordinals
+from intent_engine.language.numbers import english, english_ordinals, english_words
 
 __all__ = [
     "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
@@ -28,7 +28,7 @@ PLURALS = (("ies", "y"), ("ves", "f"), ("ves", "fe"), ("es", ""), ("s", ""))
 OWNERS = {"my": "us", "our": "us", "your": "you"}
 """Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
 office"."""
-NUMBER_WORDS = frozenset((*english.SMALL, *english.ZERO, *english.SCALES, "hundred", "hundreds"))
+NUMBER_WORDS = frozenset((*english_words.SMALL, *english_words.ZERO, *english_words.SCALES, "hundred", "hundreds"))
 ORDINALS = frozenset((
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
     "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth",
@@ -141,7 +141,7 @@ def _is_number(word: str) -> bool:
 def _digit(word: str) -> str:
     if word.isdigit() and word.isascii():
         return word
-    return "0" if word in english.ZERO else str(english.DIGITS.get(word, ""))
+    return "0" if word in english_words.ZERO else str(english_words.DIGITS.get(word, ""))
 
 
 def _number(words: list[str], at: int) -> tuple[str, int]:
@@ -153,7 +153,7 @@ def _number(words: list[str], at: int) -> tuple[str, int]:
     end = at + 1
     while end < len(words) and (words[end] in NUMBER_WORDS or words[end] == "and" or words[end].isdigit()):
         end += 1
-    if word in english.TENS and at + 1 < len(words) and words[at + 1] in ORDINALS:
+    if word in english_words.TENS and at + 1 < len(words) and words[at + 1] in ORDINALS:
         value = english_ordinals.ordinal(words[at : at + 2])
         if value is not None:
             return f"{int(value)}th", at + 2

@@ -8,7 +8,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from intent_engine.language.numbers import foreign
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.phrase_set import PhraseSet
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import Slot
-from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers import english, english_words, foreign
 from intent_engine.language.numbers.units import units
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import Node
@@ -76,8 +76,8 @@ class OwnUnits:
         """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion."""
         for count, after in quantities.counts(words, self._language):
             sign = words[after - 1]
-            if (sign,) in self._sizes and sign in english.SUFFIXES and after > 1:
-                yield quantities.tidy(count / english.SUFFIXES[sign]), after - 1
+            if (sign,) in self._sizes and sign in english_words.SUFFIXES and after > 1:
+                yield quantities.tidy(count / english_words.SUFFIXES[sign]), after - 1
             yield count, after
 
     def _without_and(self, words: Sequence[str]) -> Sequence[str]:

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from intent_engine.language.numbers import english, english_ordinals, foreign, foreign_ordinals
+from intent_engine.language.numbers import english, english_ordinals, english_words, foreign, foreign_ordinals
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
 from intent_engine.language.numbers.relative import Relative
@@ -103,7 +103,7 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
     value = _whole(parser.quantities_at(words, 0, kind), len(words))
     if value is None and unit is not None:
         number = _whole(parser.numbers_at(words, 0), len(words))
-        if kind == "angle" and words[-1] in english.HALVES and number is not None and number < 1:
+        if kind == "angle" and words[-1] in english_words.HALVES and number is not None and number < 1:
             return None  # "a quarter" of a turn, or of what? Never 0.25 degrees
         factor = parser.factor(unit, kind)
         if number is not None and factor is not None:

@@ -21,7 +21,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds, names_taken
 from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
 from intent_engine.language.spoken_slots import SpokenSlots, size

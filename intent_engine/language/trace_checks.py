@@ -10,7 +10,7 @@ from intent_engine.language.automaton import Automaton
 from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.network import NAMED
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.word_state import Trace
 
 __all__ = ["LEADING", "NUMBERS_BY_SOUND", "loses_a_number", "means_nothing"]

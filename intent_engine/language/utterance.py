@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokenize
-from intent_engine.language.numbers.english import DIGITS, NUMBER_WORDS, TEENS, TENS, ZERO
+from intent_engine.language.numbers.english_words import DIGITS, NUMBER_WORDS, TEENS, TENS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.openers import Openers

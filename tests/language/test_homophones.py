@@ -14,7 +14,7 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.homophones import homophones
 from intent_engine.language.names import NameIndex
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.spellings import own_homophones
 
 KITCHEN = """

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from intent_engine.language.locations import load
 from intent_engine.language.name_words import is_identifier, name_words, without_article
 from intent_engine.language.names import Match, NameIndex
-from intent_engine.language.numbers import english
+from intent_engine.language.numbers import english, english_words
 
 ROOT = Path(__file__).resolve().parents[2]
 MAPS = {name: load(ROOT / "locations" / f"{name}.yaml") for name in ("home", "warehouse")}
@@ -354,8 +354,8 @@ def test_naming_twice_changes_nothing(words):
 
 
 def _in_words(value: int) -> list[str]:
-    ones = {number: word for word, number in (*english.DIGITS.items(), *english.TEENS.items())}
-    tens = {number: word for word, number in english.TENS.items() if word != "fourty"}
+    ones = {number: word for word, number in (*english_words.DIGITS.items(), *english_words.TEENS.items())}
+    tens = {number: word for word, number in english_words.TENS.items() if word != "fourty"}
     if value == 0:
         return ["zero"]
     for scale, word in ((1000, "thousand"), (100, "hundred")):

@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Status
-from intent_engine.language.numbers.english import ALIKE, TEENS, TENS
 from intent_engine.runtime.judgement import CLEARLY, HARDLY_A_WORD, SURE_BESIDE_A_STOP, SURE_THOUGH_HELD, Judge
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import (
@@ -130,13 +129,6 @@ def test_what_was_left_out_is_told_with_the_command_it_is_no_part_of(judge):
     meaning = judge.meaning(Transcript(text, free_text=text, confidence=0.95, left_out=("do you",)), (), ())
     assert meaning.status is Status.REJECTED
     assert meaning.reason == "'do you' was said too, and is no part of 'go to the kitchen'; say it again"
-
-
-@pytest.mark.parametrize("word", ALIKE)
-def test_numbers_that_sound_alike_are_each_others(word):
-    assert ALIKE[ALIKE[word]] == word
-    low, high = sorted((TEENS | TENS)[one] for one in (word, ALIKE[word]))
-    assert high == (low - 10) * 10
 
 
 OWN_RISK = """

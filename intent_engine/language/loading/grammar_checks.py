@@ -13,7 +13,7 @@ from intent_engine.language.loading.grammar_parts import Draft, Places, Written
 from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.normalize import words_of
-from intent_engine.language.numbers.english import SUFFIXES
+from intent_engine.language.numbers.english_words import SUFFIXES
 from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
 from intent_engine.language.phrase_set import PhraseSet

@@ -5,7 +5,7 @@ from __future__ import annotations
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.numbers.english import ZERO
+from intent_engine.language.numbers.english_words import ZERO
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["NumbersInPieces"]

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from intent_engine.language.numbers import foreign
-from intent_engine.language.numbers.english import ALIKE
+from intent_engine.language.numbers.units import units
 
 __all__ = ["alike"]
 
@@ -15,6 +14,5 @@ def alike(word: str, language: str | None = None) -> tuple[str, ...]:
         word: as texts are compared.
         language: two letters; None: English.
     """
-    if language in (None, "en"):
-        return (ALIKE[word],) if word in ALIKE else ()
-    return foreign.alike(word, language)
+    table = units(language or "en")
+    return table.alike.get(word, ()) if table is not None else ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers import english_words, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.template_tree import Choice, Node, Optional, Word, WordClass
 from intent_engine.language.template_tree import Sequence as TemplateSequence
@@ -14,7 +14,10 @@ __all__ = ["MOST_DIGITS", "digit_of", "digits_in_words", "said_together", "templ
 MOST_DIGITS = 8
 """Digits of the longest number that is said so."""
 _SIGNS = ("minus", "negative")
-_ENGLISH = {**{word: str(value) for word, value in english.DIGITS.items()}, **dict.fromkeys(english.ZERO, "0")}
+_ENGLISH = {
+    **{word: str(value) for word, value in english_words.DIGITS.items()},
+    **dict.fromkeys(english_words.ZERO, "0"),
+}
 _WORDS = {digit: word for word, digit in _ENGLISH.items()} | {"0": "zero"}
 
 
@@ -54,7 +57,7 @@ def _goes_on(word: str, language: str) -> bool:
     """Whether a word behind digits belongs to their number, which then is no row of digits."""
     if is_numeral(word):
         return True
-    return word in english.NUMBER_WORDS if language == "en" else foreign.is_number_word(word, language)
+    return word in english_words.NUMBER_WORDS if language == "en" else foreign.is_number_word(word, language)
 
 
 def digits_in_words(number: int, language: str) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from intent_engine.language.numbers.english import ORDINAL_SCALES, ORDINAL_TENS, ORDINAL_UNITS, number
+from intent_engine.language.numbers.english import number
+from intent_engine.language.numbers.english_words import ORDINAL_SCALES, ORDINAL_TENS, ORDINAL_UNITS
 
 __all__ = ["ordinal"]
 

@@ -12,7 +12,6 @@ from intent_engine.language.numbers.units import units
 __all__ = [
     "LANGUAGES",
     "TEMPLATES",
-    "alike",
     "fraction",
     "in_digits",
     "is_article",
@@ -226,12 +225,6 @@ def _respelled(word: str, language: str) -> str:
         for written, meant in table.respelled_parts.items():
             word = word.replace(written, meant)
     return table.respelled.get(word, word)
-
-
-def alike(word: str, language: str) -> tuple[str, ...]:
-    """Numbers for which a number is taken when it is heard: 30 of the "drei" of "drei Sekunden"."""
-    table = units(language)
-    return table.alike.get(word, ()) if table is not None else ()
 
 
 def _scale(word: str, language: str) -> float | None:

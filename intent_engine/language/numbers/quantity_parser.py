@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from intent_engine.language.numbers import english, foreign
+from intent_engine.language.numbers import english, english_words, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
@@ -22,7 +22,7 @@ _SMALLER: Mapping[str, tuple[float, float]] = {"m": (0.01, 100), "ft": (0.0254, 
 """What a bare number after a unit counts, and how many make one: "one meter twenty", "five foot six"."""
 _IMPERIAL = frozenset(("in", "ft", "yd", "mi"))
 """Lengths of which no other is a part: "two meters three feet" are two lengths, or the second puts the first right."""
-_NO_INCH_BEFORE = english.NUMBER_WORDS.union(
+_NO_INCH_BEFORE = english_words.NUMBER_WORDS.union(
     ("a", "an", "the", "my", "your", "his", "her", "its", "our", "their", "this", "that", "these", "those", "total"),
     ("january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november"),
     ("december", "spring", "summer", "autumn", "winter"),
@@ -281,7 +281,7 @@ def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: Sequenc
     last = "".join(before[-1:])
     if spoken == ("in",):
         following = "".join(after[:1])
-        return is_numeral(following) or following in _NO_INCH_BEFORE or last in english.HALVES
+        return is_numeral(following) or following in _NO_INCH_BEFORE or last in english_words.HALVES
     if spoken == ("turn",):
         number = english.number([last])
         if "".join(after[:1]) in ("per", "a") or (after and after[0] == "and" and english.fraction(after, 1)):

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 
-from intent_engine.language.numbers import english, foreign, said
+from intent_engine.language.numbers import english, english_words, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import units
 
 __all__ = ["figures_otherwise", "in_digits", "in_words", "number_end", "number_otherwise", "number_words"]
 
-_ONES = {value: word for word, value in {**english.DIGITS, **english.TEENS}.items()}
-_TENS = {value: word for word, value in english.TENS.items() if word != "fourty"}
+_ONES = {value: word for word, value in {**english_words.DIGITS, **english_words.TEENS}.items()}
+_TENS = {value: word for word, value in english_words.TENS.items() if word != "fourty"}
 
 
 @lru_cache(maxsize=4096)
@@ -65,13 +65,13 @@ def _spelled(numeral: str, language: str) -> tuple[str, ...]:
 def number_words(language: str | None = "en") -> frozenset[str]:
     """The words that numbers of a language are made of (None: English); of other languages those that people say."""
     if language in (None, "en"):
-        return english.NUMBER_WORDS
+        return english_words.NUMBER_WORDS
     return frozenset(word for words in said.usual(language) for word in words)
 
 
 def _spoken(words: Sequence[str], at: int) -> tuple[float, int] | None:
     """The value of a number in English words that begins here, and where it ends."""
-    return english.cardinal(words, at) if words[at] in english.SMALL else None
+    return english.cardinal(words, at) if words[at] in english_words.SMALL else None
 
 
 def number_end(words: Sequence[str], at: int) -> int:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-from intent_engine.language.numbers import english, foreign, said
+from intent_engine.language.numbers import english_words, foreign, said
 from intent_engine.language.numbers.units import Units, units
 
 __all__ = ["templates"]
 
 ENGLISH: Mapping[str, str] = {
     "digit": "(one|two|three|four|five|six|seven|eight|nine)",
-    "teen": "(" + "|".join(english.TEENS) + ")",
+    "teen": "(" + "|".join(english_words.TEENS) + ")",
     "tens": "(twenty|thirty|forty|fourty|fifty|sixty|seventy|eighty|ninety)",
     "zero": "(zero|oh|o)",
     "below_hundred": "({digit}|{teen}|{tens} [{digit}])",
@@ -30,8 +30,8 @@ ENGLISH: Mapping[str, str] = {
     "|([a|{below_hundred}|{#}] dozen [and a half]|half a dozen|[a] half dozen)|a pair [of])",
     # "Half a" only before a word.
     "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}|{fraction} [of] (a|an)",
-    "ordinal_unit": "(" + "|".join(english.ORDINAL_UNITS) + ")",
-    "ordinal_tens": "(" + "|".join(english.ORDINAL_TENS) + ")",
+    "ordinal_unit": "(" + "|".join(english_words.ORDINAL_UNITS) + ")",
+    "ordinal_tens": "(" + "|".join(english_words.ORDINAL_TENS) + ")",
     "round": "[a|{group}] (hundred|thousand) [and]",
     "ordinal": "number {cardinal}|[the] ({#word}|last|[{tens}|{round} [{tens}]] {ordinal_unit}|[{round}] {ordinal_tens}"
     "|[a|{group}] (hundredth|thousandth)) [one]",

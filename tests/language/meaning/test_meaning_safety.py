@@ -14,7 +14,7 @@ from intent_engine.actions import Move, Navigate, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.meaning.said_twice import said_once
-from intent_engine.language.numbers.english import NUMBER_WORDS, ZERO
+from intent_engine.language.numbers.english_words import NUMBER_WORDS, ZERO
 from intent_engine.language.utterance import Utterance
 
 

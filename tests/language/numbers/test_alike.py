@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.language.numbers.alike import alike
+from intent_engine.language.numbers.english_words import TEENS, TENS
 
 
 @pytest.mark.parametrize(
@@ -24,6 +25,9 @@ def test_what_sounds_like_a_number_of_a_language(word, language, others):
     assert sorted(alike(word, language)) == sorted(others)
 
 
-@pytest.mark.parametrize("word", ["thirteen", "thirty", "forty", "ninety"])
-def test_whoever_sounds_like_another_is_sounded_like(word):
-    assert all(word in alike(other, "en") for other in alike(word, "en"))
+@pytest.mark.parametrize(("teen", "value"), TEENS.items())
+def test_a_teen_and_its_tens_sound_alike(teen, value):
+    tens = [word for word, other in TENS.items() if other == (value - 10) * 10 and alike(word)]
+    assert list(alike(teen)) == tens
+    assert all(alike(word) == (teen,) for word in tens)
+    assert bool(tens) == (value >= 13)

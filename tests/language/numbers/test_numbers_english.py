@@ -10,7 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.numbers import english
+from intent_engine.language.numbers import english, english_words
 from intent_engine.language.numbers.english_ordinals import ordinal
 from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.spelled import in_digits, in_words
@@ -89,7 +89,7 @@ def test_words_and_figures_turn_into_each_other(number: int) -> None:
 
 @given(
     st.lists(
-        st.sampled_from([*sorted(english.NUMBER_WORDS), "and", "a", "of", "third", "over", "7", "-2", "1/2"]),
+        st.sampled_from([*sorted(english_words.NUMBER_WORDS), "and", "a", "of", "third", "over", "7", "-2", "1/2"]),
         max_size=8,
     )
 )
@@ -104,8 +104,8 @@ def test_no_words_raise_and_every_value_is_finite(said: list[str]) -> None:
 @given(
     st.lists(
         st.sampled_from(
-            [*sorted(english.NUMBER_WORDS), "and", "a", "thirds", "second", "over", "out", "of", "k", "7", "-2", "0.5",
-             "1/2", "3rd", "meters", "in", "cups", "twelfth"]
+            [*sorted(english_words.NUMBER_WORDS), "and", "a", "thirds", "second", "over", "out", "of", "k", "7", "-2",
+             "0.5", "1/2", "3rd", "meters", "in", "cups", "twelfth"]
         ),
         max_size=6,
     )

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from speech_stage import ROOT
 
 from intent_engine.engine import IntentEngine
-from intent_engine.language.numbers.english import NUMBER_WORDS
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.acoustic.moonshine import ScoringMoonshine
 from intent_engine.speech.acoustic.moonshine_weights import moonshine_package
