@@ -73,12 +73,14 @@ class OwnUnits:
         return count * small
 
     def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
-        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion."""
-        for count, after in quantities.counts(words, self._language):
-            sign = words[after - 1]
-            if (sign,) in self._sizes and sign in english.SUFFIXES and after > 1:
-                yield quantities.tidy(count / english.SUFFIXES[sign]), after - 1
-            yield count, after
+        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion; and of
+        "2 g 500 mg" 2."""
+        sign = next((at for at, word in enumerate(words) if at and self._is_sign(word)), len(words))
+        yield from quantities.counts(words[:sign], self._language)
+
+    def _is_sign(self, word: str) -> bool:
+        """Whether a letter that may stand for thousands or more is a unit of the slot."""
+        return (word,) in self._sizes and word in english.SUFFIXES
 
     def _without_and(self, words: Sequence[str]) -> Sequence[str]:
         table = units(self._language)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.conditions import Conditions
+from intent_engine.language.meaning.more_than_now import MoreThanNow
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.sayings import Sayings
@@ -24,9 +25,10 @@ class Talk:
         self._questions = Questions(phrases, commands)
         self._sayings = Sayings(phrases, grammar)
         self._conditions = Conditions(phrases, grammar)
+        self._more_than_now = MoreThanNow(grammar)
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
-        """Why it is a question, or may be a saying; empty: it is neither.
+        """Why it is a question, may be a saying, or leaves a value open; empty: it is none of these.
 
         Args:
             text: what was said or typed.
@@ -39,6 +41,8 @@ class Talk:
             return "a question, and not one to do something"
         if found.actions and (saying := self._sayings.within(said, parts)):
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
+        if found.actions and not found.stops and (added := self._more_than_now.within(said.words, parts)):
+            return f"{added!r} adds to what it is now; say how much it shall be"
         return ""
 
     def tells(self, said: Utterance, meant: Understood, *, typed: bool) -> str:
