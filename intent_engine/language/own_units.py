@@ -46,6 +46,8 @@ class OwnUnits:
         """The same of units that are smaller than that."""
         if self._ends.isdisjoint(words) or len(words) > quantities.MAX_WORDS:
             return None
+        if self._language == "en" and english.may_be_from_to(words):
+            return None
         for count, after in self._counts(words):
             for end in range(len(words), after, -1):
                 size = self._sizes.get(tuple(words[after:end]))

@@ -108,6 +108,7 @@ def test_in_every_language(language: str, count: int) -> None:
         ("walk steps", "rejected"),
         ("walk a few steps", "rejected"),
         ("walk two steps ten", "rejected"),
+        ("walk five ten steps", "rejected"),  # five to ten
         ("walk two steps and ten centimeters", "rejected"),
         ("walk two crates", "rejected"),
         ("walk a thousand poles", "rejected"),
