@@ -162,8 +162,13 @@ intents:
 @pytest.mark.parametrize(
     ("said", "mass"),
     [
-        ("250g", 250), ("250 g", 250), ("2.5 kg", 2500), ("1 kg 250 g", 1250), ("two kilos and three grams", 2003),
-        ("2 g 500 mg", 2.5), ("2g 500mg", 2.5),
+        ("250g", 250),
+        ("250 g", 250),
+        ("2.5 kg", 2500),
+        ("1 kg 250 g", 1250),
+        ("two kilos and three grams", 2003),
+        ("2 g 500 mg", 2.5),
+        ("2g 500mg", 2.5),
     ],  # fmt: skip
 )
 def test_a_sign_that_scales_numbers_may_be_a_unit(tmp_path: Path, said: str, mass: float) -> None:

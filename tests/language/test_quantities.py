@@ -366,7 +366,15 @@ def test_a_hundred_is_left_out_where_it_is_one_number(said: str, number: float) 
 
 @pytest.mark.parametrize(
     ("said", "part"),
-    [("40/50", None), ("4/6", None), ("8/10", None), ("120/80", None), ("2/3", 2 / 3), ("10/16", 0.625), ("50/100", 0.5)],
+    [
+        ("40/50", None),
+        ("4/6", None),
+        ("8/10", None),
+        ("120/80", None),
+        ("2/3", 2 / 3),
+        ("10/16", 0.625),
+        ("50/100", 0.5),
+    ],
 )
 def test_a_stroke_stands_between_two_numbers_unless_they_are_a_part_as_people_write_it(
     said: str, part: float | None

@@ -278,9 +278,7 @@ class Compounds:
                 if after < len(words):
                     yield end, after
 
-    def _parts_numbers(
-        self, words: Sequence[str], end: int, after: int, clause: Clause, onward: Clause
-    ) -> bool:
+    def _parts_numbers(self, words: Sequence[str], end: int, after: int, clause: Clause, onward: Clause) -> bool:
         """Whether no number goes on behind a joint: both commands name the same and end alike, "*two* cups for table
         *3* and *ten* plates for table *4*", and what meets at the joint is no number together.
 
