@@ -42,6 +42,10 @@ class OwnUnits:
         many of a smaller one: "two kilos three hundred grams"."""
         return self._below(words, math.inf)
 
+    def is_unit(self, words: Sequence[str]) -> bool:
+        """Whether words are one of them, without how many there are."""
+        return tuple(words) in self._sizes
+
     def _below(self, words: Sequence[str], largest: float) -> float | None:
         """The same of units that are smaller than that."""
         if self._ends.isdisjoint(words) or len(words) > quantities.MAX_WORDS:
@@ -75,8 +79,8 @@ class OwnUnits:
         return count * small
 
     def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
-        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion; and of
-        "2 g 500 mg" 2."""
+        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion; and
+        of "2 g 500 mg" 2."""
         sign = next((at for at, word in enumerate(words) if at and self._is_sign(word)), len(words))
         yield from quantities.counts(words[:sign], self._language)
 

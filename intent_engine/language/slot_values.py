@@ -114,6 +114,12 @@ class SlotValues:
         own = self._units.get(slot.name)
         return own.value(said) if own is not None else None
 
+    def is_unit(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether words are a unit of a quantity, and nothing else."""
+        own, table = self._units.get(slot.name), quantities.units(self._grammar.language)
+        usual = table.by_kind.get(slot.type, {}) if table is not None else {}
+        return (own is not None and own.is_unit(said)) or tuple(said) in usual
+
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         match = self.index(slot).resolve(said)
         if match.status == "unknown" and self._grammar.language != "en":  # the index knows English numbers and articles

@@ -169,7 +169,7 @@ intents:
         ("two kilos and three grams", 2003),
         ("2 g 500 mg", 2.5),
         ("2g 500mg", 2.5),
-    ],  # fmt: skip
+    ],
 )
 def test_a_sign_that_scales_numbers_may_be_a_unit(tmp_path: Path, said: str, mass: float) -> None:
     file = tmp_path / "grams.yaml"

@@ -1,4 +1,4 @@
-"""Values that are said as what is added to those of now: of "set the fan to ten percent more" nobody knows the value."""
+"""Values that are said as what is added to that of now: nobody knows what "ten percent more" of a fan comes to."""
 
 from __future__ import annotations
 

@@ -43,7 +43,8 @@ LONGEST = 4
 _WORDS = frozenset((
     "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half", "halves",
     "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one",
-    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand", "vague",
+    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
+    "vague",
 ))  # fmt: skip
 """The lists of function words."""
 KEYS: Keys = {
