@@ -364,6 +364,12 @@ def test_a_hundred_is_left_out_where_it_is_one_number(said: str, number: float) 
     assert evaluate([*said.split(), "seconds"], "duration") == number
 
 
+@pytest.mark.parametrize("said", ["minus -20", "negative -20", "minus minus twenty", "plus -20"])
+def test_of_two_signs_nobody_knows_which_holds(said: str) -> None:
+    assert evaluate(said.split(), "number") is None
+    assert evaluate([*said.split(), "degrees"], "angle") is None
+
+
 @pytest.mark.parametrize(
     ("said", "part"),
     [

@@ -13,6 +13,7 @@ from intent_engine.language.meaning.more_than_now import MoreThanNow
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.sayings import Sayings
+from intent_engine.language.meaning.sign_or_dash import sign_or_dash
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.normalize import tokenize
@@ -51,6 +52,8 @@ class Talk:
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
         if found.actions and not found.stops and (told := self._of_somebody(text, parts)):
             return f"{told!r} tells of somebody; say the command alone"
+        if found.actions and not found.stops and (number := sign_or_dash(text, self._language, parts)):
+            return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
         if found.actions and not found.stops and (added := self._more_than_now.within(said.words, parts)):
             return f"{added!r} adds to what it is now; say how much it shall be"
         return ""

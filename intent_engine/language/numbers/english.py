@@ -271,7 +271,8 @@ def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
     word = words[at]
     if word in ("minus", "negative") or (word == "plus" and at + 1 < len(words)):
         sign = 1.0 if word == "plus" else -1.0
-        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
+        # "Minus -20", as it is written for a "minus twenty", is no 20.
+        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1) if value >= 0)
         return
     if word[0] == "-" and is_numeral(word):
         value = numeral_value(word)
