@@ -299,8 +299,11 @@ class Replacements:
         language = self._matcher.grammar.language
         for at in range(slot.start + 1, slot.end):
             number = said[slot.start : at]
-            if is_unit(slot.slot, said[at : slot.end]) and any(
-                end == len(number) for _, end in counts(number, language)
+            unit = said[at : slot.end]
+            if (
+                unit != meant
+                and is_unit(slot.slot, unit)
+                and any(end == len(number) for _, end in counts(number, language))
             ):
                 return at
         return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import does
 
 from intent_engine.engine import IntentEngine
 
@@ -61,7 +62,22 @@ def test_what_is_corrected(engine: IntentEngine, said: str, slots: dict[str, obj
         "weigh 5 grams of tea, no, minutes",
         "weigh 500 mg of salt for bed 3, no, 400",
         "weigh 5 grams of tea, no milligrams, no",
+        "remind me in five minutes, no seconds",  # sharp, or after five seconds
+        "weigh 5 grams, no milligrams of tea",
+        "weigh 5 grams of tea, no, grams",
     ],
 )
 def test_what_is_not_clear(engine: IntentEngine, said: str) -> None:
     assert not engine.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("put the cup on the table no in the sink", "place cup sink"),
+        ("turn left no turn right", "right 43"),
+        ("go forward two no three meters", "forward 3"),
+    ],
+)
+def test_words_that_are_units_elsewhere_correct_as_ever(said: str, done: str) -> None:
+    assert does(said) == done
