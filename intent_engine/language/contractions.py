@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-__all__ = ["PRONOUNS", "apart", "in_full", "together"]
+__all__ = ["OTHER_WORDS", "PRONOUNS", "apart", "in_full", "together"]
 
 PRONOUNS = frozenset(
     ("i", "you", "he", "she", "it", "we", "they", "that", "there", "this", "who", "what", "where", "when", "how")
@@ -23,8 +23,8 @@ _ENDINGS: Mapping[str, tuple[str, frozenset[str] | None]] = {
     "would": ("d", PRONOUNS),
 }
 """What is left of the second word, and the words after which it is so; None: any ("the music's too loud")."""
-_OTHERS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))
-"""Other words, which are said as often."""
+OTHER_WORDS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))
+"""Other words, which are said as often. With its apostrophe "we'll" is no "well"."""
 
 _ELIDED: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "fr": {
@@ -49,7 +49,7 @@ def together(first: str, second: str) -> str | None:
     """Two normalised words as the one that is said for them: "whats"; None: there is none."""
     ending, after = _ENDINGS.get(second, ("", frozenset()))
     whole = first + ending
-    return whole if ending and (after is None or first in after) and whole not in _OTHERS else None
+    return whole if ending and (after is None or first in after) and whole not in OTHER_WORDS else None
 
 
 def apart(word: str) -> Iterator[tuple[str, str]]:

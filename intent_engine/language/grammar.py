@@ -295,6 +295,10 @@ class Wording:
     """Fillers behind which something may be said anew: "left, uh, right"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
+    asks_for_doing: tuple[tuple[str, ...], ...] = ()
+    """What asks for what a verb says behind it that ends in "-ing": "*would you mind* locking the door","""
+    asks_to_do: tuple[tuple[str, ...], ...] = ()
+    """and what does where the verb follows itself: "*would you be so kind as to* lock the door"."""
     asked: frozenset[str] = frozenset()
     """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
     requests: frozenset[str] = frozenset()

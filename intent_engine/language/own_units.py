@@ -42,9 +42,15 @@ class OwnUnits:
         many of a smaller one: "two kilos three hundred grams"."""
         return self._below(words, math.inf)
 
+    def is_unit(self, words: Sequence[str]) -> bool:
+        """Whether words are one of them, without how many there are."""
+        return tuple(words) in self._sizes
+
     def _below(self, words: Sequence[str], largest: float) -> float | None:
         """The same of units that are smaller than that."""
         if self._ends.isdisjoint(words) or len(words) > quantities.MAX_WORDS:
+            return None
+        if self._language == "en" and english.may_be_from_to(words):
             return None
         for count, after in self._counts(words):
             for end in range(len(words), after, -1):
@@ -73,12 +79,14 @@ class OwnUnits:
         return count * small
 
     def _counts(self, words: Sequence[str]) -> Iterator[tuple[float, int]]:
-        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion."""
-        for count, after in quantities.counts(words, self._language):
-            sign = words[after - 1]
-            if (sign,) in self._sizes and sign in english_words.SUFFIXES and after > 1:
-                yield quantities.tidy(count / english_words.SUFFIXES[sign]), after - 1
-            yield count, after
+        """How many there are and where that ends: of "250 g" 250, where the slot has grams, and else 250 billion; and
+        of "2 g 500 mg" 2."""
+        sign = next((at for at, word in enumerate(words) if at and self._is_sign(word)), len(words))
+        yield from quantities.counts(words[:sign], self._language)
+
+    def _is_sign(self, word: str) -> bool:
+        """Whether a letter that may stand for thousands or more is a unit of the slot."""
+        return (word,) in self._sizes and word in english_words.SUFFIXES
 
     def _without_and(self, words: Sequence[str]) -> Sequence[str]:
         table = units(self._language)

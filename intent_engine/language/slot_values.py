@@ -15,6 +15,7 @@ from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
 from intent_engine.language.numbers import foreign
 from intent_engine.language.numbers.digit_by_digit import said_together
+from intent_engine.language.numbers.units import units
 from intent_engine.language.own_units import OwnUnits
 from intent_engine.language.reading import SlotReading
 from intent_engine.language.spellings import spellings
@@ -113,6 +114,12 @@ class SlotValues:
         """What words are in the units that only this slot has, in SI; None: nothing."""
         own = self._units.get(slot.name)
         return own.value(said) if own is not None else None
+
+    def is_unit(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether words are a unit of a quantity, and nothing else."""
+        own, table = self._units.get(slot.name), units(self._grammar.language)
+        usual = table.by_kind.get(slot.type, {}) if table is not None else {}
+        return (own is not None and own.is_unit(said)) or tuple(said) in usual
 
     def _name(self, slot: Slot, label: str, said: list[str], start: int, end: int) -> SlotReading:
         match = self.index(slot).resolve(said)

@@ -70,6 +70,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it",
+        "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
     },
     "things": {
         "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",

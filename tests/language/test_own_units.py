@@ -108,6 +108,7 @@ def test_in_every_language(language: str, count: int) -> None:
         ("walk steps", "rejected"),
         ("walk a few steps", "rejected"),
         ("walk two steps ten", "rejected"),
+        ("walk five ten steps", "rejected"),  # five to ten
         ("walk two steps and ten centimeters", "rejected"),
         ("walk two crates", "rejected"),
         ("walk a thousand poles", "rejected"),
@@ -152,7 +153,7 @@ def test_they_are_checked_without_a_doubt() -> None:
 GRAMS = """
 language: en
 slots:
-  mass: {type: number, units: {1: [g, gram, grams], 1000: [kg, kilo, kilos]}}
+  mass: {type: number, units: {1: [g, gram, grams], 1000: [kg, kilo, kilos], 0.001: mg}}
 intents:
   weigh: {action: custom, sentences: ["weigh {mass} of flour"]}
 """
@@ -160,7 +161,15 @@ intents:
 
 @pytest.mark.parametrize(
     ("said", "mass"),
-    [("250g", 250), ("250 g", 250), ("2.5 kg", 2500), ("1 kg 250 g", 1250), ("two kilos and three grams", 2003)],
+    [
+        ("250g", 250),
+        ("250 g", 250),
+        ("2.5 kg", 2500),
+        ("1 kg 250 g", 1250),
+        ("two kilos and three grams", 2003),
+        ("2 g 500 mg", 2.5),
+        ("2g 500mg", 2.5),
+    ],
 )
 def test_a_sign_that_scales_numbers_may_be_a_unit(tmp_path: Path, said: str, mass: float) -> None:
     file = tmp_path / "grams.yaml"

@@ -350,3 +350,41 @@ def test_an_angle_in_two_pieces_is_a_common_one_or_none(hundreds: int, tens: int
     assert evaluate([*said, "meters"], "distance") == pytest.approx(-degrees if sign else degrees)
     whole = [*sign.split(), *in_words([str(degrees)]), "degrees"]
     assert evaluate(whole, "angle") == pytest.approx(math.copysign(degrees, -1 if sign else 1) * DEGREE)
+
+
+@pytest.mark.parametrize("said", ["eight ten", "five ten", "nine fifteen", "minus five ten"])
+def test_a_time_from_one_number_to_another_is_none(said: str) -> None:
+    """Nobody waits 810 minutes who says "eight ten minutes"."""
+    assert evaluate([*said.split(), "minutes"], "duration") is None
+    assert evaluate([*said.split(), "percent"], "percent") is None
+
+
+@pytest.mark.parametrize(("said", "number"), [("one ten", 110), ("two fifteen", 215), ("five fifty", 550)])
+def test_a_hundred_is_left_out_where_it_is_one_number(said: str, number: float) -> None:
+    assert evaluate([*said.split(), "seconds"], "duration") == number
+
+
+@pytest.mark.parametrize("said", ["minus -20", "negative -20", "minus minus twenty", "plus -20"])
+def test_of_two_signs_nobody_knows_which_holds(said: str) -> None:
+    assert evaluate(said.split(), "number") is None
+    assert evaluate([*said.split(), "degrees"], "angle") is None
+
+
+@pytest.mark.parametrize(
+    ("said", "part"),
+    [
+        ("40/50", None),
+        ("4/6", None),
+        ("8/10", None),
+        ("120/80", None),
+        ("2/3", 2 / 3),
+        ("10/16", 0.625),
+        ("50/100", 0.5),
+    ],
+)
+def test_a_stroke_stands_between_two_numbers_unless_they_are_a_part_as_people_write_it(
+    said: str, part: float | None
+) -> None:
+    """ "Every 4/6 hours" is no 40 minutes."""
+    assert evaluate([said], "number") == part
+    assert evaluate([said, "hours"], "duration") == (None if part is None else pytest.approx(part * 3600))

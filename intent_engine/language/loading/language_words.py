@@ -31,7 +31,7 @@ _WORDING = (
     "greeting", "hesitation", "way_back", "asked", "request", "agrees", "agreeing", "compares", "before_verb",
     "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb", "excludes",
     "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking", "affirming",
-    "declining", "standing_for",
+    "declining", "standing_for", "asks_for_doing", "asks_to_do",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -138,6 +138,8 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         thanking=phrases("thanking"),
         hesitations=phrases("hesitation"),
         ways_back=phrases("way_back"),
+        asks_for_doing=phrases("asks_for_doing"),
+        asks_to_do=phrases("asks_to_do"),
         asked=words("asked"),
         requests=words("request"),
         agrees=words("agrees"),

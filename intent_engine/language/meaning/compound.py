@@ -18,6 +18,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.numbers.units import units
 from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.template_tree import first_words
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
@@ -114,6 +115,8 @@ class Compounds:
                         onward = rest(after, depth + 1, name, after > end)
                     if onward is None and after == end:
                         onward = rest(after, depth + 1, "")
+                    if onward is not None and not self._parts_numbers(words, end, after, clause, onward[0]):
+                        onward = None
                     if onward is not None:
                         onward = self._unless_the_way_back(clause, onward)
                     later = onward is not None and _goes_on(onward[0])
@@ -249,7 +252,8 @@ class Compounds:
         start = first = self._phrases.goes_on(core.words)
         before = ""
         while True:
-            ends = list(self._boundaries(core, start))[-MOST_ENDS:]
+            ends = [one for one in self._boundaries(core, start) if not self._may_be_one_number(core.words, *one)]
+            ends = ends[-MOST_ENDS:]
             parts = [(end, after, self._one(core.part(start, end), state, before, False)) for end, after in ends]
             done = next((one for one in parts if one[2] is not None and one[2].accepted), None)
             if done is None or done[2] is None:
@@ -271,12 +275,34 @@ class Compounds:
             ends = [end + length for length in self._sequence.lengths_at(words, end)]
             ends += [more for after in ends for more in self._ends_of_clauses(words, after)]
             for after in (*ends, end) if core.breaks[end] else ends:
-                if after < len(words) and not self._may_be_one_number(words, end, after):
+                if after < len(words):
                     yield end, after
+
+    def _parts_numbers(self, words: Sequence[str], end: int, after: int, clause: Clause, onward: Clause) -> bool:
+        """Whether no number goes on behind a joint: both commands name the same and end alike, "*two* cups for table
+        *3* and *ten* plates for table *4*", and what meets at the joint is no number together.
+
+        "Bay 3 and 2 meters back" may still be a bay of two numbers.
+        """
+        if not self._may_be_one_number(words, end, after):
+            return True
+        one, other = clause.reading, onward.reading
+        if one is None or other is None or not one.slots or not other.slots:
+            return False
+        is_number, language = self._commands.matcher.is_number, self._commands.matcher.grammar.language
+        begin = next((at + 1 for at in range(end - 1, -1, -1) if not is_number(words[at])), 0)
+        stop = next((at for at in range(after, len(words)) if not is_number(words[at])), len(words))
+        if evaluate(words[begin:stop], "number", language) is not None:
+            return False
+        last, first = max(one.slots, key=lambda slot: slot.end), min(other.slots, key=lambda slot: slot.start)
+        ends, begins = last.end == len(one.words) and after > end, first.start == 0 and last.label != first.label
+        return ends and begins and last.label in other.values() and first.label in one.values()
 
     def _may_be_one_number(self, words: Sequence[str], end: int, after: int) -> bool:
         """Whether a number before a pause or an "and", and one behind it, may be one: "turn 15 and 20 degrees", "turn
         100, 80 degrees". Behind a "then" it is another, and no number ends with a "point"."""
+        if after == len(words):
+            return False
         is_number, said = self._commands.matcher.is_number, units(self._commands.matcher.grammar.language)
         joins, points = (said.words["and"], said.words.get("point", ("point",))) if said is not None else (None, ())
         if joins is not None and not set(words[end:after]).issubset(joins):

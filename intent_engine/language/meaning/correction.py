@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
 from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -105,7 +106,8 @@ class Corrections:
             if leaves_one_of_two(said, meant, piece.words, lambda words: self._commands.readings(words, before)):
                 return None
             wanted_without = self._is_what_is_had(said, meant, piece.words) or (
-                not opens and self._is_a_free_thing(meant, piece.words, before)
+                not opens
+                and (self._is_a_free_thing(meant, piece.words, before) or self._is_a_unit(meant, piece.words, before))
             )
             if denies and meant == piece.words and self._is_said_again(said, meant, state):
                 reason = f"'{denies}' before what was said already may forbid it; say it once"
@@ -216,6 +218,13 @@ class Corrections:
         reading = next(iter(self._commands.readings(words, before)), None)
         free = [slot.start for slot in reading.slots if slot.slot.type in FREE_KINDS] if reading is not None else []
         return any(words[at : at + len(meant)] == meant for at in free)
+
+    def _is_a_unit(self, words: list[str], meant: list[str], before: str) -> bool:
+        """Whether ``meant`` has become a unit: "five minutes, no seconds" may be five minutes sharp."""
+        reading = next(iter(self._commands.readings(words, before)), None)
+        slots = [slot for slot in reading.slots if slot.slot.type in QUANTITY_KINDS] if reading is not None else []
+        within = (at for slot in slots for at in range(slot.start + 1, slot.end))
+        return any(words[at : at + len(meant)] == meant for at in within)
 
     def _is_what_is_had(self, said: list[str], words: list[str], meant: list[str]) -> bool:
         """Whether ``meant`` has become what something is to be *with*: "with milk, no sugar" is as likely without any.

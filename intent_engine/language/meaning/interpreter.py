@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.asked_for_doing import AskedForDoing
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.clause import Clause, more_telling
 from intent_engine.language.meaning.command import Commands
@@ -76,6 +77,7 @@ class Interpreter:
         self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
         self._fillers = FillersOrWords(phrases, self._commands, self._meant)
         self._numbers = made(NumbersInPieces(phrases, self.matcher))
+        self._asked = AskedForDoing(phrases, self._commands)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -159,12 +161,28 @@ class Interpreter:
         lettered = Utterance.with_letters(text, self._language)
         if lettered is not None and not meant[0].stops:
             said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
+        if meant[0].status is Status.REJECTED:
+            said, meant = self._as_asked(text, (said, meant), state, spoken)
         talk = self._talk
         if reason := talk.asks_or_quotes(text, said, meant, spoken=spoken) or talk.tells(said, meant, typed=typed):
             return self._rejected(text, reason)
         if meant[0].status is Status.ACCEPTED and (other := self.phrases.in_full(said)) is not None:
             return self._fillers.or_either(text, meant, other, state)
         return meant
+
+    def _as_asked(
+        self, text: str, otherwise: tuple[Utterance, Understood], state: Collection[str], spoken: bool
+    ) -> tuple[Utterance, Understood]:
+        """What was said and meant where an order asks for doing something; else as it was, ``otherwise``."""
+        said = otherwise[0]
+        woken = self._awake(said) if self.phrases.wake else said
+        if woken is None and spoken:
+            return otherwise
+        told = self._asked.told(woken or said)
+        found = self._meant(text, told, state) if told is not None else None
+        if told is None or found is None or (found[0].status is Status.REJECTED and found[0].intent is None):
+            return otherwise
+        return told, found
 
     def _said(self, text: str) -> Utterance:
         return self.matcher.as_written(Utterance.of(text, self._language))

@@ -63,6 +63,7 @@ class Replacements:
         if first is not None and whole and self._begins_with_its_verb(first, meant):
             return all_of_it
         last = _last_quantity(first)
+        units = {(self._unit_begins(slot, said, meant), slot.end) for slot in (first.slots if first else ())}
         labels: dict[tuple[bool, bool, bool], set[str]] = {}
         for at, after, label in self._stretches(said, meant, first, whole) if first is not None else ():
             assert first is not None
@@ -75,7 +76,9 @@ class Replacements:
                 touched = [slot for slot in reading.slots if slot.start < at + len(meant) and slot.end > at]
                 if label is not None and label not in (slot.label for slot in touched):
                     continue
-                if any(self._grafted(slot, words, at, meant, whole) for slot in touched):
+                if (at, after) not in units and any(
+                    self._grafted(slot, words, at, meant, whole, last) for slot in touched
+                ):
                     continue
                 if any(slot.problem and slot.label != last for slot in touched):
                     continue  # "seven thirty, no, forty": no hour, but "bay four, no, ninety" may be nothing but a bay
@@ -168,12 +171,13 @@ class Replacements:
                     slot is spoken[-1] and self._named_otherwise(slot, said, meant[:length])
                 ):
                     continue
-                for at in beginnings(said, meant[:length], slot.start):
+                unit = self._unit_begins(slot, said, meant[:length]) if slot is spoken[-1] else None
+                for at in (*beginnings(said, meant[:length], slot.start), *(() if unit is None else (unit,))):
                     words = said[:at] + meant
                     reading = self._commands.likeliest(words)
                     if reading is None or reading.intent is not begun.intent:
                         continue
-                    if not same_but(begun, spoken[index:], len(said), reading, at, at + length):
+                    if not same_but(begun, spoken[index:], len(said), reading, min(at, slot.start), at + length):
                         continue
                     meaning = tuple(sorted((label, str(value)) for label, value in reading.values().items()))
                     found[meaning] = min(found.get(meaning, (at, len(said))), (at, len(said)))
@@ -280,9 +284,29 @@ class Replacements:
                 start = slot.start
             for end in ends:
                 yield start, end, slot.label
+            if (unit := self._unit_begins(slot, said, meant)) is not None:
+                yield unit, slot.end, slot.label
         for start in range(len(said) - 1, 0, -1):
             if start not in within:
                 yield start, len(said), None
+
+    def _unit_begins(self, slot: SlotReading, said: list[str], meant: list[str]) -> int | None:
+        """Where the unit of a quantity begins, if ``meant`` is another one: "five hours, no, *minutes*". None: it is
+        none, or the quantity has no unit, or several."""
+        is_unit = self._matcher.values.is_unit
+        if slot.slot.type not in QUANTITY_KINDS or not is_unit(slot.slot, meant):
+            return None
+        language = self._matcher.grammar.language
+        for at in range(slot.start + 1, slot.end):
+            number = said[slot.start : at]
+            unit = said[at : slot.end]
+            if (
+                unit != meant
+                and is_unit(slot.slot, unit)
+                and any(end == len(number) for _, end in counts(number, language))
+            ):
+                return at
+        return None
 
     def _is_whole(self, slot: SlotReading, said: list[str], end: int) -> bool:
         """Whether the words of a slot up to a place may be replaced by themselves: of a quantity all, or how many there
@@ -292,7 +316,7 @@ class Replacements:
         words = said[slot.start : end]
         return any(after == len(words) for _, after in counts(words, self._matcher.grammar.language))
 
-    def _grafted(self, slot: SlotReading, words: list[str], at: int, meant: list[str], whole: bool) -> bool:
+    def _grafted(self, slot: SlotReading, words: list[str], at: int, meant: list[str], whole: bool, last: str) -> bool:
         """Whether a slot would hold what was said and what was meant as one: "point" + "20 degrees per second".
 
         A number alone may take the unit that was said before ("two meters, no, three"), but goes together with no other
@@ -312,7 +336,8 @@ class Replacements:
                 return True
             language = self._matcher.grammar.language
             if slot.slot.type not in _WITH_UNITS:
-                return evaluate(meant, slot.slot.type, language) is not None
+                takes_unit = slot.slot.units and slot.label == last  # else "500 mg for bed 3, no, 4" may be 4 mg
+                return not takes_unit and evaluate(meant, slot.slot.type, language) is not None
             begun = (meant[:end] for end in range(len(meant), 0, -1))  # "no, two meters, two and a half" takes no unit
             return any(evaluate(words, kind, language) is not None for words in begun for kind in _WITH_UNITS)
         return self._matcher.values.from_words(slot.slot, slot.label, meant).status == "exact"

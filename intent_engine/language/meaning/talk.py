@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
+
+from intent_engine.language.contractions import OTHER_WORDS
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.conditions import Conditions
+from intent_engine.language.meaning.more_than_now import MoreThanNow
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.sayings import Sayings
+from intent_engine.language.meaning.sign_or_dash import sign_or_dash
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
+from intent_engine.language.normalize import tokenize
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Talk"]
+
+_APOSTROPHE = re.compile("(?<=[a-z])['’ʼ`](?=[a-z])", re.IGNORECASE)
 
 
 class Talk:
@@ -24,9 +34,10 @@ class Talk:
         self._questions = Questions(phrases, commands)
         self._sayings = Sayings(phrases, grammar)
         self._conditions = Conditions(phrases, grammar)
+        self._more_than_now = MoreThanNow(grammar)
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
-        """Why it is a question, or may be a saying; empty: it is neither.
+        """Why it is a question, may be a saying, or leaves a value open; empty: it is none of these.
 
         Args:
             text: what was said or typed.
@@ -39,6 +50,24 @@ class Talk:
             return "a question, and not one to do something"
         if found.actions and (saying := self._sayings.within(said, parts)):
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
+        if found.actions and not found.stops and (told := self._of_somebody(text, parts)):
+            return f"{told!r} tells of somebody; say the command alone"
+        if found.actions and not found.stops and (number := sign_or_dash(text, self._language, parts)):
+            return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
+        if found.actions and not found.stops and (added := self._more_than_now.within(said.words, parts)):
+            return f"{added!r} adds to what it is now; say how much it shall be"
+        return ""
+
+    def _of_somebody(self, text: str, parts: Sequence[Clause]) -> str:
+        """A shortened word that is another without its apostrophe and was left out as such: "we'll" of "we'll lock the
+        door". Empty: there is none."""
+        if self._language != "en" or not _APOSTROPHE.search(text):
+            return ""
+        kept = {word for part in parts if part.reading is not None for word in part.reading.words}
+        for token in tokenize(text):
+            written = text[token.start : token.end]
+            if token.word in OTHER_WORDS - kept and _APOSTROPHE.search(written):
+                return written
         return ""
 
     def tells(self, said: Utterance, meant: Understood, *, typed: bool) -> str:

@@ -24,6 +24,7 @@ __all__ = [
     "cardinal",
     "fraction",
     "leaves_hundred_out",
+    "may_be_from_to",
     "number",
     "numbers_at",
 ]
@@ -231,7 +232,8 @@ def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
     word = words[at]
     if word in ("minus", "negative") or (word == "plus" and at + 1 < len(words)):
         sign = 1.0 if word == "plus" else -1.0
-        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
+        # "Minus -20", as it is written for a "minus twenty", is no 20.
+        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1) if value >= 0)
         return
     if word[0] == "-" and is_numeral(word):
         value = numeral_value(word)
@@ -401,3 +403,11 @@ def leaves_hundred_out(words: Sequence[str]) -> bool:
     signed = bool(words) and words[0] in ("minus", "negative")
     first, second, *_ = (*words[signed : signed + 2], "", "")
     return first in DIGITS and (second in TENS or second in TEENS)
+
+
+def may_be_from_to(words: Sequence[str]) -> bool:
+    """Whether words begin with two numbers between which a "to" may have been left out: "eight ten minutes" are eight
+    to ten, and not 810. "One ten" and "five fifty" are only one number."""
+    signed = bool(words) and words[0] in ("minus", "negative")
+    first, second, *_ = (*words[signed : signed + 2], "", "")
+    return DIGITS.get(first, 0) > 3 and second in TEENS

@@ -41,9 +41,10 @@ RATES: Mapping[str, Mapping[str, float]] = {
 LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
-    "and", "and_part", "and_smaller", "another", "billion", "dozen", "half", "halves", "last", "million", "minus",
-    "all_of_it", "every", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one", "over", "per",
-    "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand", "vague",
+    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half", "halves",
+    "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one",
+    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
+    "vague",
 ))  # fmt: skip
 """The lists of function words."""
 KEYS: Keys = {

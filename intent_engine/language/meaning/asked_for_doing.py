@@ -1,0 +1,68 @@
+"""Orders that ask for doing something: "would you mind locking drawer 3" is "lock drawer 3"."""
+
+from __future__ import annotations
+
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import told_forms_of
+
+__all__ = ["AskedForDoing"]
+
+_DOING = "ing"
+
+
+class AskedForDoing:
+    """Those of one grammar. Thread-safe."""
+
+    def __init__(self, phrases: Phrases, commands: Commands) -> None:
+        grammar = commands.matcher.grammar
+        polite = bool(grammar.fillers)  # without any a command is what its sentences say
+        self._asks_for_doing = PhraseSet(grammar.wording.asks_for_doing if polite else ())
+        self._asks_to_do = PhraseSet(grammar.wording.asks_to_do if polite else ())
+        self._before = PhraseSet((*grammar.fillers, *grammar.wake))
+        self._phrases = phrases
+        self._commands = commands
+        self._language = grammar.language
+
+    def told(self, said: Utterance) -> Utterance | None:
+        """The same as it is told, without what asks; None: nothing is asked for so.
+
+        What asks stands first, and a verb behind it with which a command begins. So does each verb behind an "and":
+        "would you mind locking drawer 3 *and opening* drawer 4".
+        """
+        for asking in (self._asks_for_doing, self._asks_to_do):
+            found = asking.find(said.words)
+            if found is None or not self._before.cover(said.words[: found[0]]):
+                continue
+            start = self._after_fillers(said, found[0] + found[1])
+            verb = self._doing if asking is self._asks_for_doing else self._to_do
+            if verb(said, start) is None:
+                continue
+            told = said.part(start, len(said))
+            places = [at for at in range(len(told)) if not at or self._phrases.sequence.ends(told.words[:at])]
+            verbs = {at: one for at in places if (one := verb(told, at)) is not None}
+            return Utterance([verbs.get(at, word) for at, word in enumerate(told.words)], [*told.breaks])
+        return None
+
+    def _after_fillers(self, said: Utterance, place: int) -> int:
+        while place < len(said) and (length := self._phrases.fillers.at(said.words, place)):
+            place += length
+        return place
+
+    def _to_do(self, said: Utterance, place: int) -> str | None:
+        """The word at a place, if a command or a stop begins with it."""
+        word = said.words[place] if place < len(said) else ""
+        return word if self._begins(word) else None
+
+    def _doing(self, said: Utterance, place: int) -> str | None:
+        """The verb of which a word is the form that ends in "-ing", if a command or a stop begins with it."""
+        word = said.words[place] if place < len(said) else ""
+        if not word.endswith(_DOING):
+            return None
+        verbs = told_forms_of(word, self._language)
+        return next(filter(self._begins, verbs), None)
+
+    def _begins(self, verb: str) -> bool:
+        return verb in self._commands.first_words or self._phrases.stop.at([verb], 0) == 1
