@@ -62,6 +62,9 @@ ORDINAL_TENS = {
 ORDINAL_SCALES = {"hundredth": 1e2, "thousandth": 1e3, "millionth": 1e6, "billionth": 1e9, "trillionth": 1e12}
 HALVES = {"half": 2.0, "halves": 2.0, "halfs": 2.0, "quarter": 4.0, "quarters": 4.0}
 
+SIGNS = frozenset(("minus", "negative", "plus"))
+"""Before a number they say on which side of zero it is."""
+
 SMALL = {**DIGITS, **TEENS, **TENS}
 NUMBER_WORDS = frozenset(
     (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
@@ -268,9 +271,11 @@ def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
     if at >= len(words):
         return
     word = words[at]
-    if word in ("minus", "negative") or (word == "plus" and at + 1 < len(words)):
+    if word in SIGNS:
         sign = 1.0 if word == "plus" else -1.0
-        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
+        # A second sign may say the first one again, or turn it round: "minus -5".
+        if at + 1 < len(words) and words[at + 1] not in SIGNS and not words[at + 1].startswith("-"):
+            yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
         return
     if word[0] == "-" and is_numeral(word):
         value = numeral_value(word)
