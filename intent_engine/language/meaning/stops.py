@@ -185,15 +185,14 @@ class Stops:
     def of_doing(self, core: Utterance) -> bool:
         """Whether a robot is told to stop what is a command of its own: "stop stirring", "stop chopping the onions".
 
-        What is to be ended need not be said in full, only as a command begins. It may stand beside commands:
-        "stop stirring and open the oven".
+        What is to be ended need not be said in full, only as a command begins. Commands may follow: "stop
+        stirring, open the oven".
         """
         if self._of_doing(core.words):
             return True
         return any(
             self._of_doing(one.words) and not self._commands.moves(one.words, ()) and self._only_commands(other, ())
-            for sides in self._halves(core)
-            for one, other in (sides, sides[::-1])
+            for one, other in self._halves(core)
         )
 
     def _halves(self, core: Utterance) -> Iterator[tuple[Utterance, Utterance]]:

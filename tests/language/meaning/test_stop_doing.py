@@ -54,7 +54,6 @@ def engine(engine_of) -> IntentEngine:
         "stop stirring, open the oven",
         "stop stirring and open the oven",
         "stop kneading. Open the oven.",
-        "open the oven and then stop stirring the soup",
     ],
 )
 def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> None:
