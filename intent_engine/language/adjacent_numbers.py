@@ -124,7 +124,11 @@ def leaves_one_of_two(
             return True
         bare = not between or len(meant) == other.end - other.start
         if second and not first and bare and one.slot.beyond(other.value or 0.0) is None:
-            return True
+            # "Seven two times, no, three times": what follows a number is the second one's, unless it may be either's.
+            rest = new.words[other.end :]
+            told = not between and rest and tuple(meant[-len(rest) :]) == rest and len(meant) > len(rest)
+            if not told or any(not way.problem for way in read([*new.words[: one.start], *meant])):
+                return True
     return False
 
 

@@ -293,6 +293,8 @@ class Wording:
     """What thanks, and makes an answer to somebody of a "no" before it: "no, *thanks*"."""
     hesitations: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which something may be said anew: "left, uh, right"."""
+    at_first: tuple[tuple[str, ...], ...] = ()
+    """What says nothing behind the first of several commands: "close the door *first*, then start"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     asks_for_doing: tuple[tuple[str, ...], ...] = ()

@@ -61,13 +61,14 @@ class OwnUnits:
                     return quantities.tidy(count * size)
                 if not count.is_integer():
                     continue
+                whole, sign = count * size, math.copysign(1.0, count)  # below zero it is so with its parts
                 if (part := self._part(words[end:])) is not None:
-                    return quantities.tidy((count + part) * size)
+                    return quantities.tidy(whole + sign * part * size)
                 if (hundredths := self._hundredths(words[end:], size)) is not None:
-                    return quantities.tidy(count * size + hundredths)
+                    return quantities.tidy(whole + sign * hundredths)
                 more = self._below(self._without_and(words[end:]), size)
-                if more is not None and more < size:
-                    return quantities.tidy(count * size + more)
+                if more is not None and 0 <= more < size:
+                    return quantities.tidy(whole + sign * more)
         return None
 
     def _hundredths(self, words: Sequence[str], size: float) -> float | None:

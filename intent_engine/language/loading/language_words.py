@@ -28,10 +28,10 @@ __all__ = [
 
 _OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"}  # which is made of the stops
 _WORDING = (
-    "greeting", "hesitation", "way_back", "asked", "request", "agrees", "agreeing", "compares", "before_verb",
-    "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb", "excludes",
-    "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking", "affirming",
-    "declining", "standing_for", "asks_for_doing", "asks_to_do",
+    "greeting", "hesitation", "at_first", "way_back", "asked", "request", "agrees", "agreeing", "compares",
+    "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
+    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
+    "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -137,6 +137,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         greetings=phrases("greeting"),
         thanking=phrases("thanking"),
         hesitations=phrases("hesitation"),
+        at_first=phrases("at_first"),
         ways_back=phrases("way_back"),
         asks_for_doing=phrases("asks_for_doing"),
         asks_to_do=phrases("asks_to_do"),

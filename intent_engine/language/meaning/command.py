@@ -111,6 +111,11 @@ class Commands:
         return frozenset(strict.next_words(strict.start()))
 
     @cached_property
+    def doing_begins(self) -> frozenset[str]:
+        """The same, and those with which patterns begin."""
+        return self.first_words | self.matcher.patterns.first_words
+
+    @cached_property
     def _verbs(self) -> frozenset[str]:
         return self.first_words - self._not_verbs
 

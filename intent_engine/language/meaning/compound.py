@@ -41,6 +41,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
+        self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
         known = thing_words(commands.matcher.grammar.language)
         self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
@@ -100,6 +101,8 @@ class Compounds:
                 if self._corrections.leans(part, state, first=start == begin):
                     continue
                 clause = self._one(part, state, before, exactly)
+                if start == begin and end < len(words) and not (clause is not None and clause.accepted):
+                    clause = self._at_first_of_all(part, state, exactly)
                 if clause is None or not clause.accepted:
                     continue
                 # "The kitchen, the bedroom and the dock" is a list: its last joint tells it from a correction.
@@ -135,6 +138,13 @@ class Compounds:
             return found
 
         return rest(begin, 1, "") or None
+
+    def _at_first_of_all(self, part: Utterance, state: Collection[str], exactly: bool) -> Clause | None:
+        """The command that a part is but for a "first" at its end, behind which others follow. None: it has none."""
+        length = self._at_first.ends(part.words)
+        if not 0 < length < len(part):
+            return None
+        return self._one(part.part(0, len(part) - length), state, "", exactly)
 
     def _one(self, part: Utterance, state: Collection[str], before: str, exactly: bool) -> Clause | None:
         """The command that a part is, by itself or ("and then to the bedroom") behind one of the intent ``before``.

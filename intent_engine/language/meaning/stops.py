@@ -185,9 +185,24 @@ class Stops:
     def of_doing(self, core: Utterance) -> bool:
         """Whether a robot is told to stop what is a command of its own: "stop stirring", "stop chopping the onions".
 
-        What is to be ended need not be said in full, only as a command begins.
+        What is to be ended need not be said in full, only as a command begins. Commands may follow: "stop
+        stirring, open the oven".
         """
-        words = core.words
+        if self._of_doing(core.words):
+            return True
+        return any(
+            self._of_doing(one.words) and not self._commands.moves(one.words, ()) and self._only_commands(other, ())
+            for one, other in self._halves(core)
+        )
+
+    def _halves(self, core: Utterance) -> Iterator[tuple[Utterance, Utterance]]:
+        """What stands before and behind each pause or word that joins commands."""
+        for place in range(1, len(core) - 1):
+            joint = self._phrases.sequence.at(core.words, place)
+            if (core.breaks[place] or joint) and place + joint < len(core):
+                yield core.part(0, place), core.part(place + joint, len(core))
+
+    def _of_doing(self, words: list[str]) -> bool:
         start = self._phrases.after_opening(words)
         matcher = self._commands.matcher
         while lengths := self._stop.lengths_at(words, start):
@@ -195,7 +210,7 @@ class Stops:
                 doing, *rest = after = words[start + length :] or [""]
                 told = [[verb, *rest] for verb in verbs(doing, matcher.grammar.language)]
                 told += [[verb, *after[said:]] for said, verb in verbs_told(after, matcher.grammar)]
-                if any(one[0] in self._commands.first_words and matcher.prefix(one)[1] is not None for one in told):
+                if any(one[0] in self._commands.doing_begins and matcher.prefix(one)[1] is not None for one in told):
                     return True
             start += lengths[0]
         return False

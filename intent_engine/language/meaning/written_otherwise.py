@@ -16,6 +16,7 @@ from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.plurals import Plurals
 from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words
+from intent_engine.language.unit_symbols import UnitSymbols
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["WrittenOtherwise"]
@@ -53,6 +54,7 @@ class WrittenOtherwise:
         self._matcher = commands.matcher
         self._meant = meant
         self._said_twice = SaidTwice(commands, phrases)
+        self._symbols = UnitSymbols(self._matcher.grammar)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
     def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -69,6 +71,9 @@ class WrittenOtherwise:
             written = self._in_the_infinitive(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state)
+        for other in self._symbols.in_full(core):
+            if written is None:
+                written = self._understood_as(text, core, other, state)
         for otherwise, is_meant in _NUMBERS:
             if written is None:
                 written = self._understood_as(text, core, otherwise(core, language), state)

@@ -12,6 +12,7 @@ from intent_engine.language.numbers.english_words import (
     ORDINAL_TENS,
     ORDINAL_UNITS,
     SCALES,
+    SIGNS,
     SMALL,
     SUFFIXES,
     TEENS,
@@ -230,10 +231,11 @@ def numbers_at(words: Sequence[str], at: int) -> Iterator[Found]:
     if at >= len(words):
         return
     word = words[at]
-    if word in ("minus", "negative") or (word == "plus" and at + 1 < len(words)):
+    if word in SIGNS:
         sign = 1.0 if word == "plus" else -1.0
-        # "Minus -20", as it is written for a "minus twenty", is no 20.
-        yield from ((sign * value, after) for value, after in numbers_at(words, at + 1) if value >= 0)
+        # A second sign may say the first one again, or turn it round: "minus -5".
+        if at + 1 < len(words) and words[at + 1] not in SIGNS and not words[at + 1].startswith("-"):
+            yield from ((sign * value, after) for value, after in numbers_at(words, at + 1))
         return
     if word[0] == "-" and is_numeral(word):
         value = numeral_value(word)

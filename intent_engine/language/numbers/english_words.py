@@ -10,6 +10,7 @@ __all__ = [
     "ORDINAL_TENS",
     "ORDINAL_UNITS",
     "SCALES",
+    "SIGNS",
     "SMALL",
     "SUFFIXES",
     "TEENS",
@@ -45,6 +46,9 @@ ORDINAL_TENS = {
 }  # fmt: skip
 ORDINAL_SCALES = {"hundredth": 1e2, "thousandth": 1e3, "millionth": 1e6, "billionth": 1e9, "trillionth": 1e12}
 HALVES = {"half": 2.0, "halves": 2.0, "halfs": 2.0, "quarter": 4.0, "quarters": 4.0}
+
+SIGNS = frozenset(("minus", "negative", "plus"))
+"""Before a number they say on which side of zero it is."""
 
 SMALL = {**DIGITS, **TEENS, **TENS}
 NUMBER_WORDS = frozenset(

@@ -188,7 +188,7 @@ class QuantityParser:
             part = self._part_after(words, after, value / factor, top_kind)
             bottom = self._below(words, part[1]) if part is not None else None
             if part is not None and bottom is not None:
-                yield tidy((value + part[0] * factor) / bottom[0]), bottom[1]
+                yield tidy((value + math.copysign(part[0] * factor, value)) / bottom[0]), bottom[1]
 
     def _and_a_half(self, words: Sequence[str], at: int, kind: str) -> tuple[float, int] | None:
         """ "Metro y medio": one and a half."""
@@ -213,25 +213,28 @@ class QuantityParser:
     def _extended(
         self, words: Sequence[str], value: float, after: int, key: str, kind: str, depth: int
     ) -> Iterator[tuple[float, int]]:
-        """A quantity with what may follow: "and a half", a smaller unit, a bare number of the smaller unit."""
+        """A quantity with what may follow: "and a half", a smaller unit, a bare number of the smaller unit. Below zero
+        it is so as a whole: "minus one inch and a half" is -1.5 inches."""
         yield value, after
         if depth > 4 or after >= len(words):
             return
         factor = FACTORS[kind][key]
+        sign = math.copysign(1.0, value)
         joined = words[after] in self._table.words.get("and", ())
         onward = after + 1 if joined else after
         part = self._part_after(words, after, value / factor, kind)
         if part is not None:
-            with_part = value + part[0] * factor
+            with_part = value + sign * part[0] * factor
             yield with_part, part[1]
             yield from ((with_part, end) for end in self._more_ends(words, part[1]))
         if depth == 0:
             yield from ((value, end) for end in self._more_ends(words, after))
         for more, end, smaller in self._parts(words, onward, kind):
+            if more < 0 and sign < 0:
+                continue  # "minus one foot minus two inches" may be either way from there
             if FACTORS[kind][smaller] < factor and (key in _IMPERIAL) == (smaller in _IMPERIAL):
-                yield from (
-                    (value + rest, last) for rest, last in self._extended(words, more, end, smaller, kind, depth + 1)
-                )
+                extended = self._extended(words, more, end, smaller, kind, depth + 1)
+                yield from ((value + sign * rest, last) for rest, last in extended)
         square = words[after - 1] == "m" and onward < len(words) and words[onward] in ("2", "3")  # "2 m2"
         led = not joined or kind == "duration" or words[after] in self._table.words.get("and_smaller", ())
         if key in _SMALLER and led and not square:
@@ -240,7 +243,7 @@ class QuantityParser:
                 if end < len(words) and any(self._unit(words, end, other) is not None for other in self._table.by_kind):
                     continue  # "10 m 20 m", "one meter twenty degrees"
                 if 0 < number < most and number == int(number) and (not joined or kind == "duration" or number >= 10):
-                    yield value + number * size, end
+                    yield value + sign * number * size, end
 
     def _more_ends(self, words: Sequence[str], at: int) -> Iterator[int]:
         """Where "more" and the like end behind a quantity: "two feet more", "deux mètres de plus"."""

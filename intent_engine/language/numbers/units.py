@@ -50,7 +50,7 @@ _WORDS = frozenset((
 KEYS: Keys = {
     "units": {kind: sizes.keys() for kind, sizes in {**FACTORS, **RATES}.items()}, "words": _WORDS,
     "parts": None, "joined": None, "speeds": None, "whole_angles": None,
-    "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."},
+    "respelled": None, "respelled_parts": None, "alike": None, "figures": {",", "."}, "symbols": None,
 }  # fmt: skip
 """What a file may hold,"""
 NEEDED: Mapping[str, Collection[str]] = {"units": (), "words": ("one", "of", "and", "per")}
@@ -85,6 +85,8 @@ class Units:
     figures: Mapping[str, str] = field(default_factory=dict)
     """What a sign stands for that is followed by exactly three figures and could divide thousands or decimals; what is
     not here is unclear."""
+    symbols: tuple[tuple[str, ...], ...] = ()
+    """Names of one unit of any kind that may be written for each other behind a number: "kg", "kilograms"."""
     parts: Mapping[tuple[str, bool], float] = field(default_factory=dict)
     """A part of one, as it is called where there is one of it, or not: ("terzi", False) -> 3."""
 
@@ -156,5 +158,6 @@ def units(language: str) -> Units | None:
         respelled_parts=data.get("respelled_parts", {}),
         alike=alike,
         figures=data.get("figures", {}),
+        symbols=tuple(map(tuple, data.get("symbols", ()))),
         parts=parts,
     )

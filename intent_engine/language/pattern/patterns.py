@@ -319,7 +319,7 @@ class Patterns:
         slots = []
         free = 0
         text = " ".join(words)
-        for name, (begin, end) in values.items():
+        for name, (begin, end) in sorted(values.items(), key=lambda held: held[1]):  # as they were said
             slot = self._grammar.slots.get(name)
             if slot is None:
                 continue

@@ -52,6 +52,11 @@ class SpokenPatterns:
         return frozenset().union(*(self._networks[key].words() for key in self.networks))
 
     @cached_property
+    def first_words(self) -> frozenset[str]:
+        """Those of them with which patterns begin."""
+        return frozenset().union(*(self._networks[key].start.arcs for key in self.networks))
+
+    @cached_property
     def values(self) -> frozenset[str]:
         """Those of them that they list for slots: "(?P<lamp>lights?|lamp)"."""
         slots = (one.part for part in self._parts for one in walk(part) if isinstance(one, Named))

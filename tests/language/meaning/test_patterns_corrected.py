@@ -26,6 +26,33 @@ intents:
       code: /[a-z] \\d+/
   wave: {action: custom, sentences: ["wave [twice]"]}
 """
+JOBS = """
+language: en
+slots:
+  hour: {type: number, min: 0, max: 23, whole: true}
+  minute: {type: number, min: 0, max: 59, whole: true}
+  job: {type: number, min: 1, max: 99, whole: true}
+  begin: {type: number, min: 1, max: 999, whole: true}
+  final: {type: number, min: 1, max: 999, whole: true}
+intents:
+  print:
+    action: custom
+    lark: |
+      start: "print job " job pages?
+      pages: " pages " begin " to " final
+      job: /\\d+/
+      begin: /\\d+/
+      final: /\\d+/
+  ring:
+    action: custom
+    lark: |
+      start: "ring at " time
+      time: hour rest
+      rest: " " minute
+      hour: /\\d+/
+      minute: /\\d+/
+"""
+"""Whose slots stand at different depths of the tree."""
 
 
 @pytest.fixture(scope="module")
@@ -97,3 +124,27 @@ def both(engine_of) -> tuple[IntentEngine, IntentEngine]:
     head, _, rest = GRAMMAR.partition("    regex:")
     template = '    sentences: ["refill [bin] {shelf} {bin} [with {fruit}]"]\n' + rest.partition("\n")[2]
     return engine_of(GRAMMAR), engine_of(head + template)
+
+
+@pytest.fixture(scope="module")
+def jobs(engine_of) -> IntentEngine:
+    return engine_of(JOBS)
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("print job 4 pages 10 to 20, no, 30 to 40", "print job 4 pages 30 to 40"),
+        ("print job 4 pages 10 to 20, no, pages 30 to 40", "print job 4 pages 30 to 40"),
+        ("print job 4 pages 10 to 20, no, to 40", "print job 4 pages 10 to 40"),
+        ("print job 4 pages 10 to 20, no, job 5", "print job 5 pages 10 to 20"),
+        ("ring at 7 30, no, 8 15", "ring at 8 15"),
+    ],
+)
+def test_slots_of_lark_are_corrected_in_the_order_in_which_they_are_said(jobs, said, meant):
+    assert jobs.parse(said).actions == jobs.parse(meant).actions != ()
+
+
+@pytest.mark.parametrize("said", ["ring at 7 30, no, 8", "print job 4 pages 10 to 20, no, 15"])
+def test_which_of_two_numbers_of_lark_is_meant_is_asked(jobs, said):
+    assert not jobs.parse(said).actions

@@ -18,6 +18,16 @@ intents:
   work:
     action: custom
     sentences: ["(stir|chop|slice|whisk|tie) [[the] {thing}] [for {time}]", "open the oven"]
+  film: {action: custom, sentences: ["film", "stop filming"]}
+  blend:
+    action: custom
+    regex: "(?:please )?blend(?: the (?P<thing>.+))?"
+  knead:
+    action: custom
+    lark: |
+      start: verb " the dough" (" for " time)?
+      verb: "knead" | "roll out"
+      time: /\\d+ minutes/
 """
 
 
@@ -36,6 +46,14 @@ def engine(engine_of) -> IntentEngine:
         "halt, stop whisking for ten minutes",
         "no, stop tying",
         "stop opening",
+        "stop blending",
+        "please stop blending the soup",
+        "stop kneading",
+        "stop kneading the dough",
+        "stop rolling out the dough",
+        "stop stirring, open the oven",
+        "stop stirring and open the oven",
+        "stop kneading. Open the oven.",
     ],
 )
 def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> None:
@@ -46,6 +64,14 @@ def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> N
     "said",
     [
         "stop talking about the soup",
+        "stop kneading is what he said",
+        "he should stop kneading",
+        "stop kneading, he said",
+        "don't stop kneading, open the fridge",
+        "if you stop kneading, open the oven",
+        "don't open the oven and stop stirring",
+        "stop stirring and tell me about the oven",
+        "stop doughing",
         "don't stop stirring",
         "never stop stirring",
         "the bus stop stirring",
@@ -70,3 +96,14 @@ def test_the_verb_of_a_form(form: str, verb: str) -> None:
 def test_a_verb_is_never_longer_than_its_form(word: str) -> None:
     assert all(len(verb) < len(word) for verb in verbs(word, "en"))
     assert not list(verbs(word, "de"))
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("stop filming, open the oven", ["film", "work"]),
+        ("open the oven and stop filming", ["work", "film"]),
+    ],
+)
+def test_what_a_grammar_has_a_sentence_for_is_that_command(engine: IntentEngine, said: str, done: list[str]) -> None:
+    assert [getattr(action, "name", "") for action in engine.parse(said).actions] == done

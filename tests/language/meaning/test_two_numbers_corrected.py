@@ -22,6 +22,8 @@ intents:
     defaults: {{minute: 0}}
     sentences: ["wake me at {{hour}} [{{minute}}] [o'clock]", "weck mich um {{hour}} [uhr] [{{minute}}]"]
   seat: {{action: custom, sentences: ["reserve row {{row}} seat {{seat}}"]}}
+  play: {{action: custom, sentences: ["play song {{row}} [{{seat}} times]"]}}
+  shake: {{action: custom, sentences: ["shake rack {{row}} [turns] [{{seat}} turns]"]}}
 """
 HOURS, MINUTES = st.integers(1, 23), st.integers(1, 59)
 
@@ -38,6 +40,8 @@ def engines(engine_of):
         ("en", "wake me at seven thirty, no, eight o'clock"),
         ("en", "wake me at seven thirty, no, at eight"),
         ("en", "reserve row 3 seat 5, no, 7"),
+        ("en", "play song seven two times, no, three"),
+        ("en", "shake rack seven two turns, no, three turns"),
         ("de", "weck mich um sieben Uhr dreißig, nein, acht"),
         ("de", "weck mich um sieben Uhr dreißig, nein, um acht Uhr"),
     ],
@@ -54,6 +58,8 @@ def test_what_may_be_either_or_leave_the_other_out_is_asked_about(engines, langu
         ("en", "wake me at seven thirty, no, forty", "wake me at seven forty"),
         ("en", "wake me at seven thirty, no, wake me at eight", "wake me at eight"),
         ("en", "wake me at seven, no, eight thirty", "wake me at eight thirty"),
+        ("en", "play song seven two times, no, three times", "play song seven three times"),
+        ("en", "play song 7 2 times, I mean 21 times", "play song 7 21 times"),
         ("en", "reserve row 3 seat 5, no, row 4", "reserve row 4 seat 5"),
         ("en", "reserve row 3 seat 5, no, seat 7", "reserve row 3 seat 7"),
         ("de", "weck mich um sieben Uhr dreißig, nein, acht Uhr vierzig", "weck mich um acht Uhr vierzig"),
