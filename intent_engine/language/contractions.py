@@ -6,9 +6,9 @@ Without their apostrophe, as all words are here. None that denies is among them:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = ["OTHER_WORDS", "PRONOUNS", "apart", "in_full", "together"]
+__all__ = ["OTHER_WORDS", "PRONOUNS", "apart", "begins_to_tell", "in_full", "shortened", "together"]
 
 PRONOUNS = frozenset(
     ("i", "you", "he", "she", "it", "we", "they", "that", "there", "this", "who", "what", "where", "when", "how")
@@ -25,6 +25,8 @@ _ENDINGS: Mapping[str, tuple[str, frozenset[str] | None]] = {
 """What is left of the second word, and the words after which it is so; None: any ("the music's too loud")."""
 OTHER_WORDS = frozenset(("hell", "shed", "shell", "wed", "well", "were"))
 """Other words, which are said as often. With its apostrophe "we'll" is no "well"."""
+_NOUNS = frozenset(("id", "ill"))
+"""Other words that may stand in the name of a thing: "the id card"."""
 
 _ELIDED: Mapping[str, Mapping[str, tuple[str, ...]]] = {
     "fr": {
@@ -58,3 +60,14 @@ def apart(word: str) -> Iterator[tuple[str, str]]:
         first = word.removesuffix(ending)
         if together(first, second) == word:
             yield first, second
+
+
+def shortened(pronouns: Iterable[str]) -> frozenset[str]:
+    """What is said for one of these English pronouns and a verb, and for nothing else: "im", "hes", "its"."""
+    both = (together(pronoun, verb) for pronoun in PRONOUNS.intersection(pronouns) for verb in _ENDINGS)
+    return frozenset(word for word in both if word is not None) - _NOUNS
+
+
+def begins_to_tell(word: str) -> bool:
+    """Whether a normalised English word may be a pronoun and its verb, with which a sentence begins: "its hot"."""
+    return any(first in PRONOUNS for first, _ in apart(word))

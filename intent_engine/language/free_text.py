@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
+from intent_engine.language.contractions import begins_to_tell, shortened
 from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
@@ -55,6 +56,9 @@ class FreeText:
         """Prepositions with their article, where any thing may be named: "pose-le *au* bar" names none."""
         self._unfinished_things = words.unfinished | words.joining | words.not_bare
         self._binding = words.joining | self.articles | words.binding
+        english = grammar.language == "en"
+        self._begun = shortened(operators.closed | words.pronouns) if english else frozenset[str]()
+        """Pronouns with their verb, with which something else begins: "the cup *it's* hot"."""
         self.unfinished = words.unfinished
         """Words that are never the last."""
         self.alone = words.unfinished | words.alone
@@ -197,6 +201,8 @@ class FreeText:
                 return frozenset((word,))
             if word in self._words.pronouns and said[place - 1] not in self._binding and word not in allowed:
                 return frozenset((word,))  # "the cup, wash it" does something else besides
+            if word in self._begun and said[place - 1] not in self._binding and word not in allowed:
+                return frozenset((word,))
             if word in self._words.telling and said[place - 1] not in self._binding:
                 return frozenset((word,))
             last = place == len(said) - 1
@@ -204,6 +210,12 @@ class FreeText:
             if begins and (last or said[place - 1] not in self._binding):
                 return frozenset((word,))
         return frozenset()
+
+    def tells_besides(self, slot: Slot, words: Sequence[str]) -> bool:
+        """Whether words behind a pause tell of something, and are no part of the name of a thing before them: "the cup,
+        *you're nice*". A title may go on so."""
+        word = words[0]
+        return self._language == "en" and self._names_a_thing(slot) and word not in slot.allow and begins_to_tell(word)
 
     def is_unfinished(self, slot: Slot, said: Sequence[str], start: int) -> bool:
         """Whether the words are only the beginning of a thing's name: for patterns; the automaton ends nothing so."""

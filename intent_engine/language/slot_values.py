@@ -106,6 +106,10 @@ class SlotValues:
         """Whether a free slot takes so many words, as :meth:`FreeText.has_room` has it."""
         return self._free.has_room(slot, said)
 
+    def tells_besides(self, slot: Slot, words: Sequence[str]) -> bool:
+        """Whether words behind a pause tell of something besides, as :meth:`FreeText.tells_besides` has it."""
+        return self._free.tells_besides(slot, words)
+
     def is_thing(self, slot: Slot) -> bool:
         """Whether a slot holds the name of a thing, as :meth:`FreeText.is_thing` has it."""
         return self._free.is_thing(slot)

@@ -167,8 +167,8 @@ class Commands:
 
     def _parted_by_command(self, reading: Reading, breaks: Sequence[bool | None]) -> Sequence[str]:
         """The words after a pause within free words that are a command by themselves, or how one is done, up to the
-        next pause or the end: "the cup, *back*" and "the cup, *faster*" are no names of things. A pause alone proves
-        nothing: "the big, red cup". Empty: none are."""
+        next pause or the end: "the cup, *back*" and "the cup, *faster*" are no names of things. Nor is what tells of
+        something: "the cup, *you're nice*". A pause alone proves nothing: "the big, red cup". Empty: none are."""
         words, language = reading.words, self.matcher.grammar.language
         for slot in reading.slots:
             if slot.slot.type not in FREE_KINDS or slot.slot.dictation:
@@ -177,6 +177,8 @@ class Commands:
                 ends = (*(at for at in range(place + 1, len(words)) if breaks[at]), len(words))
                 for end in ends if breaks[place] else ():
                     apart = words[place:end]
+                    if self.matcher.values.tells_besides(slot.slot, apart):
+                        return apart
                     if isinstance(evaluate(apart, "speed", language), Relative):
                         return apart
                     if apart[0] in self.first_words and any(not one.problem for one in self.matcher.read([*apart])):

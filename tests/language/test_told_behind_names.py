@@ -1,0 +1,72 @@
+"""What is told behind the name of a thing is no part of it, shortened or in full: "drop the cup, it's hot"."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from intent_engine import IntentEngine
+
+SHIPPED = IntentEngine.from_files("en", locations="home")
+GRAMMAR = """
+language: en
+slots:
+  song: {type: text, max_words: 5}
+  thing: {type: object, max_words: 5}
+  note: {type: text, max_words: 8, dictation: true}
+  mine: {type: object, max_words: 3, allow: ["you're"]}
+intents:
+  play: {action: custom, sentences: ["play {song}"]}
+  fetch: {action: custom, sentences: ["fetch {thing}"]}
+  note: {action: custom, sentences: ["note {note}"]}
+  name: {action: custom, sentences: ["name {mine}"]}
+"""
+TOLD = st.sampled_from(
+    ["it's hot", "I'm thirsty", "he's here", "she's gone", "they've left", "they'd like that", "I've one"]
+)
+TOLD_AFTER_A_PAUSE = st.sampled_from(["you're nice", "that's mine", "there's one", "you've had one", "I'll help"])
+
+
+@pytest.fixture(scope="module")
+def engine(engine_of) -> IntentEngine:
+    return engine_of(GRAMMAR)
+
+
+@given(st.sampled_from(["cup", "the red cup", "that box"]), st.sampled_from([" ", ", ", ". "]), TOLD)
+def test_no_thing_goes_on_with_what_is_told(engine: IntentEngine, thing: str, pause: str, told: str) -> None:
+    assert not engine.parse(f"fetch {thing}{pause}{told}").actions
+    assert not SHIPPED.parse(f"drop {thing}{pause}{told}").actions
+
+
+@given(st.sampled_from(["cup", "the red cup", "that box"]), st.sampled_from([", ", ". "]), TOLD_AFTER_A_PAUSE)
+def test_a_pause_tells_that_more_is_told(engine: IntentEngine, thing: str, pause: str, told: str) -> None:
+    assert not engine.parse(f"fetch {thing}{pause}{told}").actions
+    assert not SHIPPED.parse(f"drop {thing}{pause}{told}").actions
+
+
+@pytest.mark.parametrize(
+    "said", ["look at the door, it's open", "look at the door it's open", "put it on the sofa, it's late"]
+)
+def test_in_the_shipped_grammar(said: str) -> None:
+    assert not SHIPPED.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [
+        ("fetch the cup you're holding", "cup youre holding"),
+        ("fetch the cup that's red", "cup thats red"),
+        ("fetch the box with its lid", "box with its lid"),
+        ("fetch the box that he's holding", "box that hes holding"),
+        ("fetch the id card", "id card"),
+        ("fetch the old id, please", "old id"),
+        ("fetch the big, red cup", "big red cup"),
+        ("play I'm yours", "im yours"),
+        ("play baby, it's cold outside", "baby its cold outside"),
+        ("note the cup is hot, it's on the table", "the cup is hot, it's on the table"),
+        ("name cup, you're", "cup youre"),
+    ],
+)
+def test_what_may_be_its_name_is(engine: IntentEngine, said: str, value: str) -> None:
+    assert list(engine.parse(said).slots.values()) == [value]
