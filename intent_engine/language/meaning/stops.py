@@ -183,37 +183,62 @@ class Stops:
 
     @step(Kind.STOP)
     def of_doing(self, core: Utterance) -> bool:
-        """Whether a robot is told to stop what is a command of its own: "stop stirring", "stop chopping the onions".
+        """Whether a robot is told to stop what is a command of its own: "stop stirring", "stop chopping the onions";
+        also after a pause or behind a command: "sit down and stop dancing".
 
         What is to be ended need not be said in full, only as a command begins. Commands may follow: "stop
         stirring, open the oven".
         """
-        if self._of_doing(core.words):
+        words, phrases = core.words, self._phrases
+        start = phrases.after_opening(words)
+        if self._doing_ended(words, start) or self._commands_follow(core):
             return True
-        return any(
-            self._of_doing(one.words) and not self._commands.moves(one.words, ()) and self._only_commands(other, ())
-            for one, other in self._halves(core)
-        )
+        for position in range(start + 1, len(words)):
+            if not self._stop.at(words, position) or phrases.negated_before(words, position):
+                continue
+            ended = self._doing_ended(words, position)
+            if ended and (core.breaks[position] or self._besides(words, start, position, ended)):
+                return True
+        return False
 
-    def _halves(self, core: Utterance) -> Iterator[tuple[Utterance, Utterance]]:
-        """What stands before and behind each pause or word that joins commands."""
+    def _commands_follow(self, core: Utterance) -> bool:
+        """Whether what is ended stands first, and nothing but commands behind it."""
         for place in range(1, len(core) - 1):
             joint = self._phrases.sequence.at(core.words, place)
-            if (core.breaks[place] or joint) and place + joint < len(core):
-                yield core.part(0, place), core.part(place + joint, len(core))
+            if not (core.breaks[place] or joint) or place + joint >= len(core):
+                continue
+            first = core.words[:place]
+            if self._doing_ended(first, self._phrases.after_opening(first)) and not self._commands.moves(first, ()):
+                if self._only_commands(core.part(place + joint, len(core)), ()):
+                    return True
+        return False
 
-    def _of_doing(self, words: list[str]) -> bool:
-        start = self._phrases.after_opening(words)
+    def _besides(self, words: list[str], start: int, position: int, ended: frozenset[str]) -> bool:
+        """Whether what is ended at a place is ended besides a command before it, and at once: "sit down and stop
+        dancing". Of "dance for a minute and stop dancing" and "turn left and stop rolling" it is how that ends; with
+        what is denied it may be denied itself, and "and then" ends it later."""
+        phrases = self._phrases
+        joint = phrases.sequence.ends(words[start:position])
+        before = words[start : position - joint]
+        if not joint or phrases.says_later(words[position - joint : position]):
+            return False
+        if phrases.negation.find(before) is not None or ended.isdisjoint(self._compounds.acting.difference(before)):
+            return False
+        return bool(before) and self._clause_begins(words, start, position - joint)
+
+    def _doing_ended(self, words: list[str], start: int) -> frozenset[str]:
+        """The verbs with which a command of the grammar begins that stop words at a place are to end; empty: none."""
         matcher = self._commands.matcher
         while lengths := self._stop.lengths_at(words, start):
             for length in lengths:
                 doing, *rest = after = words[start + length :] or [""]
                 told = [[verb, *rest] for verb in verbs(doing, matcher.grammar.language)]
                 told += [[verb, *after[said:]] for said, verb in verbs_told(after, matcher.grammar)]
-                if any(one[0] in self._commands.doing_begins and matcher.prefix(one)[1] is not None for one in told):
-                    return True
+                begun = (one for one in told if one[0] in self._commands.doing_begins)
+                if ended := frozenset(one[0] for one in begun if matcher.prefix(one)[1] is not None):
+                    return ended
             start += lengths[0]
-        return False
+        return frozenset()
 
     def is_sentence(self, words: list[str]) -> bool:
         """Whether words are a sentence of the stop intent."""

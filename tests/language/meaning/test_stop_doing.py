@@ -54,6 +54,10 @@ def engine(engine_of) -> IntentEngine:
         "stop stirring, open the oven",
         "stop stirring and open the oven",
         "stop kneading. Open the oven.",
+        "open the oven, stop stirring",
+        "open the oven and stop stirring the soup",
+        "the soup is ready, stop stirring",
+        "don't open the oven, stop stirring",
     ],
 )
 def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> None:
@@ -78,6 +82,12 @@ def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> N
         "he should stop stirring",
         "stop sing",
         "stirring",
+        "open the oven, don't stop stirring",
+        "we open the oven and stop stirring",
+        "don't open the oven and stop stirring",
+        # How it ends, or later.
+        "stir for ten minutes and stop stirring",
+        "open the oven and then stop stirring",
     ],
 )
 def test_what_is_no_command_ends_nothing(engine: IntentEngine, said: str) -> None:
