@@ -43,6 +43,9 @@ def engine(engine_of) -> IntentEngine:
         ("ring another five bells", [{"count": 5}]),
         ("search a book about cars", [{"subject": "book about cars"}]),
         ("search about cars", [{"subject": "about cars"}]),
+        ("search my keys for now", [{"subject": "my keys"}]),
+        ("go back for now", [{"way": "back"}]),
+        ("ring from now on", [{}]),
     ],
 )
 def test_what_people_put_around_a_command_says_nothing(engine: IntentEngine, said: str, slots: list) -> None:
