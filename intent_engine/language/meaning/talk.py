@@ -1,4 +1,4 @@
-"""What has the words of a command and is none: a question, a saying, a condition, what somebody did."""
+"""What has the words of a command and is none: a question, a saying, a condition, what is said to somebody else."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.sign_or_dash import sign_or_dash
+from intent_engine.language.meaning.spoken_to import spoken_to
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.normalize import tokenize
@@ -30,6 +31,7 @@ class Talk:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         grammar = commands.matcher.grammar
         self._alikes = commands.matcher.alikes
+        self._values = commands.matcher.values
         self._language = grammar.language
         self._questions = Questions(phrases, commands)
         self._sayings = Sayings(phrases, grammar)
@@ -37,7 +39,8 @@ class Talk:
         self._more_than_now = MoreThanNow(grammar)
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
-        """Why it is a question, may be a saying, or leaves a value open; empty: it is none of these.
+        """Why it is a question, may be a saying, is said to somebody else, or leaves a value open; empty: it is none of
+        these.
 
         Args:
             text: what was said or typed.
@@ -56,6 +59,8 @@ class Talk:
             return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
         if found.actions and not found.stops and (added := self._more_than_now.within(said.words, parts)):
             return f"{added!r} adds to what it is now; say how much it shall be"
+        if found.actions and (name := spoken_to(text, parts, self._values, self._language)):
+            return f"{name!r} after a pause may be who is spoken to; say the command without it"
         return ""
 
     def _of_somebody(self, text: str, parts: Sequence[Clause]) -> str:
