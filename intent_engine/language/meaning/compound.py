@@ -207,7 +207,7 @@ class Compounds:
         length = self._phrases.stop.at(stop, 0)
         doing = stop[length : length + 1] if length else []
         language = self._commands.matcher.grammar.language
-        return any(verb in self._acting for word in doing for verb in verbs(word, language))
+        return any(verb in self.acting for word in doing for verb in verbs(word, language))
 
     def _at_rest(self, clause: Clause, stop: Sequence[str]) -> Clause:
         """A command that is joined with a stop at last, which is told to be part of it: every command ends with the
@@ -235,7 +235,7 @@ class Compounds:
         return frozenset(name for name, first in begun[False].items() if not ended.isdisjoint(first))
 
     @cached_property
-    def _acting(self) -> frozenset[str]:
+    def acting(self) -> frozenset[str]:
         """Verbs of what a command does not end by itself: "follow", but not "roll"."""
         grammar = self._commands.matcher.grammar
         sentences = (
