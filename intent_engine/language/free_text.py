@@ -44,7 +44,7 @@ class FreeText:
         self._idle = PhraseSet(words for words in grammar.fillers if words not in telling)
         """Fillers that tell nobody anything: "please", "now"."""
         self._words = words = thing_words(grammar.language)
-        self._begins_no_thing = words.persons.union(filler[0] for filler in grammar.fillers if filler)
+        self._begins_no_thing = words.persons | words.where | {filler[0] for filler in grammar.fillers if filler}
         self.articles = words.articles or ARTICLES
         """Words before a name that are no part of it."""
         self._bare_articles = self.articles - words.telling_which
@@ -178,9 +178,12 @@ class FreeText:
 
     def _is_no_thing(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether words are nothing that a hand takes, in a slot whose thing is taken: they are or begin with a person
-        ("grab me", "get me the cup", but "the us flag"), or say nothing ("grab, please")."""
+        ("grab me", "get me the cup", but "the us flag"), only say where ("grab there"), or say nothing ("grab,
+        please")."""
         if slot.name not in self._taken or _meant(slot, said[0]):
             return False
+        if said[0] in self._words.where:
+            return len(said) == 1
         if said[0] not in self._words.persons:
             return self._fillers.cover(said)
         return len(said) == 1 or said[1] in self.articles or said[1] in self._words.joining
@@ -285,8 +288,10 @@ class FreeText:
         return after in self._words.within and word not in self._words.had and not self._words.is_manner(word)
 
     def tells_when(self, slot: Slot, said: Sequence[str]) -> bool:
-        """Whether the name of a thing ends with when it is wanted, or for how long: "the cup in five minutes", "the cup
-        at three"."""
+        """Whether the name of a thing ends with when or how often it is wanted, or for how long: "the cup in five
+        minutes", "the cup at three", "the cup every hour", "the cup on Monday"."""
+        if self.is_thing(slot) and self._ends_with_days(said):
+            return True
         delaying, timed = self._words.delaying, self._words.timed
         if (delaying.isdisjoint(said[1:-1]) and timed.isdisjoint(said[1:-1])) or not self.is_thing(slot):
             return False
@@ -299,6 +304,20 @@ class FreeText:
             said[place] in delaying and quantities.evaluate(said[place + 1 :], "duration", self._language) is not None
             for place in range(1, len(said) - 1)
         )
+
+    def _ends_with_days(self, said: Sequence[str]) -> bool:
+        """Whether words behind the first say on which days, or how often: "this evening", "every two hours"; but "the
+        plan of this week" is one."""
+        known = self._words
+        for place in range(1, len(said) - 1):
+            rest = said[place + 1 :]
+            if said[place - 1] in known.within or said[place] not in known.dating:
+                continue
+            if len(rest) == 1 and rest[0] in known.days:
+                return True
+            if said[place] in known.repeating and quantities.evaluate(rest, "duration", self._language) is not None:
+                return True
+        return False
 
     def is_amount(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether the words say only how much or how many, in a slot that lists things: "take five", "two meters".

@@ -71,6 +71,14 @@ class ThingWords:
     """Between a thing and the time when it is wanted."""
     delaying: frozenset[str] = frozenset()
     """Between a thing and how long it is to take, or to wait."""
+    where: frozenset[str] = frozenset()
+    """No things by themselves: "here"."""
+    dating: frozenset[str] = frozenset()
+    """Between a thing and a day or a part of one when it is wanted,"""
+    days: frozenset[str] = frozenset()
+    """and those."""
+    repeating: frozenset[str] = frozenset()
+    """Those between a thing and how often it is wanted."""
     ranging: frozenset[str] = frozenset()
     """Between two numbers of which one is meant."""
     either: frozenset[str] = frozenset()
