@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
@@ -42,8 +43,8 @@ class AskedForDoing:
                 continue
             told = said.part(start, len(said))
             places = [at for at in range(len(told)) if not at or self._phrases.sequence.ends(told.words[:at])]
-            verbs = {at: one for at in places if (one := verb(told, at)) is not None}
-            return Utterance([verbs.get(at, word) for at, word in enumerate(told.words)], [*told.breaks])
+            plain = {at: one for at in places if (one := verb(told, at)) is not None}
+            return Utterance([plain.get(at, word) for at, word in enumerate(told.words)], [*told.breaks])
         return None
 
     def _after_fillers(self, said: Utterance, place: int) -> int:
@@ -61,8 +62,8 @@ class AskedForDoing:
         word = said.words[place] if place < len(said) else ""
         if not word.endswith(_DOING):
             return None
-        verbs = told_forms_of(word, self._language)
-        return next(filter(self._begins, verbs), None)
+        found = {*filter(self._begins, (*told_forms_of(word, self._language), *verbs(word, self._language)))}
+        return found.pop() if len(found) == 1 else None  # of "planing" nobody knows whether "plan" or "plane"
 
     def _begins(self, verb: str) -> bool:
         return verb in self._commands.first_words or self._phrases.stop.at([verb], 0) == 1

@@ -197,6 +197,8 @@ class Stops:
             if not self._stop.at(words, position) or phrases.negated_before(words, position):
                 continue
             ended = self._doing_ended(words, position)
+            if ended and self._only_commands(core.part(position, len(core)), ()):
+                continue  # "open the oven and stop filming", where a sentence says that
             if ended and (core.breaks[position] or self._besides(words, start, position, ended)):
                 return True
         return False
@@ -207,10 +209,10 @@ class Stops:
             joint = self._phrases.sequence.at(core.words, place)
             if not (core.breaks[place] or joint) or place + joint >= len(core):
                 continue
-            first = core.words[:place]
-            if self._doing_ended(first, self._phrases.after_opening(first)) and not self._commands.moves(first, ()):
-                if self._only_commands(core.part(place + joint, len(core)), ()):
-                    return True
+            first, rest = core.words[:place], core.part(place + joint, len(core))
+            ended = self._doing_ended(first, self._phrases.after_opening(first))
+            if ended and not self._commands.moves(first, ()) and self._only_commands(rest, ()):
+                return True
         return False
 
     def _besides(self, words: list[str], start: int, position: int, ended: frozenset[str]) -> bool:

@@ -84,7 +84,6 @@ def test_what_it_does_is_ended_by_its_name(engine: IntentEngine, said: str) -> N
         "stirring",
         "open the oven, don't stop stirring",
         "we open the oven and stop stirring",
-        "don't open the oven and stop stirring",
         # How it ends, or later.
         "stir for ten minutes and stop stirring",
         "open the oven and then stop stirring",
