@@ -336,6 +336,10 @@ class Wording:
     """Those of them that also say that a thing is not wanted: "with milk, *no* sugar"."""
     alternatives: frozenset[str] = frozenset()
     """Words before another one of something: "tell Anna *or* Tom"."""
+    leaves_open: frozenset[str] = frozenset()
+    """Words that make another meaning of a command wherever they stand: "*at most* two", "this *or* that"."""
+    ranging: frozenset[str] = frozenset()
+    """Words between two numbers of which any between is meant: "two *to* four"."""
     affirming: tuple[tuple[str, ...], ...] = ()
     """Answers that say yes to what is asked back."""
     declining: tuple[tuple[str, ...], ...] = ()

@@ -32,6 +32,7 @@ _WORDING = (
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
     "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
+    "leaves_open", "ranging",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -158,6 +159,8 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         may_forbid=words("may_forbid"),
         none_of=words("none_of"),
         alternatives=words("alternative"),
+        leaves_open=words("leaves_open"),
+        ranging=words("ranging"),
         affirming=phrases("affirming"),
         declining=phrases("declining"),
         standing_for=words("standing_for"),

@@ -91,9 +91,9 @@ class Clearness(Scoring):
     def left_out(
         self, encoded: Encoded, words: Sequence[str], heard: Sequence[str], transcript: Transcript
     ) -> tuple[str, ...]:
-        """The first and the last words that a sentence leaves out, if they were heard clearly: in noise one model
-        alone hears anything there. But after a sentence that could have gone on, whatever was heard there may be how:
-        of "rückwärts" there was an "Ökmetz".
+        """The first and the last words that a sentence leaves out, or those that leave open what is meant, if they were
+        heard clearly: in noise one model alone hears anything there. But after a sentence that could have gone on,
+        whatever was heard there may be how: of "rückwärts" there was an "Ökmetz".
 
         Args:
             encoded: the sound.
@@ -102,7 +102,8 @@ class Clearness(Scoring):
             transcript: of them.
         """
         language = transcript.language
-        left_out = SaidAndHeard(self.grammar, words, [heard], language).left_out()
+        said = SaidAndHeard(self.grammar, words, [heard], language)
+        left_out = said.left_out() or said.left_open()
         if not left_out:
             return ()
         clearly = self.heard_clearly(encoded, transcript.free_text, language)

@@ -70,7 +70,8 @@ class Combination:
             unclear += hardly_begun(best.words, (first, second))
             said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language)
             unclear += said.begins_unheard() + said.unheard_inside()
-            left_out = said.left_out() or said.opposite() or said.heard_otherwise(best.evidence.confidence)
+            left_out = said.left_out() or said.left_open() or said.opposite()
+            left_out = left_out or said.heard_otherwise(best.evidence.confidence)
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)
         if best.evidence.confidence < SURE_ENOUGH and self._meaning(both).stops:
             # From less the first alone is believed, but not two: "wow" is "whoa" to both.

@@ -42,7 +42,7 @@ def forbidden(grammar: SpokenGrammar, words: Sequence[str], language: str | None
     called = grammar.wake(language).after(words)
     lead = called + grammar.lead(words[called:], language)
     if language not in (None, "en"):
-        behind = grammar.behind_verbs(language)
+        behind = grammar.wording(language).behind_verbs
         places = range(lead + 1, min(lead + 1 + NOT_WITHIN, len(words)))
         return [(*words[:at], *no, *words[at:]) for no in behind for at in places]
     begin, rest = tuple(words[:lead]), tuple(words[lead:])

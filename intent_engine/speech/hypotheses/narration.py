@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 from rapidfuzz.distance import Levenshtein
 
 from intent_engine.language.likeness import sound
+from intent_engine.language.numbers.english_words import NUMBER_WORDS
+from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.thing_words import ARTICLES
 
 if TYPE_CHECKING:
@@ -108,7 +110,8 @@ def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) ->
 def verbless(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:
     """Whether a sentence begins with a verb that no model heard, and what one of them heard begins with the very
     article and noun behind it, and what the others heard too, but for words that tell or ask something before these:
-    "the block at ninety degrees" and "did the block at ninety degrees" are no "set the block to ninety degrees".
+    "the block at ninety degrees" and "did the block at ninety degrees" are no "set the block to ninety degrees". So it
+    is with a number that all begin with, and what is counted: "two tablets for bed 7" is no "get two tablets".
 
     Args:
         words: of the sentence.
@@ -116,11 +119,22 @@ def verbless(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) ->
         heard: the words that each model heard, without such.
     """
     own = words[lead:]
+    if _counts(own, heard):
+        return True
     article = next((at for at, word in enumerate(own) if word in ARTICLES), 0)
     if not 0 < article <= MOST_VERB or article + 1 >= len(own):
         return False
     begun = [_before_named(own[article + 1], one) for one in heard if one]
     return [] in begun and all(one is not None and (NARRATING | TELLING).issuperset(one) for one in begun)
+
+
+def _counts(own: Sequence[str], heard: Sequence[Sequence[str]]) -> bool:
+    """Whether words that count something stand behind the verb, and all that was heard begins with them."""
+    begin = next((at for at, word in enumerate(own) if word in NUMBER_WORDS or is_numeral(word)), 0)
+    counted = [sound(word) for word in own[begin : begin + 2]]
+    if not 0 < begin <= MOST_VERB or len(counted) < 2 or not heard:
+        return False
+    return all([sound(word) for word in one[:2]] == counted for one in heard)
 
 
 def _before_named(noun: str, heard: Sequence[str]) -> list[str] | None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from intent_engine.language.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
+from intent_engine.speech.hypotheses.left_open import open_range, open_word
 from intent_engine.speech.hypotheses.left_out import (
     begin_left_out,
     begins_unheard,
@@ -80,6 +81,16 @@ class SaidAndHeard:
         unheard = set(self.words).difference(*self.heard)
         said = sorted(word for word in shared if not unheard.isdisjoint(opposed(word, self.language)))
         return tuple(said[:1])
+
+    def left_open(self) -> tuple[str, ...]:
+        """What all models heard that leaves open what is meant, and the sentence has not: "or", "at most", "two to
+        four"."""
+        if self._free:
+            return ()
+        wording, heard = self.grammar.wording(self.language), self.heard
+        found = open_word(self.words, heard, wording.leaves_open)
+        found = found or open_range(self.words, heard, wording.ranging, self.language)
+        return (" ".join(found),) if found else ()
 
     def begins_unheard(self) -> tuple[str, ...]:
         """The word with which the command begins, where no model heard it, and what they heard is none."""

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
+from intent_engine.language.grammar import Wording
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.phrase_set import PhraseSet
@@ -201,9 +202,9 @@ class SpokenGrammar:
             return True
         return any(self._known(language).negations.at(words, place) for place in range(len(words)))
 
-    def behind_verbs(self, language: str | None = None) -> tuple[tuple[str, ...], ...]:
-        """Negations that stand behind the first words of a command: "nicht"."""
-        return self._known(language).matcher.grammar.wording.behind_verbs
+    def wording(self, language: str | None = None) -> Wording:
+        """How its language puts things."""
+        return self._known(language).matcher.grammar.wording
 
     def means_else(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether a sentence asks for something else."""

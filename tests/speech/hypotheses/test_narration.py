@@ -118,3 +118,19 @@ def test_what_is_told_all_have_heard(words, heard, lead):
 def test_a_thing_of_which_something_is_said_is_no_command_for_it(sentence, heard, without):
     """ "Is the block at ninety degrees": nobody heard that anything is to be done."""
     assert verbless(sentence.split(), 0, [one.split() for one in heard]) is without
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "without"),
+    [
+        ("get two tablets for bed seven", ["two tablets for bed seven", "two tablets for beth seven"], True),
+        ("get two tablets for bed seven", ["get two tablets for bed seven", "two tablets for bed seven"], False),
+        ("get two tablets for bed seven", ["gate two tablets for bed seven"] * 2, False),
+        ("get two tablets for bed seven", ["two cabinets for bed seven"] * 2, False),
+        ("get two", ["two"] * 2, False),  # nothing is counted
+        ("two tablets for bed seven", ["two tablets for bed seven"] * 2, False),
+        ("get two tablets", [], False),
+    ],
+)
+def test_a_number_of_things_without_a_verb_is_no_command_for_them(sentence, heard, without):
+    assert verbless(sentence.split(), 0, [one.split() for one in heard]) is without
