@@ -25,6 +25,7 @@ __all__ = [
     "ends_unheard",
     "goes_on",
     "heard_otherwise",
+    "passed_over",
     "tells",
     "unheard",
 ]
@@ -150,6 +151,26 @@ def heard_otherwise(
     return ()
 
 
+def passed_over(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Iterator[tuple[Sequence[str], int]]:
+    """The words that several models all heard between two that stand next to each other in a sentence: "set it to two
+    *more* degrees". Articles are none, nor is what the sentence has beside them: who stammers says it twice.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+
+    Yields:
+        Such words, and the place in the sentence before which they were heard.
+    """
+    if len(heard) < 2:
+        return
+    places = [at for at, word in enumerate(words) if word not in ARTICLES]
+    own = [words[at] for at in places]
+    for said, at in sorted(set.intersection(*(_between(own, one) for one in heard))):
+        if not set(said).issubset(own[max(at - len(said), 0) : at + len(said)]):
+            yield said, places[at]
+
+
 def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
     """The word that several models all heard where a sentence has another form of it, with which somebody tells what
     they do or did: "turning on the lights". Empty: there is none.
@@ -180,6 +201,15 @@ def _instead(own: Sequence[str], heard: Sequence[str]) -> set[tuple[tuple[str, .
     other = [word for word in heard if word not in ARTICLES]
     changes = SequenceMatcher(None, other, own, autojunk=False).get_opcodes()
     return {(tuple(other[begin:end]), (at, to)) for what, begin, end, at, to in changes if what == "replace"}
+
+
+def _between(own: Sequence[str], heard: Sequence[str]) -> set[tuple[tuple[str, ...], int]]:
+    """What was heard, articles aside, before which word that is not the first, where nothing else differs."""
+    other = [word for word in heard if word not in ARTICLES]
+    changes = SequenceMatcher(None, other, own, autojunk=False).get_opcodes()
+    return {
+        (tuple(other[begin:end]), at) for what, begin, end, at, _ in changes if what == "delete" and 0 < at < len(own)
+    }
 
 
 def _told(verb: str, after: Sequence[str]) -> Iterable[str]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from intent_engine.actions import Action
 from intent_engine.language.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_open import open_range, open_word
@@ -14,6 +15,7 @@ from intent_engine.speech.hypotheses.left_out import (
     begins_unheard,
     end_left_out,
     heard_otherwise,
+    passed_over,
     tells,
     unheard,
 )
@@ -91,6 +93,19 @@ class SaidAndHeard:
         found = open_word(self.words, heard, wording.leaves_open)
         found = found or open_range(self.words, heard, wording.ranging, self.language)
         return (" ".join(found),) if found else ()
+
+    def passed_over(self) -> tuple[str, ...]:
+        """What all models heard within the sentence, and with which it does not mean the same."""
+        if self._free:
+            return ()
+        meaning = self._meaning(self.words)
+        for said, place in passed_over(self.words, self.heard):
+            if self._meaning([*self.words[:place], *said, *self.words[place:]]) != meaning:
+                return (" ".join(said),)
+        return ()
+
+    def _meaning(self, words: Sequence[str]) -> tuple[Action, ...]:
+        return self.grammar.parse(" ".join(words), self.language).actions
 
     def begins_unheard(self) -> tuple[str, ...]:
         """The word with which the command begins, where no model heard it, and what they heard is none."""

@@ -13,6 +13,7 @@ from intent_engine.speech.hypotheses.left_out import (
     ends_unheard,
     goes_on,
     heard_otherwise,
+    passed_over,
     tells,
     unheard,
 )
@@ -229,3 +230,22 @@ def test_words_inside_that_are_like_nothing_that_was_heard(heard, found):
 @given(WORDS, st.lists(WORDS, max_size=3))
 def test_all_was_heard_where_one_heard_the_sentence(words, heard):
     assert not unheard(words, [*heard, words])
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "more"),
+    [
+        ("set it to two degrees", ["set it to two more degrees"] * 2, [("more",)]),
+        ("set the fan to percent", ["set a fan to ten percent", "set the fan to ten percent"], [("ten",)]),
+        ("set it to two degrees", ["set it to two more degrees", "set it to two degrees"], []),
+        ("set it to two degrees", ["set it to two more degrees"], []),  # one alone hears anything in noise
+        ("set it to two degrees", ["set it to to two degrees"] * 2, []),
+        ("set it to two degrees", ["please set it to two degrees now"] * 2, []),  # before it, and behind it
+        ("set it to two degrees", ["set it to the two degrees"] * 2, []),
+        ("set it to two degrees", ["set it two more degrees"] * 2, [("more",)]),
+        ("set it to two degrees", ["set it true more degrees"] * 2, []),  # it was heard for another word
+    ],
+)
+def test_words_within_a_sentence_that_all_heard(sentence, heard, more):
+    found = passed_over(sentence.split(), [one.split() for one in heard])
+    assert [said for said, _ in found] == more

@@ -66,3 +66,17 @@ def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
 )
 def test_a_command_is_not_the_opposite_of_what_all_heard(grammar, sentence, heard, opposite):
     assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).opposite() == opposite
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        ("go forward almost two meters", ("almost",)),
+        ("go forward twenty two meters", ("twenty",)),
+        ("go forward please two meters", ()),  # means the same
+        ("go forward um two meters", ()),
+    ],
+)
+def test_what_all_heard_within_a_sentence_and_changes_it(grammar, heard, said):
+    sentence = ["go", "forward", "two", "meters"]
+    assert SaidAndHeard(grammar, sentence, [heard.split()] * 2).passed_over() == said
