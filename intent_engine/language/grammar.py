@@ -344,6 +344,12 @@ class Wording:
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
+    adverbs: tuple[tuple[str, ...], ...] = ()
+    """Words of order that may stand behind the verb of a command: "fahr *dann* in die Küche"."""
+    for_whom: frozenset[str] = frozenset()
+    """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    once_more: tuple[tuple[str, ...], ...] = ()
+    """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
 
 
 @dataclass(frozen=True, slots=True)

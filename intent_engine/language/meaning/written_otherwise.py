@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
+from intent_engine.actions import Action
 from intent_engine.interpretation import Status
 from intent_engine.language.called_by_number import is_called_so, without_number
 from intent_engine.language.every_unit import every_one, is_every_one
 from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
-from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import LEAST_WORDS, Commands
+from intent_engine.language.meaning.forbidden_verbs import verb_first
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
@@ -52,6 +56,8 @@ class WrittenOtherwise:
         self._commands = commands
         self._matcher = commands.matcher
         self._meant = meant
+        self._phrases = phrases
+        self._behind = BehindTheVerb(phrases, self._matcher.grammar)
         self._said_twice = SaidTwice(commands, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
@@ -65,8 +71,12 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
+        for behind_the_verb in (self._behind.otherwise, self._behind.said_once):
+            if written is None:
+                other = behind_the_verb(core, self._commands.first_words)
+                written = self._understood_as(text, core, other, state)
         if written is None:
-            written = self._in_the_infinitive(text, core, state)
+            written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state)
         for otherwise, is_meant in _NUMBERS:
@@ -90,6 +100,24 @@ class WrittenOtherwise:
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
         return None
+
+    def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Kannst du mir das Licht anmachen?" of a grammar that has "mach das Licht an". What asks for it are fillers
+        of several words; a question without a verb that requests asks whether."""
+        grammar = self._matcher.grammar
+        said = self._matcher.as_written(Utterance.of(text, grammar.language))
+        asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
+        if not asks or ("?" in text and not self._phrases.requests(said.words)):
+            return None
+        asked = core.part(core.words[0] in grammar.wording.for_whom, len(core))
+        if len(asked) < LEAST_WORDS:
+            return None
+        found: dict[tuple[Action | None, ...], Clause] = {}
+        for told in (asked, *verb_first(asked, grammar)):
+            clause = self._commands.exact(told.words, state, breaks=told.breaks)
+            if clause is not None and clause.accepted:
+                found.setdefault((clause.action,), clause)
+        return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""
