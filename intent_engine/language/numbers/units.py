@@ -42,8 +42,9 @@ LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
     "and", "and_part", "and_smaller", "another", "billion", "dozen", "half", "halves", "last", "million", "minus",
-    "all_of_it", "every", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one", "over", "per",
-    "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand", "vague",
+    "all_of_it", "every", "half_of_it", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one",
+    "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
+    "vague",
 ))  # fmt: skip
 """The lists of function words."""
 KEYS: Keys = {
