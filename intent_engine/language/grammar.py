@@ -350,6 +350,10 @@ class Wording:
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
     once_more: tuple[tuple[str, ...], ...] = ()
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
+    wishing: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
+    wished: tuple[tuple[str, ...], ...] = ()
+    """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,8 @@ _WORDING = (
     "greeting", "hesitation", "way_back", "asked", "request", "agrees", "agreeing", "compares", "before_verb",
     "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb", "excludes",
     "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking", "affirming",
-    "declining", "standing_for", "adverb", "for_whom", "once_more",
+    "declining", "standing_for", "adverb", "for_whom", "once_more", "wishing",
+    "wished",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -165,4 +166,6 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),
         once_more=phrases("once_more"),
+        wishing=phrases("wishing"),
+        wished=tuple(tuple(pair.split()) for pair in lists.get("wished", ())),
     )

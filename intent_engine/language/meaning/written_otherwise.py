@@ -21,6 +21,7 @@ from intent_engine.language.plurals import Plurals
 from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
 
@@ -102,7 +103,8 @@ class WrittenOtherwise:
         return None
 
     def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Kannst du mir das Licht anmachen?" of a grammar that has "mach das Licht an". What asks for it are fillers
+        """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
+        das Licht an". What asks for it are fillers
         of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
         said = self._matcher.as_written(Utterance.of(text, grammar.language))
@@ -112,8 +114,12 @@ class WrittenOtherwise:
         asked = core.part(core.words[0] in grammar.wording.for_whom, len(core))
         if len(asked) < LEAST_WORDS:
             return None
+        ways = [asked]
+        if any(tuple(said.words[: len(wish)]) == wish for wish in grammar.wording.wishing):
+            *before, last = asked.words
+            ways = [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, grammar)]
         found: dict[tuple[Action | None, ...], Clause] = {}
-        for told in (asked, *verb_first(asked, grammar)):
+        for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
             if clause is not None and clause.accepted:
                 found.setdefault((clause.action,), clause)

@@ -34,6 +34,10 @@ intents:
         ("Kannst du dich nach links drehen?", "dreh dich nach links"),
         ("Kannst du mir die Zange nehmen?", "nimm die Zange"),
         ("Du sollst das Licht anmachen.", "mach das Licht an"),
+        ("Ich möchte, dass du das Licht anmachst.", "mach das Licht an"),
+        ("Ich will, dass du Tisch zehn abräumst", "räum Tisch zehn ab"),
+        ("Ich möchte, dass du in die Küche fährst", "fahr in die Küche"),
+        ("Ich hätte gern, dass du die Zange nimmst", "nimm die Zange"),
     ],
 )
 def test_it_is_the_order(engine_of, said: str, meant: str) -> None:
@@ -55,6 +59,15 @@ def test_it_is_the_order(engine_of, said: str, meant: str) -> None:
         "Kannst du das Licht anmachen, wenn Tom kommt?",
         "Kannst du den Hammer haben?",
         "Tom sagt, du sollst das Licht anmachen",
+        "Ich möchte nicht, dass du das Licht anmachst",
+        "Ich möchte, dass du das Licht nicht anmachst",
+        "Ich möchte, dass Tom das Licht anmacht",
+        "Ich möchte, dass du das Licht anmachst, wenn Tom kommt",
+        "Ich möchte, dass du das Licht anmachst?",
+        "Ich weiß, dass du das Licht anmachst",
+        "Ich dachte, dass du Tisch zehn abräumst",
+        "Ich möchte, dass du das Licht angemacht hast",
+        "dass du das Licht anmachst",
         "Tom kann das Licht anmachen",
     ],
 )
