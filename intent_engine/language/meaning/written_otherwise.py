@@ -58,7 +58,7 @@ class WrittenOtherwise:
         self._matcher = commands.matcher
         self._meant = meant
         self._phrases = phrases
-        self._behind = BehindTheVerb(phrases, self._matcher.grammar)
+        self._behind = BehindTheVerb(phrases, self._matcher)
         self._said_twice = SaidTwice(commands, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
@@ -72,7 +72,7 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
-        for behind_the_verb in (self._behind.otherwise, self._behind.said_once):
+        for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
@@ -111,7 +111,15 @@ class WrittenOtherwise:
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
         if not asks or ("?" in text and not self._phrases.requests(said.words)):
             return None
-        asked = core.part(core.words[0] in grammar.wording.for_whom, len(core))
+        for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
+            told = self._told(text, said, core.part(begin, len(core)), state)
+            if told is not None:
+                return told
+        return None
+
+    def _told(self, text: str, said: Utterance, asked: Utterance, state: Collection[str]) -> Understood | None:
+        """The order that is asked for, with its verb first; None: it is none, or could be two."""
+        grammar = self._matcher.grammar
         if len(asked) < LEAST_WORDS:
             return None
         ways = [asked]

@@ -71,6 +71,33 @@ def test_it_is_the_command_without_them(engine_of, said: str, meant: str) -> Non
     assert engine.parse(said, spoken=True).actions == engine.parse(meant).actions
 
 
+BRING = """
+language: de
+slots: {gerät: [Hammer, Zange]}
+intents:
+  nimm: {action: custom, sentences: ["hol (den|die) {gerät}"]}
+  bring: {action: custom, sentences: ["hol mir (den|die) {gerät}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "hol mir dann die Zange",
+        "hol mir wieder die Zange",
+        "kannst du mir die Zange holen",
+        "du sollst mir die Zange holen",
+    ],
+)
+def test_for_whom_it_is_done_matters_where_the_grammar_says_so(engine_of, said: str) -> None:
+    assert engine_of(BRING).parse(said).intent == "bring"
+
+
+@pytest.mark.parametrize("said", ["hol mir dann", "hol mir bald die Zange"])
+def test_what_is_brought_is_not_taken(engine_of, said: str) -> None:
+    assert engine_of(BRING).parse(said).actions == ()
+
+
 @pytest.mark.parametrize(
     "said",
     [
