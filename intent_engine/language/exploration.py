@@ -76,6 +76,10 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
         # English ordinals are few words, and none is a numeral: "third", "3rd".
         if kind in trees and (kind != "ordinal" or grammar.language != "en"):
             matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
+    part = trees.get("part")
+    if grammar.language != "en" and "fraction" in trees and isinstance(part, Sequence):
+        # Any number words may begin one of another language, and alone be none: "ein" of "ein Drittel".
+        matcher.networks.add_template("quantity:fraction", part.items[-1], {})
     matcher.networks.add_template("quantity:and_part", Word(NEVER), {})
     free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
     walk = _Walk(matcher.strict, grammar, free)

@@ -354,6 +354,16 @@ class Wording:
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
+    adverbs: tuple[tuple[str, ...], ...] = ()
+    """Words of order that may stand behind the verb of a command: "fahr *dann* in die Küche"."""
+    for_whom: frozenset[str] = frozenset()
+    """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    once_more: tuple[tuple[str, ...], ...] = ()
+    """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
+    wishing: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
+    wished: tuple[tuple[str, ...], ...] = ()
+    """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
 
 
 @dataclass(frozen=True, slots=True)

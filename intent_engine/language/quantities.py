@@ -146,8 +146,8 @@ def part_of_one(words: Sequence[str], language: str = "en") -> float | None:
 
 
 def share(words: Sequence[str], language: str = "en") -> float | None:
-    """How much of the whole exactly these words say, above 0 and at most 1: "half", "two thirds", "1/2", "full"; None:
-    nothing.
+    """How much of the whole exactly these words say, above 0 and at most 1: "half", "two thirds", "1/2", "full", "die
+    Hälfte"; None: nothing.
 
     What is written with a point is no such share: "0.5" may be half a percent.
     """
@@ -156,6 +156,8 @@ def share(words: Sequence[str], language: str = "en") -> float | None:
         return None
     if " ".join(words) in table.words.get("all_of_it", ()):
         return 1.0
+    if " ".join(words[words[0] in table.words.get("the", ()) :]) in table.words.get("half_of_it", ()):
+        return 0.5
     part = english.fraction(words, 0) if language == "en" else foreign.fraction(words, 0, language)
     return part[0] if part is not None and part[1] == len(words) and 0 < part[0] < 1 else None
 

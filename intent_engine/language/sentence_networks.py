@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -165,7 +165,7 @@ class SentenceNetworks:
             elif slot.type == "percent" and "fraction" in spoken:
                 kind = Choice((kind, Reference("fraction", "fraction", 0)))
             if slot.type == "percent":
-                kind = Choice((kind, *map(Word, self._all_of_it)))
+                kind = Choice((kind, *map(Word, self._of_it("all_of_it")), *self._half_of_it()))
             if slot.units:
                 own_units = self._own_units(slot, spoken)
                 kind = Choice((kind, own_units)) if slot.type != "number" or slot.bare else own_units
@@ -184,12 +184,18 @@ class SentenceNetworks:
             respell = number_otherwise if language == "en" else partial(figures_otherwise, language=language)
             self._networks.add_names(key, NamesOf(self._locations, slot.tags, language), respell)
 
-    @cached_property
-    def _all_of_it(self) -> Sequence[str]:
-        """Words for 100 %: "full". One that the grammar has itself means what it means there."""
+    def _of_it(self, share: str) -> Sequence[str]:
+        """Words for 100 % or 50 %: "full", "Hälfte". One that the grammar has itself means what it means there."""
         table = units(self._grammar.language)
-        words = table.words.get("all_of_it", frozenset[str]()) if table is not None else frozenset[str]()
+        words = table.words.get(share, frozenset[str]()) if table is not None else frozenset[str]()
         return sorted(words - own_words(self._grammar)) if words else ()
+
+    def _half_of_it(self) -> Iterator[Node]:
+        """The same for 50 %, with its article."""
+        table = units(self._grammar.language)
+        articles = tuple(map(Word, sorted(table.words.get("the", ())))) if table is not None else ()
+        for half in map(Word, self._of_it("half_of_it")):
+            yield TemplateSequence((Optional(Choice(articles)), half)) if articles else half
 
     def _own_units(self, slot: Slot, spoken: Mapping[str, str]) -> Node:
         """How many there are of a unit that only this slot has: "two steps", "a step and a half"; and of a smaller one

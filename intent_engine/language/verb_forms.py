@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import Grammar
 
-__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "told_forms_of", "verbs_told"]
+__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "infinitives", "told_forms_of", "verbs_told"]
 
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
@@ -49,6 +49,14 @@ def told_forms_of(word: str, language: str) -> Iterator[str]:
         yield stem + own
         if ending in ("ed", "ing") and not own and stem[-1] == stem[-2]:
             yield stem[:-1]
+
+
+def infinitives(verb: str, grammar: Grammar) -> Iterator[str]:
+    """The infinitives of which a verb behind "ich möchte dass du" may be a form: "aufhebst", "aufheben"."""
+    for ending, infinitive in grammar.wording.wished:
+        stem = verb.removesuffix(ending.removeprefix("-"))
+        if stem != verb and (len(stem) >= LEAST_LETTERS or not ending.startswith("-")):
+            yield stem + infinitive.removeprefix("-")
 
 
 def verbs_told(words: Sequence[str], grammar: Grammar) -> Iterator[tuple[int, str]]:

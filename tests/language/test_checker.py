@@ -70,6 +70,13 @@ def test_two_meanings_of_the_same_words(tmp_path):
     assert (report.figures.shared, report.figures.ambiguous) == (1, 1)
 
 
+@pytest.mark.parametrize("language", ["de", "fr", "es", "it"])
+def test_more_may_stand_behind_a_percentage(tmp_path, language):
+    text = f"language: {language}\nslots: {{much: percent}}\nintents:\n"
+    text += "  a: {action: custom, sentences: ['blip {much} blop']}\n"
+    assert not found(check(tmp_path, text), "warning", "error")
+
+
 def test_words_that_one_sentence_wins(tmp_path):
     report = check(tmp_path, intents(use=USE, a="'fetch {thing}'", b="'fetch the paper'"))
     assert found(report) == [("note", "overlap", 5)]

@@ -69,7 +69,8 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "denying": "fr", "before_verb": "de es fr it", "forbidding": "en es fr it",
         "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
-        "counting": "de en fr it", "standing_for": "en es fr it",
+        "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
+        "for_whom": "de fr", "once_more": "de", "wished": "de", "wishing": "de",
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
     },
     "things": {

@@ -38,6 +38,26 @@ def test_german_parts(engine_of, unit: str) -> None:
     assert engine_of(GRAMMAR.format(unit=unit, language="de")).parse("dim to drei Viertel").slots["level"] == 0.75
 
 
+@pytest.mark.parametrize("unit", ["", ", unit: percent"])
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", "die Hälfte"),
+        ("de", "zehn Prozent, nein, die Hälfte"),
+        ("fr", "la moitié"),
+        ("es", "la mitad"),
+        ("it", "metà"),
+    ],
+)
+def test_half_of_it_is_a_noun_in_other_languages(engine_of, unit: str, language: str, said: str) -> None:
+    assert engine_of(GRAMMAR.format(unit=unit, language=language)).parse(f"dim to {said}").slots == {"level": 0.5}
+
+
+@pytest.mark.parametrize("said", ["die", "drei Hälfte", "die Hälfte Prozent", "Hälfte der Lampen"])
+def test_what_is_no_half(engine_of, said: str) -> None:
+    assert not engine_of(GRAMMAR.format(unit="", language="de")).parse(f"dim to {said}").actions
+
+
 @pytest.mark.parametrize("said", ["half or a quarter", "half fifty", "full half", "a full", "minus half", "a", "third"])
 def test_what_is_no_part(engine_of, said: str) -> None:
     assert not engine_of(GRAMMAR.format(unit="", language="en")).parse(f"dim to {said}").actions

@@ -32,7 +32,7 @@ _WORDING = (
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
     "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
-    "leaves_open", "ranging",
+    "leaves_open", "ranging", "adverb", "for_whom", "once_more", "wishing", "wished",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -168,4 +168,9 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
         parted=lists.get("parted", ()),
+        adverbs=phrases("adverb"),
+        for_whom=words("for_whom"),
+        once_more=phrases("once_more"),
+        wishing=phrases("wishing"),
+        wished=tuple(tuple(pair.split()) for pair in lists.get("wished", ())),
     )

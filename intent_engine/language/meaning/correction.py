@@ -172,6 +172,17 @@ class Corrections:
             return None
         return replaced if before.accepted and after.accepted and before.action != after.action else None
 
+    def instead_of_begun(self, denied: Utterance, meant: Utterance, state: Collection[str]) -> Utterance | None:
+        """The same of a command that is denied and was broken off, and whose end stands behind what is meant: "pour
+        fifty", "eighty milliliters of water". None: it begins none, or it is not clear."""
+        if self._commands.matcher.prefix(denied.words)[1] is None:
+            return None
+        replaced = self._replacements.replaced(denied, meant, state, "")
+        after = self._commands.exact(replaced.words, state) if replaced is not None else None
+        if after is None or after.reading is None or after.reading.free_words or not after.accepted:
+            return None
+        return replaced
+
     def _corrected_before(self, part: Utterance, state: Collection[str]) -> Clause | None:
         """ "no, turn left", "actually go back": a whole command after a word of correction replaces an earlier one.
 

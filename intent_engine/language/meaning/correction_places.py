@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from intent_engine.language.reading import Reading, SlotReading
 
@@ -22,9 +22,12 @@ def same_but(begun: Reading, run: list[SlotReading], stop: int, reading: Reading
     return set(old) == set(new) and all(old[label] == new[label] for label in set(old) - replaced)
 
 
-def beginnings(said: list[str], meant: list[str], start: int) -> Iterator[int]:
-    """Where ``meant`` may begin in ``said``: at a slot, or with words before it that it says again ("bed five")."""
+def beginnings(said: list[str], meant: list[str], start: int, articles: Collection[str] = ()) -> Iterator[int]:
+    """Where ``meant`` may begin in ``said``: at a slot, or with words before it that it says again ("bed five"). One of
+    the ``articles`` takes the place of another: "*den* Hammer, nein, *die* Zange"."""
     yield start
+    if start and meant and said[start - 1] != meant[0] and {said[start - 1], meant[0]} <= {*articles}:
+        yield start - 1
     for length in range(1, min(start, len(meant))):
         if said[start - length : start] == meant[:length]:
             yield start - length

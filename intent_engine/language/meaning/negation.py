@@ -264,11 +264,14 @@ class Negations:
             contrast = self._phrases.contrast.at(words, end)
             if not contrast and not (core.breaks[end] and pauses):
                 continue
-            denied = self._denied(core.part(start, end), position - start, length, state)
-            if denied is None:
-                continue
+            told = core.part(start, end)
             wanted = core.part(end + contrast, len(core))
             if not wanted.words or self._negation.find(wanted.words) is not None:
+                continue
+            denied = self._denied(told, position - start, length, state)
+            if denied is None:
+                if contrast and (begun := self._instead_of_begun(told, position - start, length, wanted, state)):
+                    return begun, ""
                 continue
             if self._phrases.sequence.at(wanted.words, 0):
                 continue
@@ -313,15 +316,27 @@ class Negations:
 
     def _denied(self, part: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command that a part with a negation forbids; None: it forbids none."""
+        ways = self._ways_to_tell(part, position, length)
+        return next((told for told in ways if self._commands.exact(told.words, state) is not None), None)
+
+    def _ways_to_tell(self, part: Utterance, position: int, length: int) -> Iterator[Utterance]:
+        """What a part with a negation may forbid, as a command may have it."""
         before, after = part.part(0, position), part.part(position + length, len(part))
         grammar = self._commands.matcher.grammar
         ways = [
             Utterance([*before.words, *way.words], [*before.breaks, *way.breaks]) for way in as_told(after, grammar)
         ]
-        said = ways[0]
-        for told in (*ways, *verb_first(said, grammar)):
-            if self._commands.exact(told.words, state) is not None:
-                return told
+        yield from ways
+        yield from verb_first(ways[0], grammar)
+
+    def _instead_of_begun(
+        self, part: Utterance, position: int, length: int, wanted: Utterance, state: Collection[str]
+    ) -> Utterance | None:
+        """What is wanted behind a contrast, where the command before it is not whole: it goes on as the one behind
+        does. "Don't pour fifty but eighty milliliters of water", "räum nicht Tisch zehn, sondern Tisch elf ab"."""
+        for told in self._ways_to_tell(part, position, length):
+            if (instead := self._corrections.instead_of_begun(told, wanted, state)) is not None:
+                return instead
         return None
 
     def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:

@@ -161,6 +161,7 @@ class Replacements:
         others in, and are none of them but for things that their slot lists: "put the cup, no, the box on the shelf".
         """
         found: dict[tuple[Any, ...], _Stretch] = {}
+        articles = thing_words(self._matcher.grammar.language).articles
         for length in range(1, len(meant)):
             begun = self._commands.likeliest(said + meant[length:])
             if begun is None or begun.problem:  # "drill thirty, no, four rows": of which there are no thirty
@@ -172,7 +173,7 @@ class Replacements:
                 ):
                     continue
                 unit = self._unit_begins(slot, said, meant[:length]) if slot is spoken[-1] else None
-                for at in (*beginnings(said, meant[:length], slot.start), *(() if unit is None else (unit,))):
+                for at in (*beginnings(said, meant[:length], slot.start, articles), *(() if unit is None else (unit,))):
                     words = said[:at] + meant
                     reading = self._commands.likeliest(words)
                     if reading is None or reading.intent is not begun.intent:
@@ -207,10 +208,12 @@ class Replacements:
         old = first.values()
         spoken = sorted(first.slots, key=lambda slot: slot.start)
         kept: dict[int, dict[tuple[Any, ...], _Stretch]] = {}
+        articles = thing_words(self._matcher.grammar.language).articles
         for start, end in itertools.combinations_with_replacement(range(len(spoken)), 2):
             run = spoken[start : end + 1]
             last = end == len(spoken) - 1
-            edges = itertools.product(beginnings(said, meant, run[0].start), ends(said, meant, run[-1].end))
+            begins = beginnings(said, meant, run[0].start, articles)
+            edges = itertools.product(begins, ends(said, meant, run[-1].end))
             for at, after in edges:
                 words = said[:at] + meant + said[after:]
                 reading = self._commands.likeliest(words, before)
@@ -279,10 +282,11 @@ class Replacements:
                 first, again = said[slot.start - 1 : slot.start], meant[:1]
                 # An article of the sentence: "die Tasse", "den Teller".
                 start = slot.start - (first == again or articles.issuperset(first + again))
+                starts = [start]
             else:
                 ends = [end for end in range(slot.end, slot.start, -1) if self._is_whole(slot, said, end)]
-                start = slot.start
-            for end in ends:
+                starts = list(beginnings(said, meant[:1], slot.start, articles))
+            for start, end in itertools.product(starts, ends):
                 yield start, end, slot.label
             if (unit := self._unit_begins(slot, said, meant)) is not None:
                 yield unit, slot.end, slot.label

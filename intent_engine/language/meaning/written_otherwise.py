@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
+from intent_engine.actions import Action
 from intent_engine.interpretation import Status
 from intent_engine.language.called_by_number import is_called_so, without_number
 from intent_engine.language.every_unit import every_one, is_every_one
 from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
-from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import LEAST_WORDS, Commands
+from intent_engine.language.meaning.forbidden_verbs import verb_first
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
@@ -18,6 +22,7 @@ from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.unit_symbols import UnitSymbols
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
 
@@ -53,6 +58,8 @@ class WrittenOtherwise:
         self._commands = commands
         self._matcher = commands.matcher
         self._meant = meant
+        self._phrases = phrases
+        self._behind = BehindTheVerb(phrases, self._matcher)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
@@ -67,8 +74,12 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
+        for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
+            if written is None:
+                other = behind_the_verb(core, self._commands.first_words)
+                written = self._understood_as(text, core, other, state)
         if written is None:
-            written = self._in_the_infinitive(text, core, state)
+            written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state)
         for other in self._symbols.in_full(core):
@@ -95,6 +106,37 @@ class WrittenOtherwise:
             if clause is not None and clause.accepted:
                 return as_told(text, clause)
         return None
+
+    def _asked_for(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Kannst du mir das Licht anmachen?" and "ich möchte, dass du das Licht anmachst" of a grammar that has "mach
+        das Licht an". What asks for it are fillers
+        of several words; a question without a verb that requests asks whether."""
+        grammar = self._matcher.grammar
+        said = self._matcher.as_written(Utterance.of(text, grammar.language))
+        asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
+        if not asks or ("?" in text and not self._phrases.requests(said.words)):
+            return None
+        for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
+            told = self._told(text, said, core.part(begin, len(core)), state)
+            if told is not None:
+                return told
+        return None
+
+    def _told(self, text: str, said: Utterance, asked: Utterance, state: Collection[str]) -> Understood | None:
+        """The order that is asked for, with its verb first; None: it is none, or could be two."""
+        grammar = self._matcher.grammar
+        if len(asked) < LEAST_WORDS:
+            return None
+        ways = [asked]
+        if any(tuple(said.words[: len(wish)]) == wish for wish in grammar.wording.wishing):
+            *before, last = asked.words
+            ways = [Utterance([*before, verb], asked.breaks) for verb in infinitives(last, grammar)]
+        found: dict[tuple[Action | None, ...], Clause] = {}
+        for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
+            clause = self._commands.exact(told.words, state, breaks=told.breaks)
+            if clause is not None and clause.accepted:
+                found.setdefault((clause.action,), clause)
+        return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
 
     def _begun_twice(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Go go to the kitchen", "go to the to the kitchen": what was said twice, as people do who begin again."""

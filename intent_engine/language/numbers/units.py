@@ -41,8 +41,9 @@ RATES: Mapping[str, Mapping[str, float]] = {
 LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
-    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half", "halves",
-    "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number", "of", "of_a_clock", "one",
+    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half",
+    "half_of_it", "halves", "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number",
+    "of", "of_a_clock", "one",
     "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
     "vague",
 ))  # fmt: skip

@@ -65,3 +65,38 @@ def test_a_german_correction_that_breaks_off(said) -> None:
 
 def test_german_articles(engine_of) -> None:
     assert engine_of(GERMAN).parse("fahr zu dem Dock, nein, zu dem Lager").slots == {"platz": "Lager"}
+
+
+TOOLS = """
+language: de
+slots: {gerät: [Hammer, Zange], ort: [Lager, Werkstatt], lage: [Tisch, Regal, Bank]}
+intents:
+  hol: {action: custom, sentences: ["hol (den|die) {gerät} aus (dem|der) {ort}"]}
+  leg: {action: custom, sentences: ["leg (den|die) {gerät} auf (den|die|das) {lage}"]}
+"""
+FRENCH_TOOLS = """
+language: fr
+slots: {outil: [marteau, pince], lieu: [cuisine, cave]}
+intents:
+  cherche: {action: custom, sentences: ["cherche (le|la) {outil} dans la {lieu}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("grammar", "said", "meant"),
+    [
+        (TOOLS, "hol den Hammer, nein, die Zange aus dem Lager", "hol die Zange aus dem Lager"),
+        (TOOLS, "hol den Hammer nein die Zange aus der Werkstatt", "hol die Zange aus der Werkstatt"),
+        (TOOLS, "hol den Hammer aus dem Lager, nein, die Zange", "hol die Zange aus dem Lager"),
+        (TOOLS, "leg den Hammer auf den Tisch, nein, die Zange auf das Regal", "leg die Zange auf das Regal"),
+        (FRENCH_TOOLS, "cherche le marteau, non, la pince dans la cave", "cherche la pince dans la cave"),
+    ],
+)
+def test_one_article_takes_the_place_of_another(engine_of, grammar: str, said: str, meant: str) -> None:
+    engine = engine_of(grammar)
+    assert engine.parse(said).actions == engine.parse(meant).actions != ()
+
+
+@pytest.mark.parametrize("said", ["hol den Hammer aus dem Lager, nein, das", "hol den Hammer, nein, die Zange"])
+def test_where_more_is_missing_than_an_article_nothing_is_done(engine_of, said: str) -> None:
+    assert engine_of(TOOLS).parse(said).actions == ()

@@ -100,7 +100,7 @@ def field(engine_of) -> IntentEngine:
     [
         ("mach bitte mal das Licht an", {"light": True}),
         ("mach doch mal das Licht aus", {"light": False}),
-        ("kannst du jetzt mal das Licht an machen", None),
+        ("kannst du jetzt mal das Licht an machen", {"light": True}),
         ("so, grab also ein Loch", {}),
         ("grab ungefähr drei Minuten", {"time": 180}),
         ("grab etwa eine halbe Minute", {"time": 30}),
