@@ -6,10 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import SlotReading
+from intent_engine.language.verb_forms import told_forms_of
 from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written
@@ -31,7 +34,11 @@ class KnownGrammar:
     corrections: PhraseSet
     """"I mean", "no", "make that","""
     correcting: frozenset[str]
-    """and their words, which a sentence that is corrected has besides."""
+    """and their words, which a sentence that is corrected has besides;"""
+    denying: frozenset[str]
+    """and those of "don't ... but ...", of one that denies something."""
+    asking: PhraseSet
+    """"Would you mind", before the form of a verb that tells what somebody does."""
     sequence: PhraseSet
     """"And then"."""
     negations: PhraseSet
@@ -63,6 +70,10 @@ class KnownGrammar:
             words=words,
             corrections=PhraseSet(operators.correction),
             correcting=frozenset(word for words in operators.correction for word in words),
+            denying=frozenset(
+                word for words in (*operators.negation, *operators.contrast, *grammar.wording.negated) for word in words
+            ),
+            asking=PhraseSet((*grammar.wording.asks_for_doing, *grammar.wording.asks_to_do)),
             sequence=PhraseSet(operators.sequence),
             negations=PhraseSet(operators.negation),
             narrating=narrating(grammar),
@@ -75,6 +86,23 @@ class KnownGrammar:
             usual=UsualNumbers(grammar),
             least=min([SURE_ENOUGH, *(one for one in asked if one is not None)]),
         )
+
+    def besides(self, words: Sequence[str], meaning: Interpretation) -> frozenset[str]:
+        """Words that a sentence may have besides those of the grammar, since it is put in a certain way."""
+        found = frozenset[str]()
+        if meaning.corrected:
+            found |= self.correcting
+        if meaning.denied:
+            found |= self.denying
+        if (asks := self.asking.find(words)) is not None:
+            language, behind = self.matcher.grammar.language, words[sum(asks) :]
+            found |= {*words[asks[0] : sum(asks)]}
+            found |= {
+                word
+                for word in behind
+                if not self.words.isdisjoint((*told_forms_of(word, language), *verbs(word, language)))
+            }
+        return found
 
     def free_slots(self, words: Sequence[str]) -> list[SlotReading] | None:
         """The slots that take any words, of a sentence with nothing before its first word; None: it is no sentence."""

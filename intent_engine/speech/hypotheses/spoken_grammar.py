@@ -267,9 +267,7 @@ class SpokenGrammar:
 
     def unknown(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence has words in free slots that no list has."""
-        there = self._known(language).words
-        if meaning.corrected:
-            there = there | self._known(language).correcting
+        there = self._known(language).words | self._known(language).besides(words, meaning)
         is_number = self._known(language).matcher.is_number
         known = there.issuperset(word for word in words if not is_number(word))
         if known and not self.unlisted(meaning, language):

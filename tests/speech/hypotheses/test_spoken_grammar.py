@@ -409,3 +409,33 @@ def test_what_only_means_something_in_a_state_may_have_been_said(engine_of):
     """A recogniser does not know in which state the robot is, and a sentence sounds the same in each."""
     docks = SpokenGrammar(engine_of("intents: {undock: {action: custom, requires: [docked], sentences: [leave now]}}"))
     assert docks.parse("leave now").actions
+
+
+DOORS = """
+language: en
+slots: {dance: [waltz, tango]}
+intents:
+  sit: {action: custom, sentences: ["sit down"]}
+  stand: {action: custom, sentences: ["stand up"]}
+  dance: {action: custom, sentences: ["dance the {dance}"]}
+  follow: {action: custom, sentences: ["follow me"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("Don't sit down, stand up.", True),
+        ("Don't dance the waltz but the tango.", True),
+        ("Would you mind following me?", True),
+        ("Would you mind following me and sitting down?", True),
+        ("Don't sit down, dance the polka.", False),
+        ("Would you mind swallowing me?", False),
+    ],
+)
+def test_words_of_how_a_command_is_put_are_no_strange_ones(engine_of, text, plain):
+    """No sentence of this grammar has a "don't", or a "following"."""
+    grammar = SpokenGrammar(engine_of(DOORS))
+    meaning = grammar.parse(text)
+    assert bool(meaning.actions) is plain
+    assert grammar.plain(grammar.words(text), meaning) is plain
