@@ -102,7 +102,7 @@ class Clearness(Scoring):
             transcript: of them.
         """
         language = transcript.language
-        said = SaidAndHeard(self.grammar, words, [heard], language)
+        said = SaidAndHeard(self.grammar, words, [heard], language, [transcript.free_text])
         left_out = said.left_out() or said.left_open()
         if not left_out:
             return ()

@@ -68,7 +68,8 @@ class Combination:
             clear = self._each(lambda one: one.clearness(best.words, otherwise), (first, second))
             unclear = (*_unclear(*clear), *self._unheard(best, first, second))
             unclear += hardly_begun(best.words, (first, second))
-            said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language)
+            texts = [one.transcript.free_text for one in (first, second)]
+            said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language, texts)
             unclear += said.begins_unheard() + said.unheard_inside()
             left_out = said.left_out() or said.left_open() or said.opposite() or said.passed_over()
             left_out = left_out or said.heard_otherwise(best.evidence.confidence)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 
-from intent_engine.language.numbers.numerals import is_numeral
+from intent_engine.language.numbers.numerals import is_numeral, numeral_value
 from intent_engine.language.numbers.spelled import number_words
 
 __all__ = ["open_range", "open_word"]
+
+_SIGN = re.compile(r"(?<![\d./-])(\d{1,9})\s?([-–/])\s?(\d{1,9})(?![\d/-])")
 
 
 def open_word(words: Sequence[str], heard: Sequence[Sequence[str]], leaving_open: Collection[str]) -> Sequence[str]:
@@ -26,7 +29,12 @@ def open_word(words: Sequence[str], heard: Sequence[Sequence[str]], leaving_open
 
 
 def open_range(
-    words: Sequence[str], heard: Sequence[Sequence[str]], ranging: Collection[str], language: str | None = None
+    words: Sequence[str],
+    heard: Sequence[Sequence[str]],
+    ranging: Collection[str],
+    language: str | None = None,
+    *,
+    texts: Sequence[str] = (),
 ) -> Sequence[str]:
     """The words between two numbers that several models all heard, where a sentence has fewer: "two to four" is no "two
     o four", and "thirty to forty two times" may be no "thirty two". Empty: it has as many.
@@ -36,9 +44,11 @@ def open_range(
         heard: the words that each model heard.
         ranging: what says "to" in the language.
         language: two letters; None: English.
+        texts: the same as each wrote them, perhaps as "2-4".
     """
     own = len(list(_ranges(words, ranging, language)))
-    found = [list(_ranges(one, ranging, language)) for one in heard]
+    written = [list(_written(text)) for text in texts] or [[] for _ in heard]
+    found = [[*_ranges(one, ranging, language), *more] for one, more in zip(heard, written, strict=True)]
     return found[0][own] if found and all(len(one) > own for one in found) else ()
 
 
@@ -48,3 +58,11 @@ def _ranges(words: Sequence[str], ranging: Collection[str], language: str | None
         one, to, other = words[at - 1 : at + 2]
         if to in ranging and all(word in numbers or is_numeral(word) for word in (one, other)):
             yield one, to, other
+
+
+def _written(text: str) -> Iterator[Sequence[str]]:
+    """Ranges that are written with a sign: "2-4", and "4/6", which is no part of one."""
+    for found in _SIGN.finditer(text):
+        first, sign, last = found.groups()
+        if int(first) < int(last) and (sign != "/" or numeral_value(f"{first}/{last}") is None):
+            yield (found[0],)

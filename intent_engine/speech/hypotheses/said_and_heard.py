@@ -40,6 +40,8 @@ class SaidAndHeard:
     """The words that each model heard."""
     language: str | None = None
     """Of the speech."""
+    texts: Sequence[str] = ()
+    """What each model heard, as it wrote it; empty: it is not known."""
 
     def left_out(self) -> tuple[str, ...]:
         """The first and the last words that were heard, where the sentence begins or ends otherwise, with such as say
@@ -91,7 +93,7 @@ class SaidAndHeard:
             return ()
         wording, heard = self.grammar.wording(self.language), self.heard
         found = open_word(self.words, heard, wording.leaves_open)
-        found = found or open_range(self.words, heard, wording.ranging, self.language)
+        found = found or open_range(self.words, heard, wording.ranging, self.language, texts=self.texts)
         return (" ".join(found),) if found else ()
 
     def passed_over(self) -> tuple[str, ...]:

@@ -41,6 +41,23 @@ def test_a_range_of_numbers(sentence, heard, said):
     assert " ".join(open_range(sentence.split(), [one.split() for one in heard], {"to"})) == said
 
 
+@pytest.mark.parametrize(
+    ("texts", "said"),
+    [
+        (["Give 2-4 mg.", "Give 2 to 4 mg."], "2-4"),
+        (["Give 2-4 mg.", "Give 2-4 mg."], "2-4"),
+        (["Give 4/6 mg.", "Give 4-6 mg."], "4/6"),
+        (["Give 1/2 mg.", "Give 1/2 mg."], ""),  # a half
+        (["Give 4-2 mg.", "Give 4-2 mg."], ""),
+        (["Give 2-4 mg.", "Give 24 mg."], ""),
+        (["Call 555-12-34.", "Call 555-12-34."], ""),
+    ],
+)
+def test_a_range_that_is_written_with_a_sign(texts, said):
+    heard = [["give", "two", "to", "four", "mg"] if "to" in text else ["give", "two", "four", "mg"] for text in texts]
+    assert " ".join(open_range(["give", "two", "o", "four", "mg"], heard, {"to"}, texts=texts)) == said
+
+
 def test_in_other_languages():
     heard = [["gib", "zwei", "bis", "vier", "becher"]] * 2
     assert open_range(["gib", "zwei", "vier", "becher"], heard, {"bis"}, "de") == ("zwei", "bis", "vier")
