@@ -189,7 +189,8 @@ def _holds_operator(sample: Sample, grammar: Grammar) -> bool:
 
 
 def _is_bare_number(piece: Piece, language: str) -> bool:
-    if piece.slot is None or piece.slot.unit is None:
+    """Whether it may take the unit over that was said before: "two crates, no, three"."""
+    if piece.slot is None or (piece.slot.unit is None and not piece.slot.units):
         return False
     numbers = spoken_forms("number", language, None, None, None)
     return any(piece.text == spoken.text for form in numbers for spoken in form)
