@@ -81,7 +81,7 @@ RULES = {
     (Corrections, "_pause_after"): lambda self, part, position: True,
     (Corrections, "corrected"): lambda self, part, state, before="": None,
     (Corrections, "_corrected_before"): lambda self, part, state: None,
-    (Replacements, "_grafted"): lambda self, slot, words, at, meant, whole: False,
+    (Replacements, "_grafted"): lambda self, slot, words, at, meant, whole, last: False,
     (Corrections, "taken_back"): lambda self, words: 0,
     (Compounds, "split"): lambda self, core, state, exactly=False: None,
     (Compounds, "_unless_the_way_back"): lambda self, clause, onward: onward,
