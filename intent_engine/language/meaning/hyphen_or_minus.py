@@ -18,6 +18,7 @@ __all__ = ["HyphenOrMinus"]
 _MOST = 12
 """So many may be in a command."""
 _MINUS = "−"
+_SIGNS = frozenset("-−‐‑‒–")
 _HYPHENS = re.compile(
     r"(?:(?<=[^\W\d_])[-−‐‑‒–]"
     r"|(?<=[^\W_]),[-−‐‑‒–]"
@@ -56,7 +57,7 @@ class HyphenOrMinus:
 
     def may_stand_in(self, text: str) -> bool:
         """Whether there is such a hyphen, and a number that it may make one below zero."""
-        return self._below_zero and _HYPHENS.search(text) is not None
+        return self._below_zero and not _SIGNS.isdisjoint(text) and _HYPHENS.search(text) is not None
 
     def understood(self, text: str, meant: Callable[[str], Understood]) -> Understood:
         """What a text means with its signs as such.

@@ -22,6 +22,8 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["Talk"]
 
+_MARKS = frozenset("'’ʼ`-−‐‑‒–—")
+"""Apostrophes and dashes; few texts have any."""
 _APOSTROPHE = re.compile("(?<=[a-z])['’ʼ`](?=[a-z])", re.IGNORECASE)
 
 
@@ -51,15 +53,18 @@ class Talk:
         found, parts = meant
         if self._questions.asks(text, said, parts, spoken=spoken):
             return "a question, and not one to do something"
-        if found.actions and (saying := self._sayings.within(said, parts)):
+        if not found.actions:
+            return ""
+        if saying := self._sayings.within(said, parts):
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
-        if found.actions and not found.stops and (told := self._of_somebody(text, parts)):
-            return f"{told!r} tells of somebody; say the command alone"
-        if found.actions and not found.stops and (number := sign_or_dash(text, self._language, parts)):
-            return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
-        if found.actions and not found.stops and (added := self._more_than_now.within(said.words, parts)):
+        if not _MARKS.isdisjoint(text) and not found.stops:
+            if told := self._of_somebody(text, parts):
+                return f"{told!r} tells of somebody; say the command alone"
+            if number := sign_or_dash(text, self._language, parts):
+                return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
+        if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
-        if found.actions and (name := spoken_to(text, parts, self._values, self._language)):
+        if name := spoken_to(text, parts, self._values, self._language):
             return f"{name!r} after a pause may be who is spoken to; say the command without it"
         return ""
 
