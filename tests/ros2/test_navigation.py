@@ -223,7 +223,9 @@ def test_a_goal_that_is_being_accepted_when_the_program_ends_is_not_driven(way):
         until(lambda: any("asked" in each for each in slow.server.said))
         slow.executor.close()
         slow.robot.close()
-        assert slow.server.count("driving") == slow.server.count("canceled")
-        assert slow.robot.navigation.wait(0.0)
+        assert slow.robot.navigation.wait(0.0), "closed before the goal was known to have ended"
+        # The server tells it to us (its standard output) after it has told it to the robot (its status).
+        until(lambda: slow.server.count("canceled") == 1, "the goal is canceled")
+        assert slow.server.count("driving") == 1
     finally:
         slow.close()
