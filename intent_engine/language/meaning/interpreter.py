@@ -15,10 +15,10 @@ from intent_engine.language.meaning.clause import Clause, more_telling
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.correction import Corrections
+from intent_engine.language.meaning.dash_or_sign import DashOrSign
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.fillers_or_words import FillersOrWords
 from intent_engine.language.meaning.hesitation import Hesitations
-from intent_engine.language.meaning.hyphen_or_minus import HyphenOrMinus
 from intent_engine.language.meaning.negation import Negations
 from intent_engine.language.meaning.no_command import NoCommand
 from intent_engine.language.meaning.numbers_in_pieces import NumbersInPieces
@@ -57,7 +57,7 @@ class Interpreter:
         texts = TextPlaces(matcher)
         self.phrases = Phrases(grammar, commands.lists, texts.at if texts else None, texts.name)
         self._nearest = nearest
-        self._hyphens = HyphenOrMinus(grammar)
+        self._dashes = DashOrSign(grammar)
         self._language = grammar.language
         self._stop_intent = grammar.stop_intent
         self._arrange(commands, None)
@@ -144,12 +144,12 @@ class Interpreter:
         """The same, with the commands of which the meaning is made."""
         if len(text) > MAX_CHARACTERS:
             return self._rejected(text, f"longer than any command ({len(text)} characters)")
-        if self._hyphens.may_stand_in(text):
-            return self._hyphens.understood(text, lambda one: self._understood(one, state, spoken=spoken, heard=heard))
+        if self._dashes.may_stand_in(text):
+            return self._dashes.understood(text, lambda one: self._understood(one, state, spoken=spoken, heard=heard))
         return self._understood(text, state, spoken=spoken, heard=heard)
 
     def _understood(self, text: str, state: Collection[str], *, spoken: bool, heard: bool) -> Understood:
-        """The same, hyphens before numbers taken for hyphens."""
+        """The same, dashes before numbers taken for no sign."""
         typed = not (spoken or heard)
         sentence = without_enumeration(text)
         if sentence is not text:

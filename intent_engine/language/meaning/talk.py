@@ -13,7 +13,6 @@ from intent_engine.language.meaning.more_than_now import MoreThanNow
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.questions import Questions
 from intent_engine.language.meaning.sayings import Sayings
-from intent_engine.language.meaning.sign_or_dash import sign_or_dash
 from intent_engine.language.meaning.spoken_to import spoken_to
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
@@ -22,8 +21,7 @@ from intent_engine.language.utterance import Utterance
 
 __all__ = ["Talk"]
 
-_MARKS = frozenset("'’ʼ`-−‐‑‒–—")
-"""Apostrophes and dashes; few texts have any."""
+_APOSTROPHES = frozenset("'’ʼ`")
 _APOSTROPHE = re.compile("(?<=[a-z])['’ʼ`](?=[a-z])", re.IGNORECASE)
 
 
@@ -57,11 +55,8 @@ class Talk:
             return ""
         if saying := self._sayings.within(said, parts):
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
-        if not _MARKS.isdisjoint(text) and not found.stops:
-            if told := self._of_somebody(text, parts):
-                return f"{told!r} tells of somebody; say the command alone"
-            if number := sign_or_dash(text, self._language, parts):
-                return f"{number!r} may be below zero; write the sign without a space, or say 'minus'"
+        if not _APOSTROPHES.isdisjoint(text) and not found.stops and (told := self._of_somebody(text, parts)):
+            return f"{told!r} tells of somebody; say the command alone"
         if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
         if name := spoken_to(text, parts, self._values, self._language):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from meanings import does
 
+from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
 
 GRAMMAR = """
@@ -24,6 +25,19 @@ LOCKED = {
     "it would be great if you could lock drawer 3": [3],
     "I'd appreciate it if you could lock drawer 3 and lock drawer 4": [3, 4],
 }
+
+PEOPLE = """
+language: en
+slots:
+  person: [Anna, Ben]
+  thing: {type: text, max_words: 3, known: [cup]}
+intents:
+  sit: {action: custom, sentences: ["(sit|lie) down", "take a seat"]}
+  wave: {action: custom, sentences: ["wave [to {person}]"]}
+  run: {action: custom, sentences: ["run [to {person}]"]}
+  plan: {action: custom, sentences: ["(plan|plane) it"]}
+  bring: {action: custom, sentences: ["bring {thing}"]}
+"""
 
 
 @pytest.fixture(scope="module")
@@ -91,3 +105,53 @@ def test_a_grammar_without_fillers_has_none(engine_of) -> None:
 )
 def test_in_the_shipped_grammar(said: str, done: str) -> None:
     assert does(said) == done
+
+
+@pytest.fixture(scope="module")
+def humanoid(engine_of) -> IntentEngine:
+    return engine_of(PEOPLE)
+
+
+@pytest.mark.parametrize(
+    ("said", "done"),
+    [
+        ("would you mind sitting down", ["sit"]),
+        ("would you mind taking a seat, please?", ["sit"]),
+        ("do you mind waving to Ben", ["wave"]),
+        ("would you mind, uh, lying down", ["sit"]),
+        ("would you mind running to Anna and waving to Ben", ["run", "wave"]),
+        ("would you mind bringing the cup", ["bring"]),
+        ("okay would you mind waving to Anna, no, to Ben", ["wave"]),
+    ],
+)
+def test_any_form_of_a_verb_is_done(humanoid: IntentEngine, said: str, done: list[str]) -> None:
+    assert [action.name for action in humanoid.parse(said).actions] == done
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "sitting down",
+        "would you mind not sitting down",
+        "would you mind Ben sitting down",
+        "would you mind if I sat down",
+        "I would mind sitting down",
+        "he asked would you mind sitting down",
+        "would you mind planing it",
+        "would you mind",
+        "waving to Ben, would you mind",
+        "she is waving to Ben",
+    ],
+)
+def test_other_forms_are_not_done(humanoid: IntentEngine, said: str) -> None:
+    assert not humanoid.parse(said).actions
+
+
+def test_it_stops(humanoid: IntentEngine) -> None:
+    assert humanoid.parse("would you mind stopping").actions == (Stop(),)
+
+
+def test_forms_in_the_shipped_grammar() -> None:
+    assert does("would you mind driving to the kitchen") == does("drive to the kitchen") != "rejected"
+    assert does("would you mind picking up the cup") == does("pick up the cup") != "rejected"
+    assert does("would you mind moving back a bit") == does("move back a bit") != "rejected"

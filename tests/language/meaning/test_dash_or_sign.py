@@ -1,8 +1,9 @@
-"""Hyphens before numbers that may be signs: who says "Z minus five" must not be driven to plus five."""
+"""Dashes before numbers that may be signs: who says "Z minus five" must not be driven to plus five."""
 
 from __future__ import annotations
 
 import pytest
+from meanings import does
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
@@ -33,6 +34,14 @@ intents:
     lark: |
       start: "index z " at
       at: /-?[0-9]+/
+"""
+
+OVEN = """
+language: en
+slots: {heat: {type: number, min: -40, max: 40}, note: {type: text, max_words: 6, dictation: true}}
+intents:
+  keep: {action: custom, sentences: ["keep it at {heat} degrees", "cool it to {heat} degrees"]}
+  write: {action: custom, sentences: ["write {note}"]}
 """
 
 
@@ -109,3 +118,59 @@ def test_each_of_several_commands_has_its_own(engine: IntentEngine) -> None:
         {"bay": 3},
         {"axis": "x", "far": -0.005},
     ]
+
+
+@pytest.fixture(scope="module")
+def oven(engine_of) -> IntentEngine:
+    return engine_of(OVEN)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "keep it at --20 degrees",
+        "keep it at— 20 degrees",
+        "keep it at - twenty degrees",
+        "keep it at minus -20 degrees",
+    ],
+)
+def test_a_value_that_may_be_below_zero_is_not_above(oven: IntentEngine, said: str) -> None:
+    assert not oven.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "heat"),
+    [
+        ("keep it at -20 degrees", -20),
+        ("keep it at −20 degrees", -20),
+        ("keep it at - 20 degrees", -20),
+        ("cool it to – 20 degrees", -20),
+        ("keep it at minus 20 degrees", -20),
+        ("keep it - at 20 degrees", 20),
+        ("keep it at 20 degrees", 20),
+        ("keep it at 10 - no - 20 degrees", 20),
+    ],
+)
+def test_a_value_is_clear_with_a_sign_or_in_words(oven: IntentEngine, said: str, heat: float) -> None:
+    found = oven.parse(said)
+    assert found.slots == {"heat": heat}, found.reason
+
+
+def test_other_dashes_are_pauses(oven: IntentEngine) -> None:
+    assert oven.parse("write they won at - 20").actions
+    assert does("turn left - 20 degrees") == "left 20"
+
+
+def test_german_dashes_before_values(engine_of) -> None:
+    engine = engine_of(
+        "language: de\nslots: {heat: {type: number, min: -40}}\n"
+        'intents:\n  kühl: {action: custom, sentences: ["kühl es auf {heat} grad"]}\n'
+    )
+    assert not engine.parse("kühl es auf -- 20 Grad").actions
+    assert engine.parse("kühl es auf - 20 Grad").slots == {"heat": -20}
+    assert engine.parse("kühl es auf -20 Grad").slots == {"heat": -20}
+    cold = engine_of(
+        "language: de\nslots: {heat: {type: number, min: 4}}\n"
+        'intents:\n  kühl: {action: custom, sentences: ["kühl es auf {heat} grad"]}\n'
+    )
+    assert not cold.parse("kühl es auf - 20 Grad").actions, "which cannot be below zero"

@@ -1,24 +1,29 @@
-"""A hyphen before a number that may be its sign: the one of "Z-5" and of "x - 10", and the one of "bay-3"."""
+"""Dashes before numbers that may be their sign: those of "Z-5", "x - 10" and "at - 20", and the one of "bay-3"."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from enum import Enum
 
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.told import Understood
+from intent_engine.language.normalize import tokenize
+from intent_engine.language.numbers.quantity_parser import parser_of
+from intent_engine.language.numbers.units import Units, units
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import thing_words
 
-__all__ = ["HyphenOrMinus"]
+__all__ = ["DashOrSign"]
 
 _MOST = 12
 """So many may be in a command."""
 _MINUS = "−"
-_SIGNS = frozenset("-−‐‑‒–")
+_SIGNS = frozenset("-−‐‑‒–—")
 _HYPHENS = re.compile(
     r"(?:(?<=[^\W\d_])[-−‐‑‒–]"
     r"|(?<=[^\W_]),[-−‐‑‒–]"
@@ -27,6 +32,7 @@ _HYPHENS = re.compile(
 )
 """Those that stand between a word and a number, or in a list of numbers: "z-5", "10,-5", "z - 5", "z = - 5". Others are
 what they seem: "z -5" has a sign, "3-5" none."""
+_DASH = re.compile(r"\s*[-−‐‑‒–—]+\s*")
 _NUMBER = re.compile(r"[\d.,]*\d")
 _LAST_WORD = re.compile(r"[^\W_]+$")
 
@@ -37,18 +43,21 @@ class _Read(Enum):
     EITHER = "either"
 
 
-class HyphenOrMinus:
-    """Says which such hyphens are signs.
+class DashOrSign:
+    """Says which such dashes are signs, and refuses a text in which that is unclear.
 
     They are where the number may be below zero and a letter, a preposition or a sign stands before it: "z-5 mm", "by -
     5 mm", "10,-5". They are none where no number of that slot is below zero ("bay-3"), and between two values ("turn
-    left - 90 degrees"). Of others nobody knows.
+    left - 90 degrees"). Of others nobody knows, nor of one that stands apart where a value follows: no pause is made
+    behind the "at" of "keep it at - 20 degrees".
     """
 
     def __init__(self, grammar: Grammar) -> None:
+        self._language = grammar.language
         words = thing_words(grammar.language)
         self._leading = words.joining
         self._articles = words.articles
+        self._level = (units(grammar.language) or Units({}, {})).words.get("level", frozenset())
         self._taking_back = {phrase[-1] for phrase in grammar.operators.correction}
         self._below_zero = any(
             slot.type in QUANTITY_KINDS and (slot.smallest is None or slot.smallest < 0)
@@ -56,8 +65,8 @@ class HyphenOrMinus:
         )
 
     def may_stand_in(self, text: str) -> bool:
-        """Whether there is such a hyphen, and a number that it may make one below zero."""
-        return self._below_zero and not _SIGNS.isdisjoint(text) and _HYPHENS.search(text) is not None
+        """Whether there is a dash at all."""
+        return not _SIGNS.isdisjoint(text)
 
     def understood(self, text: str, meant: Callable[[str], Understood]) -> Understood:
         """What a text means with its signs as such.
@@ -66,11 +75,16 @@ class HyphenOrMinus:
             text: what was said or typed.
             meant: what a text means, its hyphens taken for hyphens.
         """
+        signed, found = self._signed(text, meant) if self._below_zero else (text, meant(text))
+        if found[0].actions and not found[0].stops and (number := self._unclear(signed, found[1])):
+            return _either(text, number)
+        return replace(found[0], text=text), found[1]
+
+    def _signed(self, text: str, meant: Callable[[str], Understood]) -> tuple[str, Understood]:
+        """A text with each hyphen that is a sign written as nothing else, and what it means."""
         found = meant(text)
-        if found[0].stops:
-            return found
         signed, begin, count = text, 0, 0
-        while (hyphen := _HYPHENS.search(signed, begin)) is not None:
+        while not found[0].stops and (hyphen := _HYPHENS.search(signed, begin)) is not None:
             begin, count = hyphen.end(), count + 1
             other = _with_sign(signed, hyphen)
             otherwise = meant(other)
@@ -79,11 +93,24 @@ class HyphenOrMinus:
             read = self._read(hyphen[0], word, found, otherwise) if count <= _MOST else _Read.EITHER
             if read is _Read.EITHER:
                 number = _NUMBER.match(signed, begin)
-                return _either(text, f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0])
+                return signed, _either(text, f"{hyphen[0].strip()}{number[0]}" if number is not None else hyphen[0])
             if read is _Read.SIGN:
                 begin += len(other) - len(signed)
                 signed, found = other, otherwise
-        return replace(found[0], text=text), found[1]
+        return signed, found
+
+    def _unclear(self, text: str, parts: Sequence[Clause]) -> str:
+        """A number behind a dash, where a value is to follow; empty: there is none, or it stands among free words."""
+        tokens = tokenize(text, self._language) if self._level and _DASH.search(text) else ()
+        words = [token.word for token in tokens]
+        for at in range(1, len(tokens)):
+            between = text[tokens[at - 1].end : tokens[at].start]
+            if words[at - 1] not in self._level or not _DASH.fullmatch(between):
+                continue
+            is_number = next(parser_of(self._language).numbers_at(words, at), None) is not None
+            if is_number and not _among_free(words[at], parts):
+                return text[tokens[at - 1].end : tokens[at].end].strip()
+        return ""
 
     def _read(self, hyphen: str, before: str, found: Understood, otherwise: Understood) -> _Read:
         """What a hyphen behind a word is of which it is known what the text means without a sign there and with one."""
@@ -132,3 +159,12 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
 def _either(text: str, written: str) -> Understood:
     reason = f"{written!r} could be below zero or not; write a space before the sign and none behind it, or say 'minus'"
     return Interpretation(text, Status.REJECTED, reason=reason), ()
+
+
+def _among_free(word: str, parts: Sequence[Clause]) -> bool:
+    return any(
+        slot.slot.type in FREE_KINDS and word in part.reading.words[slot.start : slot.end]
+        for part in parts
+        if part.reading is not None
+        for slot in part.reading.slots
+    )
