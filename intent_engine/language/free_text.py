@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 
@@ -31,6 +32,7 @@ class FreeText:
         # Single words of these are closed to free slots already; phrases are only seen whole.
         self._language = grammar.language
         operators = grammar.operators
+        self._closed = operators.closed
         changing = (
             *operators.stop, *operators.negation, *operators.correction, *operators.cancel, *operators.sequence,
         )  # fmt: skip
@@ -100,7 +102,10 @@ class FreeText:
     def problem(self, slot: Slot, words: Sequence[str], start: int, end: int) -> str:
         """Why the words from ``start`` to ``end`` are nothing for a slot; empty: they may be."""
         said = words[start:end]
+        listed = bool(slot.known_names) and self._is_listed(slot, said)
         wrong = slot.without.intersection(said)
+        if not listed:  # "the brake pads" are a thing where they are known, and "the brake" is none
+            wrong |= (self._closed & slot.known).intersection(said) - slot.allow
         if not slot.dictation and self._parts_a_number(words, start, end):
             return f"{' '.join(said)!r} goes on with a number, and is nothing for slot {slot.name!r}"
         if not self._words.either.isdisjoint(said) and (word := self._leaves_open(slot, said)):
@@ -117,12 +122,16 @@ class FreeText:
         if said and not wrong and self._names_a_thing(slot):
             wrong = self._no_name(slot, said)
         # One that begins here, wherever it ends: "down, change that to" holds the beginning of "change that to".
-        if self._operators.may_stand_in(said):
+        if not listed and self._operators.may_stand_in(said):
             operator = next(((at, n) for at in range(start, end) if (n := self._operators.at(words, at))), None)
             phrase = words[operator[0] : sum(operator)] if operator is not None else ()
             if not slot.allow.issuperset(phrase):
                 wrong = frozenset((" ".join(phrase),))
         return f"{min(wrong)!r} is nothing for slot {slot.name!r}" if wrong else ""
+
+    def _is_listed(self, slot: Slot, said: Sequence[str]) -> bool:
+        """Whether words are a name that a slot lists, behind articles or not."""
+        return tuple(itertools.dropwhile(self.articles.__contains__, said)) in slot.known_names
 
     def _begins_behind_an_article(self, said: Sequence[str]) -> frozenset[str]:
         """The word with which no name begins, between two articles: "the *with* the bad", of which a noun that may be a

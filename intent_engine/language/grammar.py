@@ -133,6 +133,8 @@ class Slot:
     """Text: words that show that something else is meant ("email" is nothing to pick up)."""
     known: frozenset[str] = frozenset()
     """Text: words that are likely in it. Speech that sounds like one is heard as it; others are taken all the same."""
+    known_names: frozenset[tuple[str, ...]] = frozenset()
+    """Text: the names of which these are the words. A name may hold words that a text else may not: "brake pads"."""
     tags: frozenset[str] = frozenset()
     """Location: only places with one of these tags; empty: all."""
     fuzzy: bool = True

@@ -91,7 +91,7 @@ class SentenceNetworks:
                 self._networks.add_wild(
                     f"text:{slot.name}",
                     slot.max_words,
-                    slot.allow,
+                    slot.allow | (slot.known & grammar.operators.closed),  # of which no more than the names is taken
                     free.unfinished_in(slot),
                     free.alone,
                     slot.known | thing_words(grammar.language).articles if slot.known else slot.known,

@@ -167,7 +167,9 @@ class SlotValues:
         end = len(said)
         if slot.type in ("choice", "boolean", "location"):
             reading = self._name(slot, label, said, 0, end)
-        elif slot.type in FREE_KINDS and not self._grammar.operators.closed.isdisjoint(set(said) - slot.allow):
+        elif slot.type in FREE_KINDS and not self._grammar.operators.closed.isdisjoint(
+            set(said) - slot.allow - slot.known
+        ):
             problem = f"{' '.join(said)!r} holds a word that changes what is meant"
             reading = SlotReading(label, slot, 0, end, None, 0.0, (), "unknown", problem)
         elif slot.type in FREE_KINDS:  # of as many words as the pattern says

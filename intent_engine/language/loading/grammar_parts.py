@@ -220,6 +220,7 @@ class PartReader:
             allow=self._words((*path, "allow"), spec.get("allow")),
             without=self._words((*path, "without"), spec.get("without")),
             known=self._words((*path, "known"), spec.get("known")),
+            known_names=self._names((*path, "known"), spec.get("known")),
             tags=frozenset(text for _, _, text in source.entries((*path, "tags"), spec.get("tags"))),
             fuzzy=spec.get("fuzzy", True),
             place=source.place(path, key=True),
@@ -227,6 +228,9 @@ class PartReader:
 
     def _words(self, path: YamlPath, texts: Any) -> frozenset[str]:
         return frozenset(word for _, _, text in self.source.entries(path, texts) for word in words_of(text))
+
+    def _names(self, path: YamlPath, texts: Any) -> frozenset[tuple[str, ...]]:
+        return frozenset(tuple(words_of(text)) for _, _, text in self.source.entries(path, texts))
 
     def _values(self, path: YamlPath, name: str, kind: str, values: Any) -> tuple[tuple[Any, Node], ...]:
         source = self.source
