@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
-from intent_engine.cli.options import Json, filled
+from intent_engine.cli.options import Device, Json, filled
 from intent_engine.cli.terminal import json_line, level_meter, note, say
 
 if TYPE_CHECKING:
@@ -26,12 +26,7 @@ def doctor(
     model: Annotated[
         str, typer.Option("--model", "-m", callback=filled, help="Whisper model: a name or a folder.")
     ] = "tiny.en",
-    device: Annotated[
-        str | None,
-        typer.Option(
-            callback=filled, help="Microphone: its number, name, or a part of the name.", show_default="default"
-        ),
-    ] = None,
+    device: Device = None,
     no_microphone: Annotated[
         bool, typer.Option("--no-microphone", help="Leave the microphone out: this machine only plays recordings.")
     ] = False,

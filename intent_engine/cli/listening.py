@@ -15,7 +15,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, robot_verb
 from intent_engine.cli.listening_options import Hearing, RawSamples, Telling, session
 from intent_engine.cli.option_groups import grouped
-from intent_engine.cli.options import filled
+from intent_engine.cli.options import Device
 from intent_engine.cli.terminal import json_line, note, table
 from intent_engine.cli.watching import watched
 from intent_engine.errors import AudioError, ConfigError, DeviceError, Problem
@@ -88,12 +88,7 @@ def run(
 @grouped
 def listen(
     *,
-    device: Annotated[
-        str | None,
-        typer.Option(
-            callback=filled, help="Microphone: its number, name, or a part of the name.", show_default="default"
-        ),
-    ] = None,
+    device: Device = None,
     list_devices: Annotated[bool, typer.Option("--list-devices", help="List the microphones and exit.")] = False,
     push_to_talk: Annotated[
         bool, typer.Option("--push-to-talk", help="Listen only after the space bar, until it is pressed again.")

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from intent_engine.engine import IntentEngine
 
 __all__ = [
+    "Device",
     "Grammars",
     "Json",
     "Language",
@@ -59,6 +60,10 @@ Locations = Annotated[
     typer.Option(
         "--locations", "-l", help="Map file, or the name of a shipped one; may be repeated.", show_default="home"
     ),
+]
+Device = Annotated[
+    str | None,
+    typer.Option(callback=filled, help="Microphone: its number, name, or a part of the name.", show_default="default"),
 ]
 Robots = Annotated[
     str,

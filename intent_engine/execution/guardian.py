@@ -5,20 +5,18 @@ from __future__ import annotations
 import contextlib
 import json
 import logging
-import os
 import socket
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
 from typing import Any
 
 from intent_engine.errors import RobotError
 from intent_engine.execution.goal import Reason
 from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Ended, Motion, Rates, Travel
+from intent_engine.execution.velocity_program import VelocityProgram
 
 __all__ = ["Guardian", "VelocityLoopError", "WatchdogError"]
 
@@ -77,9 +75,8 @@ class Guardian:
         priority: int = 20,
         pass_fds: tuple[int, ...] = (),
     ) -> None:
-        self._sink, self._options = sink, dict(options or {})
         self._limits, self._rates = limits or Limits(), rates or Rates()
-        self._priority, self._pass_fds = priority, pass_fds
+        self._program = VelocityProgram(sink, dict(options or {}), self._limits, self._rates, priority, pass_fds)
         self._poke: Callable[[], None] = lambda: None
         self._stop_robot: Callable[[], None] = lambda: None
         self._heard = threading.Condition()
@@ -232,7 +229,7 @@ class Guardian:
             self._ended = None
             self._answers.clear()
         try:
-            self._process = self._spawn(theirs)
+            self._process = self._program.start(theirs)
         except OSError as error:
             self._error = f"the velocity process could not be started: {error}"
             ours.close()
@@ -248,26 +245,9 @@ class Guardian:
         if self._error or not ready.is_set():
             self._discard()
             raise RobotError(
-                f"the velocity process did not start ({self._sink}); what it said is on standard error. {_WITHOUT}"
+                f"the velocity process did not start ({self._program.sink}); what it said is on standard error. "
+                f"{_WITHOUT}"
             )
-
-    def _spawn(self, line: socket.socket) -> subprocess.Popen[bytes]:
-        settings = {
-            "sink": self._sink,
-            "options": self._options,
-            "line": line.fileno(),
-            "parent": os.getpid(),
-            "limits": {name: getattr(self._limits, name) for name in _RAMPS if getattr(self._limits, name) is not None},
-            "rates": asdict(self._rates),
-            "priority": self._priority,
-        }
-        return subprocess.Popen(
-            [sys.executable, "-m", "intent_engine.execution.velocity_loop", json.dumps(settings)],
-            stdin=subprocess.DEVNULL,
-            pass_fds=(line.fileno(), *self._pass_fds),
-            # Not in the terminal's foreground: Ctrl-Z would freeze the program and its guardian at once.
-            process_group=0,
-        )
 
     def _discard(self) -> None:
         """End a process that nothing depends on yet."""
@@ -394,7 +374,6 @@ class Guardian:
 
 
 _WITHOUT = "To drive without it, give the executor no loop"
-_RAMPS = ("linear_acceleration", "linear_deceleration", "angular_acceleration", "angular_deceleration")
 
 
 def _exit(code: int) -> str:

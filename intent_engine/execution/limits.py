@@ -6,10 +6,10 @@ NaN and infinity are refused by every limit set, the empty one included.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any
+from typing import Any, NamedTuple
 
 from intent_engine.actions import Action, Move, Navigate, Turn
 from intent_engine.values import is_number, named
@@ -38,6 +38,15 @@ class Checked:
     """Name of the limit that refused it."""
     clamped: tuple[str, ...] = ()
     """One sentence for each value that was cut down."""
+
+
+class _Asked(NamedTuple):
+    """One value of what is asked for."""
+
+    limit: str
+    """Name of the limit that it has."""
+    value: float
+    unit: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,50 +113,49 @@ class Limits:
     def _move(self, move: Move) -> Checked:
         if move.distance > 0 and move.linear_velocity == 0:
             return Checked(move, f"move: {move.distance:g} m cannot be covered at 0 m/s", "linear_velocity")
-        notes: list[str] = []
-        speed, distance = abs(move.linear_velocity), move.distance
-        for limit, value, unit in (("linear_velocity", speed, "m/s"), ("distance", distance, "m")):
-            refused = self._over(limit, value, unit, notes)
-            if refused:
-                return Checked(move, refused, limit)
-        speed, distance = min(speed, self.linear_velocity), min(distance, self.distance)
-        duration = distance / speed if speed else 0.0
-        if not notes and math.isclose(duration, move.duration, rel_tol=1e-9):
-            duration = move.duration
-        refused = self._over("duration", duration, "s", notes)
-        if refused:
-            return Checked(move, refused, "duration")
-        if duration > self.duration:
-            duration, distance = self.duration, speed * self.duration
-        velocity = math.copysign(speed, move.linear_velocity)
-        if notes or duration != move.duration:
-            move = replace(move, linear_velocity=velocity, distance=distance, duration=duration)
-        return Checked(move, clamped=tuple(notes))
+
+        def within(speed: float, distance: float, duration: float) -> Move:
+            velocity = math.copysign(speed, move.linear_velocity)
+            return replace(move, linear_velocity=velocity, distance=distance, duration=duration)
+
+        speed = _Asked("linear_velocity", abs(move.linear_velocity), "m/s")
+        return self._motion(move, speed, _Asked("distance", move.distance, "m"), within)
 
     def _turn(self, turn: Turn) -> Checked:
         if turn.angle != 0 and turn.angular_velocity == 0:
             return Checked(turn, f"turn: {turn.angle:g} rad cannot be turned at 0 rad/s", "angular_velocity")
-        notes: list[str] = []
-        speed, angle = abs(turn.angular_velocity), abs(turn.angle)
-        for limit, value, unit in (("angular_velocity", speed, "rad/s"), ("angle", angle, "rad")):
-            refused = self._over(limit, value, unit, notes)
-            if refused:
-                return Checked(turn, refused, limit)
-        speed, angle = min(speed, self.angular_velocity), min(angle, self.angle)
-        duration = angle / speed if speed else 0.0
-        if not notes and math.isclose(duration, turn.duration, rel_tol=1e-9):
-            duration = turn.duration
-        refused = self._over("duration", duration, "s", notes)
-        if refused:
-            return Checked(turn, refused, "duration")
-        if duration > self.duration:
-            duration, angle = self.duration, speed * self.duration
-        sign = math.copysign(1.0, turn.angle)
-        if notes or duration != turn.duration:
-            turn = replace(turn, angle=sign * angle, angular_velocity=sign * speed, duration=duration)
-        return Checked(turn, clamped=tuple(notes))
 
-    def _over(self, limit: str, value: float, unit: str, notes: list[str]) -> str:
+        def within(speed: float, angle: float, duration: float) -> Turn:
+            sign = math.copysign(1.0, turn.angle)
+            return replace(turn, angle=sign * angle, angular_velocity=sign * speed, duration=duration)
+
+        speed = _Asked("angular_velocity", abs(turn.angular_velocity), "rad/s")
+        return self._motion(turn, speed, _Asked("angle", abs(turn.angle), "rad"), within)
+
+    def _motion(
+        self, motion: Move | Turn, speed: _Asked, way: _Asked, within: Callable[[float, float, float], Move | Turn]
+    ) -> Checked:
+        """What of a move or turn may be done; ``within`` makes it anew of a speed, a way and a duration."""
+        notes: list[str] = []
+        for asked in (speed, way):
+            refused = self._over(asked, notes)
+            if refused:
+                return Checked(motion, refused, asked.limit)
+        fast, far = (min(asked.value, getattr(self, asked.limit)) for asked in (speed, way))
+        duration = far / fast if fast else 0.0
+        if not notes and math.isclose(duration, motion.duration, rel_tol=1e-9):
+            duration = motion.duration
+        refused = self._over(_Asked("duration", duration, "s"), notes)
+        if refused:
+            return Checked(motion, refused, "duration")
+        if duration > self.duration:
+            duration, far = self.duration, fast * self.duration
+        if notes or duration != motion.duration:
+            motion = within(fast, far, duration)
+        return Checked(motion, clamped=tuple(notes))
+
+    def _over(self, asked: _Asked, notes: list[str]) -> str:
+        limit, value, unit = asked
         bound: float = getattr(self, limit)
         # A value that was computed from others may be a last bit above the limit it was made for.
         if value <= bound * (1 + 1e-9):

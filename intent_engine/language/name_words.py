@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.normalize import words_of
-from intent_engine.language.numbers import english, english_ordinals, english_words
+from intent_engine.language.numbers import english_ordinals, english_parts, english_words
 
 __all__ = [
     "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
@@ -160,7 +160,7 @@ def _number(words: list[str], at: int) -> tuple[str, int]:
     if end > at + 1 or not word[0].isdigit():
         # Only the number's own words: "bay three g" is not three thousand million.
         run = words[at:end]
-        found = english.cardinal(run, 0)
+        found = english_parts.cardinal(run, 0)
         if found is not None and found[1] > (1 if word[0].isdigit() else 0) and found[0] < 1e15:
             return str(int(found[0])), at + found[1]
     if word.isdecimal():

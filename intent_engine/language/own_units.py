@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import Slot
-from intent_engine.language.numbers import english, english_words, foreign
+from intent_engine.language.numbers import english, english_parts, english_words, foreign
 from intent_engine.language.numbers.units import units
 from intent_engine.language.spellings import spellings
 from intent_engine.language.template_tree import Node
@@ -99,5 +99,7 @@ class OwnUnits:
         table = units(self._language)
         if table is None or not words or words[0] not in table.words.get("and", ()):
             return None
-        part = english.fraction(words, 1) if self._language == "en" else foreign.fraction(words, 1, self._language)
+        part = (
+            english_parts.fraction(words, 1) if self._language == "en" else foreign.fraction(words, 1, self._language)
+        )
         return part[0] if part is not None and part[0] < 1 and part[1] == len(words) else None

@@ -11,7 +11,14 @@ import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from intent_engine.language.numbers import english, english_ordinals, english_words, foreign, foreign_ordinals
+from intent_engine.language.numbers import (
+    english,
+    english_ordinals,
+    english_parts,
+    english_words,
+    foreign,
+    foreign_ordinals,
+)
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of, tidy
 from intent_engine.language.numbers.relative import Relative
@@ -158,7 +165,7 @@ def share(words: Sequence[str], language: str = "en") -> float | None:
         return 1.0
     if " ".join(words[words[0] in table.words.get("the", ()) :]) in table.words.get("half_of_it", ()):
         return 0.5
-    part = english.fraction(words, 0) if language == "en" else foreign.fraction(words, 0, language)
+    part = english_parts.fraction(words, 0) if language == "en" else foreign.fraction(words, 0, language)
     return part[0] if part is not None and part[1] == len(words) and 0 < part[0] < 1 else None
 
 

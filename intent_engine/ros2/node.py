@@ -34,7 +34,7 @@ from intent_engine.ros2.best_effort import HearAll
 from intent_engine.ros2.clock import RosClock
 from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
-from intent_engine.ros2.process import leave, run_node
+from intent_engine.ros2.process import run_script
 from intent_engine.ros2.robot_states import States
 from intent_engine.ros2.state_keeper import StateKeeper
 from intent_engine.runtime.amending import CarriedOut
@@ -332,11 +332,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     def make(node: Any, end: Callable[[int], None]) -> VoiceCommands:
         return VoiceCommands(node)
 
-    try:
-        return leave(run_node("intent_engine", make, sys.argv if arguments is None else arguments, __doc__))
-    except IntentEngineError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    return run_script("intent_engine", make, arguments, __doc__)
 
 
 if __name__ == "__main__":

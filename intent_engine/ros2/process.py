@@ -17,7 +17,7 @@ from typing import Any, Protocol
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
 from intent_engine.execution.robots.ros2_support import import_rclpy
 
-__all__ = ["EXIT_FAULT", "Room", "leave", "run_node"]
+__all__ = ["EXIT_FAULT", "Room", "run_script"]
 
 EXIT_FAULT = 70
 """A fault of ours (EX_SOFTWARE of sysexits.h), as the command line has it."""
@@ -29,8 +29,28 @@ class Room(Protocol):
     def close(self) -> None: ...
 
 
-def run_node(
-    name: str, make: Callable[[Any, Callable[[int], None]], Room], arguments: Sequence[str], about: str | None = None
+def run_script(
+    name: str,
+    make: Callable[[Any, Callable[[int], None]], Room],
+    arguments: Sequence[str] | None = None,
+    about: str | None = None,
+) -> int:
+    """What the script of a node runs; returns the exit code, or ends the process with it. What cannot be run is told on
+    standard error.
+
+    Args:
+        name, make, about: as for :func:`_run_node`.
+        arguments: the whole command line; None: that of this process.
+    """
+    try:
+        return _leave(_run_node(name, make, sys.argv if arguments is None else arguments, about))
+    except IntentEngineError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return error.exit_code
+
+
+def _run_node(
+    name: str, make: Callable[[Any, Callable[[int], None]], Room], arguments: Sequence[str], about: str | None
 ) -> int:
     """Run a node until SIGINT, SIGTERM or its own end; returns the exit code.
 
@@ -119,7 +139,7 @@ def run_node(
     return code
 
 
-def leave(code: int) -> int:
+def _leave(code: int) -> int:
     """The exit code of a process in which everything has been closed; or its end, then and there.
 
     A thread that is still inside a library (a recogniser in the middle of an utterance) and comes back while Python

@@ -27,7 +27,7 @@ from intent_engine.pauses import avoid_pauses
 from intent_engine.resources import find
 from intent_engine.ros2.latched import HearLatched
 from intent_engine.ros2.parameters import Parameters
-from intent_engine.ros2.process import EXIT_FAULT, leave, run_node
+from intent_engine.ros2.process import EXIT_FAULT, run_script
 from intent_engine.ros2.robot_states import in_one_line, state_names
 from intent_engine.runtime.amending import in_a_row
 from intent_engine.runtime.judgement import Judge
@@ -299,11 +299,7 @@ class Speech:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """What the script ``intent-engine-ros2-speech`` runs."""
-    try:
-        return leave(run_node("speech", Speech, sys.argv if arguments is None else arguments, __doc__))
-    except IntentEngineError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return error.exit_code
+    return run_script("speech", Speech, arguments, __doc__)
 
 
 if __name__ == "__main__":

@@ -23,9 +23,10 @@ from intent_engine.runtime.judgement import Judge
 from intent_engine.runtime.last_asked import LastAsked
 from intent_engine.runtime.onset import Onset
 from intent_engine.runtime.parts import check_parts
+from intent_engine.runtime.taking_up import TakingUp
 from intent_engine.runtime.talk_key import TalkKey, same_voice
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Frame, Wakeable
-from intent_engine.speech.endpoint import Endpointer, Outlook, Settings, Signal
+from intent_engine.speech.endpoint import Endpointer, Settings, Signal
 from intent_engine.speech.recognizer import Recognizer
 from intent_engine.speech.reflex import Reflex
 from intent_engine.speech.rnnoise import NoiseFilter, installed_filter
@@ -130,6 +131,17 @@ class Runtime:
             state or tuple,
             over=self._closing.is_set,
         )
+        self._taking_up = TakingUp(
+            self._decoding,
+            self._endpoint,
+            self._expectation,
+            self._continuing,
+            self._acting,
+            self._holding,
+            self._tell,
+            stepped=self._stepped,
+            over=self._closing.is_set,
+        )
         self._noise_filter = installed_filter() if noise_filter == "auto" else noise_filter
         self._on_event = on_event
         self._speculate = speculate
@@ -140,7 +152,6 @@ class Runtime:
         self._onset = Onset(self._endpoint.settings, self._key)
         self._source: AudioSource | None = None
         self._base = 0.0
-        self._waiting: list[SpokenUtterance] = []  # over, and not done yet
 
     # -- controls ----------------------------------------------------------------------------------
 
@@ -201,7 +212,7 @@ class Runtime:
         self._onset.reset()
         self._key.reset()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
-        self._waiting = []
+        self._taking_up.forget()
         utterance: SpokenUtterance | None = None
         finished = False
         frames = source.frames()
@@ -215,18 +226,18 @@ class Runtime:
                     if frame.lost or frame.deaf or (frame.cut and utterance and not self._endpoint.silence):
                         self._gap(frame, utterance)
                         utterance = None
-                    self._collect(frame.time, utterance)  # the endpoint decides by what is known now
+                    self._taking_up.collect(frame.time, utterance)  # the endpoint decides by what is known now
                     if not frame.deaf:
                         self._deaf = False
                         utterance = self._frame(frame, utterance)
                     self._acting.summary.seconds = frame.time
-                self._collect(frame.time, utterance)
+                self._taking_up.collect(frame.time, utterance)
                 if utterance is not None and self._over(self._endpoint.due(), frame.time, utterance):
                     utterance = None
             if not self._closing.is_set():
                 if utterance is not None:
                     self._end(utterance, self._acting.summary.seconds)
-                self._drain()
+                self._taking_up.drain()
             finished = True
         finally:
             unsubscribe()
@@ -272,11 +283,11 @@ class Runtime:
         if self._endpoint.silence == 0 and self._endpoint.speaking:
             utterance.voiced(frame.time)
         if signal is Signal.PAUSED and utterance.glance and self._endpoint.faded_long:
-            self._outdated(utterance, frame.time)
+            self._taking_up.outdated(utterance, frame.time)
         if signal is Signal.FADING and self._speculate:
             self._decoding.look(utterance)
         elif signal is Signal.RESUMED:
-            self._outdated(utterance, frame.time)
+            self._taking_up.outdated(utterance, frame.time)
         elif self._over(signal, frame.time, utterance):
             return None
         elif self._speculate and self._endpoint.silence and utterance.job is None:
@@ -314,7 +325,7 @@ class Runtime:
         if frame.deaf:
             if not self._deaf:
                 self._deaf = True
-                self._waiting.clear()
+                self._taking_up.forget()
                 self._acting.failed(frame.time, "no sound comes, and a robot that nobody can stop must not move")
         elif utterance is not None and self._holding.on:
             self._acting.failed(frame.time, f"{missing} while a stop word was being said")
@@ -323,102 +334,12 @@ class Runtime:
             self._acting.summary.lost += 1
             self._tell(HeardKind.LOST, frame.time, detail=why)
 
-    # -- decoding ----------------------------------------------------------------------------------
-
-    def _outdated(self, utterance: SpokenUtterance, time: float) -> None:
-        """What was decoded is out of date."""
-        self._endpoint.judge(Outlook.UNKNOWN)
-        if self._decoding.forget(utterance):
-            self._tell(HeardKind.OUTDATED, time)
-
     def _end(self, utterance: SpokenUtterance, time: float) -> None:
-        """The utterance is over; what was decoded at its last pause is good enough, if it was."""
+        """The utterance is over."""
         utterance.ended = True
         self._onset.keep(utterance)
         utterance.torn = utterance.torn or same_voice(utterance.passed_over, utterance.frames)
-        if utterance.glance and not utterance.judged:
-            self._outdated(utterance, time)
-        if utterance.job is None:
-            self._decoding.decode(utterance, final=True)
-        self._waiting.append(utterance)
-        self._collect(time, None)
-
-    def _collect(self, time: float, utterance: SpokenUtterance | None) -> None:
-        """Take up decodes that are ready: judge an utterance under way, act on those that ended."""
-        if utterance is not None and not utterance.judged and self._ready(utterance, time):
-            if not utterance.glance and self._goes_on(utterance):
-                self._decoding.decode(utterance, final=utterance.final)
-                return self._collect(time, utterance) if self._stepped else None
-            utterance.judged = True
-            if utterance.result is not None:
-                self._judge(utterance, time)
-        while self._waiting:
-            first = self._waiting[0]
-            if first.job is None:
-                if not self._decoding.free and not self._decoding.hung:
-                    return
-                self._decoding.decode(first, final=True)
-            if not self._ready(first, time):
-                return
-            if first.draft:
-                first.job = None
-                continue
-            if self._goes_on(first):
-                continue
-            self._waiting.pop(0)
-            if first.result is not None:
-                self._acting.carry_out(first, time)
-
-    def _ready(self, utterance: SpokenUtterance, time: float) -> bool:
-        over, failure = self._decoding.outcome(utterance)
-        if failure and not self._closing.is_set():
-            self._acting.failed(time, failure)
-        return over
-
-    def _drain(self) -> None:
-        """The source has ended: wait for the decodes that are under way."""
-        while self._waiting and not self._closing.is_set():
-            first = self._waiting[0]
-            if first.job is None:
-                self._decoding.settle()
-                self._decoding.decode(first, final=True)
-            if first.job is not None:
-                self._decoding.wait(first.job)
-                if self._closing.is_set():
-                    return
-                if not first.job.done():
-                    self._decoding.give_up()
-                    self._acting.failed(self._acting.summary.seconds, "the recogniser did not answer")
-                    self._waiting.pop(0)
-                    continue
-            self._collect(self._acting.summary.seconds, None)
-
-    def _goes_on(self, utterance: SpokenUtterance) -> bool:
-        """Whether what was decoded may belong to the command before; it is to be heard anew then, together with it."""
-        before = self._continuing.heard_with(utterance, self._acting.state(), self._acting.last, held=self._holding.on)
-        if before is not None:
-            utterance.together_with(before)
-        return before is not None
-
-    def _judge(self, utterance: SpokenUtterance, time: float) -> None:
-        """What was decoded tells how long to wait. What a glance saw is only taken if it is clear, and nothing can
-        change it: for all else there is time to hear the last sounds too."""
-        assert utterance.result is not None
-        meaning, outlook = None, Outlook.UNKNOWN
-        if not (utterance.glance and utterance.result.draft):
-            meaning, outlook = self._expectation.outlook(
-                utterance.result, self._acting.state(), self._acting.last, amendable=self._continuing.on
-            )
-        utterance.called = outlook is Outlook.CALLED
-        taken = not utterance.glance or outlook is Outlook.COMPLETE
-        if taken:
-            self._endpoint.judge(outlook, self._expectation.wait(utterance.result, meaning))
-        told: dict[str, Any] = {"transcript": utterance.result, "interpretation": meaning, "outlook": outlook}
-        self._tell(HeardKind.PARTIAL, time, speech_ended=utterance.last_voice, **told)
-        if not taken:
-            utterance.speaks_on()
-            if self._endpoint.silence:
-                self._decoding.decode(utterance, final=False)
+        self._taking_up.ended(utterance, time)
 
     def _tell(self, kind: HeardKind, time: float, /, **details: Any) -> None:
         if self._on_event is None:

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, fields
 from functools import cache
 from typing import Any
 
-from intent_engine.language.grammar import Operators, Wording
+from intent_engine.language.grammar import Operators
 from intent_engine.language.language_files import Keys, language_file
+from intent_engine.language.wording import Wording
 
 __all__ = [
     "KEYS",

@@ -19,6 +19,7 @@ Each rule has its module, and knows only those above it:
 - ``stops``: "stop", wherever it is a command;
 - ``told``: how what was understood is told;
 - ``fillers_or_words``: "right then turn left";
+- ``taken_otherwise``: "t turn left", "would you mind turning left";
 - ``talk``: "left, right?", "turned left";
 - ``interpreter``: the order in which they are asked, and what comes of it.
 

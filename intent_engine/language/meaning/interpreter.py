@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, TypeVar
 from intent_engine.actions import Action, Stop
 from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.asked_for_doing import AskedForDoing
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.clause import Clause, more_telling
 from intent_engine.language.meaning.command import Commands
@@ -28,6 +27,7 @@ from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
+from intent_engine.language.meaning.taken_otherwise import TakenOtherwise
 from intent_engine.language.meaning.talk import Talk
 from intent_engine.language.meaning.told import Understood, as_stop, as_told, as_told_together, which_number
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
@@ -79,7 +79,7 @@ class Interpreter:
         self._otherwise = WrittenOtherwise(self._commands, phrases, self._meant)
         self._fillers = FillersOrWords(phrases, self._commands, self._meant)
         self._numbers = made(NumbersInPieces(phrases, self.matcher))
-        self._asked = AskedForDoing(phrases, self._commands)
+        self._taken_otherwise = TakenOtherwise(phrases, self._commands, self._awake, self._meant)
         self._hesitations = Hesitations(phrases, self._compounds)
         self._run_ons = made(RunOns(phrases, self._commands))
         self._negations = made(Negations(phrases, self._commands, self._compounds, self._corrections))
@@ -168,9 +168,9 @@ class Interpreter:
         meant = self._meant(text, said, state, spoken)
         lettered = Utterance.with_letters(text, self._language)
         if lettered is not None and not meant[0].stops:
-            said, meant = self._by_letters(text, (said, meant), lettered, state, spoken)
+            said, meant = self._taken_otherwise.by_letters(text, (said, meant), lettered, state, spoken)
         if meant[0].status is Status.REJECTED:
-            said, meant = self._as_asked(text, (said, meant), state, spoken)
+            said, meant = self._taken_otherwise.as_asked(text, (said, meant), state, spoken)
         talk = self._talk
         if reason := talk.asks_or_quotes(text, said, meant, spoken=spoken) or talk.tells(said, meant, typed=typed):
             return self._rejected(text, reason)
@@ -178,38 +178,8 @@ class Interpreter:
             return self._fillers.or_either(text, meant, other, state)
         return meant
 
-    def _as_asked(
-        self, text: str, otherwise: tuple[Utterance, Understood], state: Collection[str], spoken: bool
-    ) -> tuple[Utterance, Understood]:
-        """What was said and meant where an order asks for doing something; else as it was, ``otherwise``."""
-        said = otherwise[0]
-        woken = self._awake(said) if self.phrases.wake else said
-        if woken is None and spoken:
-            return otherwise
-        told = self._asked.told(woken or said)
-        found = self._meant(text, told, state) if told is not None else None
-        if told is None or found is None or (found[0].status is Status.REJECTED and found[0].intent is None):
-            return otherwise
-        return told, found
-
     def _said(self, text: str) -> Utterance:
         return self.matcher.as_written(Utterance.of(text, self._language))
-
-    def _by_letters(
-        self,
-        text: str,
-        otherwise: tuple[Utterance, Understood],
-        lettered: Utterance,
-        state: Collection[str],
-        spoken: bool,
-    ) -> tuple[Utterance, Understood]:
-        """What was said and meant where a letter may be a sound said twice, as in "t turn left". It is none where it
-        stands in a sentence, and be it one that is refused for a number: "from rack b bay ninety"."""
-        found = self._meant(text, lettered, state, spoken)
-        tells = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS) or found[0].beyond_limits
-        if found[0].intent is not None and otherwise[1][0].status is Status.REJECTED:
-            tells = True  # "no row is called 'b bay'"
-        return (lettered, found) if tells else otherwise
 
     def _meant(self, text: str, said: Utterance, state: Collection[str], spoken: bool = False) -> Understood:
         words, phrases = said.words, self.phrases

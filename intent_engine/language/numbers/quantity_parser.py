@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from intent_engine.language.numbers import english, english_words, foreign
+from intent_engine.language.numbers import english, english_parts, english_words, foreign
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import FACTORS, LONGEST, Units, units
 
@@ -259,7 +259,7 @@ class QuantityParser:
         if not joined:
             return None
         language = self._language
-        part = english.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
+        part = english_parts.fraction(words, onward) if language == "en" else foreign.fraction(words, onward, language)
         if part is None or not part[0] < 1 or self._unit(words, part[1], kind) is not None:
             return None
         return part
@@ -287,7 +287,7 @@ def _another_word(spoken: tuple[str, ...], before: Sequence[str], after: Sequenc
         return is_numeral(following) or following in _NO_INCH_BEFORE or last in english_words.HALVES
     if spoken == ("turn",):
         number = english.number([last])
-        if "".join(after[:1]) in ("per", "a") or (after and after[0] == "and" and english.fraction(after, 1)):
+        if "".join(after[:1]) in ("per", "a") or (after and after[0] == "and" and english_parts.fraction(after, 1)):
             return False
         return tuple(before) in (("a",), ("an",)) or (number is not None and number > 1 and not is_numeral(last))
     return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 
-from intent_engine.language.numbers import english, english_words, foreign, said
+from intent_engine.language.numbers import english_parts, english_words, foreign, said
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.units import units
 
@@ -71,7 +71,7 @@ def number_words(language: str | None = "en") -> frozenset[str]:
 
 def _spoken(words: Sequence[str], at: int) -> tuple[float, int] | None:
     """The value of a number in English words that begins here, and where it ends."""
-    return english.cardinal(words, at) if words[at] in english_words.SMALL else None
+    return english_parts.cardinal(words, at) if words[at] in english_words.SMALL else None
 
 
 def number_end(words: Sequence[str], at: int) -> int:

@@ -1,0 +1,90 @@
+"""How people of a language put what they want: the words that a grammar file leaves to its language."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["Wording"]
+
+
+@dataclass(frozen=True, slots=True)
+class Wording:
+    """How people of a language put what they want: no operators, but what tells how a sentence with them is meant."""
+
+    greetings: tuple[tuple[str, ...], ...] = ()
+    """What may be dictated though it is nothing but fillers: "say hello"."""
+    thanking: tuple[tuple[str, ...], ...] = ()
+    """What thanks, and makes an answer to somebody of a "no" before it: "no, *thanks*"."""
+    hesitations: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which something may be said anew: "left, uh, right"."""
+    at_first: tuple[tuple[str, ...], ...] = ()
+    """What says nothing behind the first of several commands: "close the door *first*, then start"."""
+    ways_back: tuple[tuple[str, ...], ...] = ()
+    """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
+    asks_for_doing: tuple[tuple[str, ...], ...] = ()
+    """What asks for what a verb says behind it that ends in "-ing": "*would you mind* locking the door","""
+    asks_to_do: tuple[tuple[str, ...], ...] = ()
+    """and what does where the verb follows itself: "*would you be so kind as to* lock the door"."""
+    asked: frozenset[str] = frozenset()
+    """Words of people, behind the verb of a command that is a question as well: "gehen *Sie* in die Küche?"."""
+    requests: frozenset[str] = frozenset()
+    """Verbs with which people ask for something, and whose own verb may stand last: "*kannst* du links abbiegen?"."""
+    agrees: frozenset[str] = frozenset()
+    """Commands that say nothing where a pause and another command follow: "right, go forward"."""
+    agreeing: tuple[tuple[str, ...], ...] = ()
+    """Words that agree, beside which one of those says nothing either ("yeah right"), and which may be an answer or a
+    message: "tell Anna okay"."""
+    compares: frozenset[str] = frozenset()
+    """Words of negations that compare ("in place of"), which join what a sentence has them between."""
+    before_verbs: frozenset[str] = frozenset()
+    """Words between a negation and the verb that it is of: "sans s'arrêter", "ohne zu bremsen"."""
+    verb_follows: frozenset[str] = frozenset()
+    """Words at the end of a filler from which a clause may go on with a verb: "if you *can*" turn left."""
+    adds: frozenset[str] = frozenset()
+    """Words with which a joint begins that leaves what follows in the same clause: "and"."""
+    of_speed: frozenset[str] = frozenset()
+    """Words behind which a percentage is of the speed: "turn left *at* ninety percent"."""
+    negated: tuple[tuple[str, ...], ...] = ()
+    """How a negated command begins in speech, besides the negation itself: "do not"."""
+    forbidding: tuple[tuple[str, ...], ...] = ()
+    """The usual ways of these and of negations, for finding what was probably said."""
+    before_negations: tuple[tuple[str, ...], ...] = ()
+    """What may stand before a negation with which an utterance begins: "*please* don't turn left, turn right"."""
+    behind_verbs: tuple[tuple[str, ...], ...] = ()
+    """Negations that stand behind the first words of a command: "dreh dich *nicht* nach links"."""
+    excludes: frozenset[tuple[str, ...]] = frozenset()
+    """Negations that, behind a whole command, only name what is not meant by a part of it: "turn left, *not* right"."""
+    may_forbid: frozenset[str] = frozenset()
+    """Corrections that forbid what follows in one breath: "*no* turn left", but "no, turn left"."""
+    none_of: frozenset[str] = frozenset()
+    """Those of them that also say that a thing is not wanted: "with milk, *no* sugar"."""
+    alternatives: frozenset[str] = frozenset()
+    """Words before another one of something: "tell Anna *or* Tom"."""
+    leaves_open: frozenset[str] = frozenset()
+    """Words that make another meaning of a command wherever they stand: "*at most* two", "this *or* that"."""
+    ranging: frozenset[str] = frozenset()
+    """Words between two numbers of which any between is meant: "two *to* four"."""
+    affirming: tuple[tuple[str, ...], ...] = ()
+    """Answers that say yes to what is asked back."""
+    declining: tuple[tuple[str, ...], ...] = ()
+    """Answers that say that nothing of it is meant: "no", "neither"."""
+    standing_for: frozenset[str] = frozenset()
+    """Words for one of several things, behind what tells which: "the left *one*"."""
+    several: frozenset[str] = frozenset()
+    """Pronouns for more than one thing: "them"."""
+    denying: frozenset[str] = frozenset()
+    """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
+    forbidden: tuple[tuple[str, ...], ...] = ()
+    """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
+    parted: tuple[str, ...] = ()
+    """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
+    adverbs: tuple[tuple[str, ...], ...] = ()
+    """Words of order that may stand behind the verb of a command: "fahr *dann* in die Küche"."""
+    for_whom: frozenset[str] = frozenset()
+    """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
+    once_more: tuple[tuple[str, ...], ...] = ()
+    """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
+    wishing: tuple[tuple[str, ...], ...] = ()
+    """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
+    wished: tuple[tuple[str, ...], ...] = ()
+    """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
