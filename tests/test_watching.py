@@ -33,6 +33,13 @@ def killed_after(run: subprocess.Popen, seconds: float = 120.0) -> Iterator[None
 BROKEN = "language: en\nintents:\n  wave: {action: custom, sentences: ['wave (at']}\n"
 
 
+def save(file: Path, text: str) -> None:
+    """As editors do: nobody sees it half written."""
+    other = file.with_suffix(".saved")
+    other.write_text(text)
+    other.rename(file)
+
+
 def grammar(generation: int, language: str = "en") -> str:
     """Every sentence of it names its generation, in the action and in a slot."""
     rows = "".join(
@@ -180,9 +187,7 @@ def test_files_are_watched(tmp_path, file):
         while told.get(timeout=30) is not None:
             pass  # a file seen half written
         assert generation(engine) == "g3"
-        other = tmp_path / "saved"
-        other.write_text(grammar(4))
-        other.rename(file)  # as editors save
+        save(file, grammar(4))
         while generation(engine) != "g4":
             told.get(timeout=30)
     watcher.close()
@@ -228,7 +233,7 @@ def test_parse_takes_up_changes(file):
             return json.loads(run.stdout.readline())["actions"][0]["name"]
 
         assert ask() == "g1"
-        file.write_text(BROKEN)
+        save(file, BROKEN)
         lines = [run.stderr.readline() for _ in range(2)]
         assert lines[0].startswith("not reloaded, the old grammar stays in use:")
         assert "'(' is never closed" in lines[1]

@@ -7,7 +7,9 @@ does with that topic: sends the goal to itself, through a client of its own.
 
 With ``slow`` it says so when it is asked for a goal, and takes a while to accept it.
 
-Prints a JSON line for each goal that begins or ends, so that what it did is not hearsay.
+Prints a JSON line for each goal that begins or ends, so that what it did is not hearsay; before it tells that to who
+gave the goal, so that what they know has been printed. Answers each line that it is given with one of its own, so that
+it is known what has been read of it.
 """
 
 from __future__ import annotations
@@ -101,7 +103,13 @@ def begin(handle) -> None:
         handle.execute()
 
 
+def answer() -> None:
+    for line in sys.stdin:
+        say(heard=int(line))
+
+
 def main() -> None:
+    threading.Thread(target=answer, daemon=True).start()
     rclpy.init()
     node = rclpy.create_node("navigation")
     group = ReentrantCallbackGroup()
@@ -114,17 +122,17 @@ def main() -> None:
         end = time.monotonic() + order * 0.01
         while (left := end - time.monotonic()) > 0:
             if handle.is_cancel_requested:
-                handle.canceled()
                 say(goal=uuid, state="canceled", order=order)
+                handle.canceled()
                 return kind.type.Result()
             handle.publish_feedback(kind.feedback(left))
             time.sleep(min(0.005, left))
         if order % 10 == 7:
-            handle.abort()
             say(goal=uuid, state="aborted", order=order)
+            handle.abort()
             return kind.failure()
-        handle.succeed()
         say(goal=uuid, state="succeeded", order=order)
+        handle.succeed()
         return kind.type.Result()
 
     def accept(goal):

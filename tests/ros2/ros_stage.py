@@ -37,7 +37,11 @@ def until(condition: Callable[[], object], what: str = "") -> None:
 
 
 class Peer:
-    """A node in this process: publishes text, and remembers everything that it hears, in order."""
+    """A node in this process: publishes text, and remembers everything that it hears, in order.
+
+    What comes on one topic comes in order; of two topics, either may be late. So a test that has waited for a word on
+    one waits for what another brings, too.
+    """
 
     def __init__(self, stamped: bool | None = False) -> None:
         self.namespace = f"/test{os.getpid()}_{next(_names)}"
@@ -93,6 +97,7 @@ class Peer:
             return bool(self.heard_texts())
 
         until(heard, "the node hears and is heard")
+        self._hear_all()
         self._clear()
 
     def say(self, text: str) -> None:
@@ -112,6 +117,27 @@ class Peer:
     def standing(self) -> bool:
         return bool(self.twists) and not any(self.twists[-1])
 
+    def moved(self) -> list[tuple[float, float]]:
+        """The velocities that were no zero."""
+        return [twist for twist in list(self.twists) if any(twist)]
+
+    def come_to_rest(self) -> bool:
+        """Whether it has moved, and stands."""
+        return bool(self.moved()) and self.standing()
+
+    def silence(self, seconds: float = 0.3) -> None:
+        """Wait until no velocity comes any more: what is written from two processes has been heard from both. A robot
+        that is driven on is never silent."""
+        heard, since = len(self.twists), time.monotonic()
+
+        def over() -> bool:
+            nonlocal heard, since
+            if len(self.twists) != heard:
+                heard, since = len(self.twists), time.monotonic()
+            return time.monotonic() - since >= seconds
+
+        until(over, "no velocity comes any more")
+
     def goals(self, state: str) -> list[dict]:
         return [each for each in list(self.status) if each["event"] == "goal" and each["state"] == state]
 
@@ -119,14 +145,24 @@ class Peer:
         return [e["interpretation"]["text"] for e in list(self.status) if e["event"] == "interpretation"]
 
     def forget(self) -> None:
-        """Stop the robot, wait for silence, and begin with empty lists."""
+        """Stop the robot, wait until all of that was told, and begin with empty lists."""
+        self.twists.clear()
         self.say("stop")
-        until(lambda: "stop" in self.heard_texts())
+        self._hear_all()
+        stops = self.heard_texts().count("stop")
+        until(lambda: sum(goal["action"]["type"] == "stop" for goal in self.goals("succeeded")) >= stops)
+        until(lambda: sum(json.loads(command)["text"] == "stop" for command in list(self.commands)) >= stops)
+        until(self.standing)
         self._clear()
+
+    def _hear_all(self) -> None:
+        """Wait until every text that was said has been heard."""
+        self.say("what lovely weather it is")  # what was said before it comes before it
+        until(lambda: "what lovely weather it is" in self.heard_texts())
 
     def _clear(self) -> None:
         """Wait for silence, and begin with empty lists."""
-        time.sleep(0.25)
+        self.silence(0.25)
         for each in (self.twists, self.frames, self.commands, self.status):
             each.clear()
 
@@ -193,18 +229,33 @@ class Server:
     def __init__(self, namespace: str, *words: str) -> None:
         program = [sys.executable, str(HERE / "navigation_server.py"), *words]
         self.process = subprocess.Popen(
-            [*program, "--ros-args", "-r", f"__ns:={namespace}"], stdout=subprocess.PIPE, text=True
+            [*program, "--ros-args", "-r", f"__ns:={namespace}"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            bufsize=1,
         )
         self.said: list[dict] = []
+        self._heard = 0
         self.thread = threading.Thread(target=self._read, daemon=True)
         self.thread.start()
 
     def _read(self) -> None:
         for line in self.process.stdout:
             try:
-                self.said.append(json.loads(line))
+                said = json.loads(line)
             except ValueError:
-                self.said.append({"garbled": line})
+                said = {"garbled": line}
+            if "heard" in said:
+                self._heard = said["heard"]
+            else:
+                self.said.append(said)
+
+    def told(self) -> None:
+        """Wait until all that it has said by now has been read: what it did is known from the middleware first."""
+        number = self._heard + 1
+        self.process.stdin.write(f"{number}\n")
+        until(lambda: self._heard == number, "the server answers")
 
     def count(self, *states: str) -> int:
         return sum(each.get("state") in states for each in list(self.said))
@@ -229,6 +280,7 @@ class Server:
     def end(self) -> None:
         self.process.kill()
         self.process.wait()
+        self.process.stdin.close()
         self.thread.join(5.0)
 
 

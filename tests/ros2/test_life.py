@@ -26,10 +26,9 @@ def driving(peer, **parameters):
 
 
 def stays_still(peer) -> bool:
-    """Whether nothing but zero comes after the first zero, and the node's processes have had time to say otherwise."""
-    time.sleep(0.5)
-    zeros = len(peer.twists) - next(i for i, twist in enumerate(reversed(peer.twists)) if any(twist))
-    return not any(any(twist) for twist in peer.twists[zeros:]) and peer.standing()
+    """Whether it stands when no velocity comes any more, and the node's processes have had time to say otherwise."""
+    peer.silence(0.5)
+    return peer.come_to_rest()
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
@@ -148,9 +147,14 @@ def test_simulated_time(peer):
         until(lambda: clock.get_subscription_count() and peer.text.get_subscription_count())
         peer.meet(velocities=1)
         assert node.children() == []
-        for _ in range(10):
-            tick(0.01)
+
+        def knows_the_time() -> bool:
+            tick(0.0)
+            peer.say("what lovely weather")
             time.sleep(0.02)
+            return any(each["time"] >= now[0] for each in list(peer.status))
+
+        until(knows_the_time, "the node hears the simulator")
         peer.say("go forward one meter")  # 2 s
         until(peer.moving)
         time.sleep(0.5)
@@ -235,8 +239,9 @@ def test_names_can_be_remapped_and_commands_have_the_form_of_the_tutorials(peer)
         peer.say("turn left")
         until(lambda: (0.0, 0.5) in peer.twists)
         until(lambda: peer.goals("succeeded"))
+        until(lambda: len(peer.commands) == 2)
         assert peer.commands == ["navigate:go to the kitchen", "turn:turn left"]
-        assert "ears" in peer.node.get_node_names()
+        until(lambda: "ears" in peer.node.get_node_names())
         assert node.end() == 0
     assert "/base/cmd" in node.output
 
@@ -301,14 +306,16 @@ def test_a_robot_file_and_a_journal(peer, tmp_path):
     path = tmp_path / "journal.jsonl"
     with NodeProcess(peer, robot="turtlebot3", journal=path, max_angular=0.25):
         peer.meet()
-        peer.say("go forward ten centimeters")
+        peer.say("go forward one meter")
         until(lambda: peer.goals("succeeded"))
+        until(peer.come_to_rest)
         assert max(twist[0] for twist in peer.twists) <= 0.22
         peer.say("turn left ten degrees")
         until(lambda: len(peer.goals("succeeded")) == 2)
+        until(lambda: peer.moved()[-1][1] and peer.standing())
         assert max(twist[1] for twist in peer.twists) <= 0.25
     lines = [json.loads(line) for line in path.read_text().splitlines()]
-    assert any(line.get("text") == "go forward ten centimeters" for line in lines)
+    assert any(line.get("text") == "go forward one meter" for line in lines)
 
 
 def test_actions_of_others_are_handed_over_when_their_turn_comes(peer, tmp_path):

@@ -13,6 +13,7 @@ pytestmark = [pytest.mark.ros2, pytest.mark.slow]
 MAP = """
 locations:
   near: {x: 50.0, y: 2.0, yaw: 1.5707963}
+  dock: {x: 200.0, y: 0.0, yaw: 0.0}
   far: {x: 3000.0, y: 0.0, yaw: 0.0}
   nowhere: {x: 27.0, y: 0.0, yaw: 0.0}
 """
@@ -53,6 +54,7 @@ def stage(with_nav2, tmp_path_factory):
             until(lambda: peer.goals("succeeded") or peer.goals("aborted"), "the first goal ends")
             if peer.goals("succeeded"):
                 break
+        server.told()
         server.said.clear()
         yield peer, server, node
         server.end()
@@ -65,6 +67,7 @@ def test_a_goal_arrives_whole_and_its_progress_comes_back(stage):
     peer.forget()
     peer.say("go to near")
     until(lambda: peer.goals("succeeded"))
+    server.told()
     (driven,) = [each for each in server.said if each.get("state") == "driving"]
     assert (driven["frame"], driven["at"]) == ("map", [50.0, 2.0])
     assert driven["facing"] == pytest.approx([math.sin(math.pi / 4), math.cos(math.pi / 4)])
@@ -87,9 +90,13 @@ def test_stop_text_ends_it(stage):
     from ros_stage import until
 
     peer, server, _ = stage
+    peer.forget()
     for _ in range(10):
-        peer.forget()
+        peer.say("go to near")  # when it is there nothing is being ended any more that the next would wait for
+        until(lambda: any(goal["action"].get("location") == "near" for goal in peer.goals("succeeded")))
+        server.told()
         server.said.clear()
+        peer.status.clear()
         peer.say("go to far")
         peer.say("stop")
         until(lambda: peer.goals("canceled"))
@@ -102,8 +109,9 @@ def test_a_hold_ends_it_and_a_release_gives_it_again(stage):
 
     peer, server, _ = stage
     peer.forget()
+    server.told()
     server.said.clear()
-    peer.say("go to near")
+    peer.say("go to the dock")
     until(lambda: server.count("driving") == 1)
     peer.hold.publish(Bool(data=True))
     until(lambda: server.count("canceled") == 1)

@@ -35,11 +35,11 @@ def until(condition, what=""):
 def test_text_drives(talk, engine):
     talk.say("go forward half a meter")
     until(lambda: talk.goals("succeeded"))
-    until(talk.standing)
-    driven = [twist for twist in talk.twists if any(twist)]
-    assert set(driven) == {(0.5, 0.0)}
-    assert len(driven) >= 10  # 1 s at 20 Hz, on a machine that has other things to do
+    until(talk.come_to_rest)
     until(lambda: talk.twists[-3:] == [(0.0, 0.0)] * 3)
+    assert set(talk.moved()) == {(0.5, 0.0)}
+    assert len(talk.moved()) >= 10  # 1 s at 20 Hz, on a machine that has other things to do
+    until(lambda: talk.commands)
     (command,) = talk.commands
     assert json.loads(command) == engine.parse("go forward half a meter").to_json()
 
@@ -47,7 +47,8 @@ def test_text_drives(talk, engine):
 def test_a_turn_to_the_right_is_negative(talk):
     talk.say("turn right ten degrees")
     until(lambda: talk.goals("succeeded"))
-    assert {twist for twist in talk.twists if any(twist)} == {(0.0, -0.5)}
+    until(talk.come_to_rest)
+    assert set(talk.moved()) == {(0.0, -0.5)}
 
 
 def test_what_waits_its_turn_and_is_denied_stops_the_robot(talk):
@@ -65,10 +66,9 @@ def test_stop_text_stops_and_nothing_follows(talk):
     until(talk.moving)
     talk.say("stop")
     until(talk.standing)
-    first_zero = talk.twists.index((0.0, 0.0))
-    time.sleep(0.3)
-    assert not any(any(twist) for twist in talk.twists[first_zero:])
-    until(lambda: talk.goals("canceled"))
+    until(lambda: talk.goals("canceled"))  # now its velocity process has been halted, too
+    talk.silence()
+    assert talk.standing()
     assert [goal["reason"] for goal in talk.goals("canceled")] == ["stop"]
 
 
@@ -96,6 +96,7 @@ def test_what_was_said_right_after_a_motion_puts_it_right(talk):
     until(talk.moving)
     talk.amend("turn left ninety degrees no sixty degrees")
     until(lambda: talk.goals("succeeded"))
+    until(lambda: len(talk.commands) == 2)
     assert [goal["reason"] for goal in talk.goals("canceled")] == ["preempted"]
     assert talk.goals("succeeded")[0]["action"]["angle"] == pytest.approx(math.radians(60), abs=1e-3)
     assert json.loads(talk.commands[-1])["text"] == "turn left ninety degrees no sixty degrees"
@@ -104,7 +105,7 @@ def test_what_was_said_right_after_a_motion_puts_it_right(talk):
 def test_an_unfinished_sentence_is_answered_by_the_next_text(talk):
     talk.say("go forward by")
     talk.say("half a meter")
-    until(lambda: talk.goals("succeeded"))
+    until(lambda: talk.goals("succeeded") and talk.commands)
     assert json.loads(talk.commands[-1])["text"] == "go forward by, half a meter"
 
 
@@ -121,7 +122,7 @@ def test_again_does_what_was_done_last(talk):
     talk.say("turn left ten degrees")
     until(lambda: talk.goals("succeeded"))
     talk.say("do that again")
-    until(lambda: len(talk.goals("succeeded")) == 2)
+    until(lambda: len(talk.goals("succeeded")) == len(talk.commands) == 2)
     first, second = (goal["action"] for goal in talk.goals("succeeded"))
     assert first == second
     assert json.loads(talk.commands[-1])["actions"] == [first]
@@ -153,6 +154,7 @@ def test_after_a_stop_nothing_is_done_again(talk, stop):
     talk.say(stop) if stop else talk.halt()
     until(lambda: talk.goals("canceled"))
     until(talk.standing)
+    talk.silence()
     talk.twists.clear()
     talk.say("again")
     until(lambda: "again" in talk.heard_texts())
@@ -174,7 +176,8 @@ def test_what_is_for_later_waits_its_turn(talk, way, then):
     getattr(talk, way)(then)
     until(lambda: len(talk.goals("succeeded")) == 2)
     assert not talk.goals("canceled")
-    assert list(dict.fromkeys(twist for twist in talk.twists if any(twist))) == [(0.0, 0.5), (0.5, 0.0)]
+    until(lambda: (0.5, 0.0) in talk.twists and talk.standing())
+    assert list(dict.fromkeys(talk.moved())) == [(0.0, 0.5), (0.5, 0.0)]
 
 
 def test_what_is_meant_instead_is_done_after_the_no_has_stopped_it(talk):
@@ -205,6 +208,7 @@ def test_what_goes_on_and_means_the_same_is_not_done_twice(talk):
     until(lambda: talk.goals("succeeded") and "turn left twenty degrees please" in talk.heard_texts())
     reason = [e["interpretation"]["reason"] for e in talk.status if e["event"] == "interpretation"][-1]
     assert "means the same" in reason
+    until(lambda: talk.commands)
     assert len(talk.goals("succeeded")) == len(talk.commands) == 1
 
 
@@ -220,14 +224,15 @@ def test_a_stop_after_a_motion_stops_it(talk):
 def test_several_commands_in_one_sentence(talk):
     talk.say("go forward ten centimeters then turn left ten degrees")
     until(lambda: len(talk.goals("succeeded")) == 2)
-    moved = [twist for twist in talk.twists if any(twist)]
-    assert list(dict.fromkeys(moved)) == [(0.5, 0.0), (0.0, 0.5)]
+    until(lambda: (0.0, 0.5) in talk.twists and talk.standing())
+    assert list(dict.fromkeys(talk.moved())) == [(0.5, 0.0), (0.0, 0.5)]
 
 
 def test_faster_than_allowed_is_driven_at_the_limit_and_said(talk):
     talk.say("go forward 10 centimeters at 2 meters per second")
     until(lambda: talk.goals("succeeded"))
-    assert {twist for twist in talk.twists if any(twist)} == {(0.5, 0.0)}
+    until(talk.come_to_rest)
+    assert set(talk.moved()) == {(0.5, 0.0)}
     assert "cut from 2 to 0.5 m/s" in talk.goals("succeeded")[0]["detail"]
 
 
@@ -235,11 +240,12 @@ def test_what_is_driven_is_driven_slower_and_just_as_far(talk):
     talk.say("go forward half a meter")
     until(talk.moving)
     talk.say("slow down")
-    until(lambda: len(talk.goals("succeeded")) == 2)
+    until(lambda: len(talk.goals("succeeded")) == len(talk.commands) == 2)
     change, motion = talk.goals("succeeded")
     assert change["detail"] == "from 0.5 to 0.25 m/s"
     assert (motion["action"]["linear_velocity"], motion["action"]["distance"]) == (0.25, 0.5)
-    assert {twist for twist in talk.twists if any(twist)} == {(0.5, 0.0), (0.25, 0.0)}
+    until(lambda: (0.25, 0.0) in talk.twists and talk.standing())
+    assert set(talk.moved()) == {(0.5, 0.0), (0.25, 0.0)}
     assert json.loads(talk.commands[-1])["actions"] == [{"type": "change_speed", "factor": 0.5}]
 
 
@@ -304,5 +310,5 @@ def test_a_flood_of_commands_ends_where_the_last_one_says(talk):
     talk.say("stop")
     until(lambda: "stop" in talk.heard_texts())
     until(talk.standing)
-    time.sleep(0.3)
+    talk.silence()
     assert talk.standing()

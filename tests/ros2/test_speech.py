@@ -80,9 +80,11 @@ def test_what_is_said_right_after_a_motion_puts_it_right(peer, paused):
     listen(peer, "amended_text", amended)
     with NodeProcess(peer) as node:
         peer.meet()
+        until(lambda: "what lovely weather it is" in texts)  # what the peer says last, and hears itself
         texts.clear()
         with NodeProcess(peer, module="intent_engine.ros2.speech", file=paused) as speech:
             until(lambda: turned(math.radians(90)), "the robot turns by ninety degrees")
+            until(lambda: texts and amended, "what was said right after comes as one text with it")
             assert node.process.poll() is None
             assert speech.end() == 0
     assert [text.lower().rstrip(".") for text in texts] == ["turn left"]
