@@ -94,6 +94,11 @@ class Interpretation:
     """What an answer is understood by, if it is given as ``last`` with the next utterance; None: nothing is asked, and
     after JSON."""
 
+    goes_on: bool = field(default=False, compare=False, repr=False)
+    """Whether it only goes on with what was given as ``last``: "and Ben", after "wave to Anna". Its ``text`` is the
+    whole sentence; its actions are those that were added, and wait their turn: :meth:`Executor.submit` takes them with
+    the policy ``follow``. False after JSON."""
+
     def guards(self, state: Callable[[], Collection[str]]) -> tuple[Callable[[], str] | None, ...]:
         """What asks again, for each of the actions, whether the robot is in the states that its intent asks for: for
         :meth:`Executor.submit`. What waits its turn may have been understood long before it begins.

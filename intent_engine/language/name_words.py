@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers import english_ordinals, english_parts, english_words
+from intent_engine.language.thing_words import thing_words
 
 __all__ = [
     "OWNERS", "compared_as_written", "heard_otherwise", "is_identifier", "name_words", "owner", "raw_words",
@@ -23,8 +24,6 @@ __all__ = [
 ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
 """Dropped before a name if the name is not known with it. "the" carries nothing and is dropped
 everywhere but at the end, where what it belongs to was not said."""
-PLURALS = (("ies", "y"), ("ves", "f"), ("ves", "fe"), ("es", ""), ("s", ""))
-"""How more of a thing end, and one of it."""
 OWNERS = {"my": "us", "our": "us", "your": "you"}
 """Those of them that say whose it is: "your nose" is no "my nose", though either is a "nose". "Our office" may be "my
 office"."""
@@ -34,6 +33,8 @@ ORDINALS = frozenset((
     "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth",
     "twentieth", "thirtieth", "fortieth", "fiftieth", "sixtieth", "seventieth", "eightieth", "ninetieth",
 ))  # fmt: skip
+PLURALS = thing_words("en").plurals
+"""How more of a thing end in English, and one of it."""
 _SPECIAL = NUMBER_WORDS | ORDINALS | frozenset(("the", "number", "nr", "point"))
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*(?: (?:0|[1-9][0-9]*))?")
 _ABBREVIATED = re.compile(r"\b(?:no|nr)\s*\.\s*(?=\d)|#\s*(?=\d)", re.IGNORECASE)
@@ -199,11 +200,16 @@ def heard_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
             yield name_words([ALIKES[word] if place in chosen else word for place, word in enumerate(words)])
 
 
-def singular(words: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-    """The same words with the last as one of what it names, by how English makes more of it: "boxes", "batteries",
-    "knives". Some of them are none."""
+def singular(words: tuple[str, ...], endings: Sequence[tuple[str, str]] = PLURALS) -> Iterator[tuple[str, ...]]:
+    """The same words with the last as one of what it names, by how a language makes more of it: "boxes", "batteries",
+    "knives". Some of them are none.
+
+    Args:
+        words: a name.
+        endings: of more of a thing, and of one of it.
+    """
     *before, last = words
-    for ending, one in PLURALS:
+    for ending, one in endings:
         stem = last.removesuffix(ending)
-        if stem != last and len(stem) > 1:
+        if (stem != last or not ending) and len(stem) > 1:
             yield (*before, stem + one)

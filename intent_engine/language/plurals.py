@@ -13,6 +13,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.name_words import singular
 from intent_engine.language.reading import Reading
 from intent_engine.language.spellings import own_words
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
 
@@ -23,7 +24,7 @@ LEAST_LETTERS = 3
 
 
 class Plurals:
-    """Words of a grammar by how many they name. Only in English. Thread-safe: at worst it is looked up twice.
+    """Words of a grammar by how many they name. Thread-safe: at worst it is looked up twice.
 
     Args:
         grammar: whose words.
@@ -36,7 +37,8 @@ class Plurals:
         self._first_words = first_words
 
     def otherwise(self, said: Utterance, *, known: bool = False) -> Utterance | None:
-        """The same utterance with the words that the grammar has for one or more of the same; None: it is the same.
+        """The same utterance with the words that the grammar has for one or more of the same; None: it is the same, or
+        no English.
 
         A word that the grammar does not have changes: one beside a number into one or into more, and one anywhere into
         one of what a list names.
@@ -58,6 +60,17 @@ class Plurals:
                 words[place] = next(iter(self._more.get(word, ())), word)
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
+    def one_of_each(self, said: Utterance) -> Utterance | None:
+        """The same utterance with every strange word for more of something as the word of the grammar for one: "the
+        *lamps* in the kitchen and the hall". Only where commands come of it that do it for each of several."""
+        words = [self._one_of(word) if self._is_strange(word) else word for word in said.words]
+        return Utterance(words, list(said.breaks)) if words != said.words else None
+
+    def _one_of(self, word: str) -> str:
+        endings = thing_words(self._grammar.language).plurals
+        ones = (one for (one,) in singular((word,), endings) if one in self._words and len(one) >= LEAST_LETTERS)
+        return next((one for one in ones if one not in self._first_words()), word)
+
     def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:
         """Whether a name in free words would not be what was said: of "boxes" there are more than of "box"."""
         changed = set(other.words).difference(said.words)
@@ -69,7 +82,8 @@ class Plurals:
         )
 
     def _is_strange(self, word: str) -> bool:
-        known = word in self._words or word in self._grammar.operators.closed or is_number(word, "en")
+        known = word in self._words or word in self._grammar.operators.closed
+        known = known or is_number(word, self._grammar.language)
         return word.isalpha() and len(word) >= LEAST_LETTERS and not known
 
     def _ways(self, word: str, *, counted: bool) -> Iterator[str]:

@@ -107,6 +107,10 @@ class SentenceNetworks:
             node = sentence.template
             self._networks.add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
 
+    def template_of(self, index: int) -> Node:
+        """The template of a sentence, as its file has it."""
+        return self._sentences[index].template
+
     def add_polite(self, fillers: Sequence[tuple[str, ...]], sounds: Sequence[tuple[str, ...]]) -> bool:
         """The sentences with what stands behind their first words in other languages than English: "fahr bitte in die
         Küche", "fahr nicht in die Küche"; False, if nothing does."""

@@ -16,6 +16,7 @@ __all__ = [
     "Word",
     "WordClass",
     "first_words",
+    "last_references",
     "most_words",
     "references",
     "template_text",
@@ -80,6 +81,23 @@ def references(node: Node) -> Iterator[Reference]:
             waiting.extend(node.items[::-1])
         elif isinstance(node, Optional):
             waiting.append(node.item)
+
+
+def last_references(node: Node) -> Iterator[Reference]:
+    """The phrases and slots with which a template may end."""
+    match node:
+        case Reference():
+            yield node
+        case Optional(item):
+            yield from last_references(item)
+        case Choice(items) | AnyOrder(items):
+            for item in items:
+                yield from last_references(item)
+        case Sequence(items):
+            for item in reversed(items):
+                yield from last_references(item)
+                if not isinstance(item, Optional):
+                    return
 
 
 def most_words(node: Node, named: Callable[[Reference], int] = lambda _: 1) -> int:

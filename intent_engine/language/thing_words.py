@@ -89,6 +89,10 @@ class ThingWords:
     """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()
     """Endings of words that say how something is done."""
+    scales: frozenset[str] = frozenset()
+    """Before a number they say how much there is of one thing, and name none: "level 3"."""
+    plurals: tuple[tuple[str, str], ...] = ()
+    """How more of a thing end, and one of it: "batteries", "battery"."""
     sayings: tuple[str, ...] = ()
     """What is said of an "it" that is no thing."""
     contracted: Mapping[str, tuple[str, str]] = field(default_factory=dict)
@@ -127,8 +131,17 @@ def thing_words(language: str) -> ThingWords:
     sayings, examples = tuple(data.pop("sayings", ())), tuple(data.pop("examples", ()))
     contracted = {one: (first, second) for one, (first, second) in data.pop("contracted", {}).items()}
     titles = data.pop("titles", {})
+    plurals = tuple((more, one) for more, _, one in (pair.partition("/") for pair in data.pop("plurals", "").split()))
     words = {key: frozenset(text.split()) for key, text in data.items()}
-    return ThingWords(**words, solid=solid, sayings=sayings, contracted=contracted, titles=titles, examples=examples)
+    return ThingWords(
+        **words,
+        solid=solid,
+        plurals=plurals,
+        sayings=sayings,
+        contracted=contracted,
+        titles=titles,
+        examples=examples,
+    )
 
 
 @cache

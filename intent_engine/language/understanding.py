@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Generic, Protocol, TypeVar
 
 from intent_engine.actions import Action, actions_of
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.answers import Answers, answered
+from intent_engine.language.going_on import goes_on_from
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.references import Before, resolve
+from intent_engine.language.utterance import Utterance
 from intent_engine.needs import MOVING, Needs
 
 __all__ = ["Parses", "Understanding"]
@@ -92,6 +96,8 @@ class Understanding(Generic[_Parser]):
         if by_part:  # "not the kitchen"
             found = replace(found, denied=by_part)
         does = found.actions or by_part
+        if done and not does and (more := self._going_on(text, done)) is not None:
+            return more
         if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if before is not None or len(found.actions) > 1 or found.corrected:
@@ -103,6 +109,20 @@ class Understanding(Generic[_Parser]):
         if found.question is not None and before:
             found = replace(found, question=replace(found.question, before=before, needs=self._needs, said_before=done))
         return found, parser
+
+    def _going_on(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
+        """What a text that is typed adds to what was done before, and the parser that says so; None: nothing. What is
+        spoken has its time, which is not known here: "and Ben", a minute later, is talk."""
+        asks = isinstance(self._last, Interpretation) and self._last.question is not None
+        if self._by_voice or asks or not self._before:
+            return None
+        for parser in self._parsers:
+            grammar = parser.matcher.grammar
+            if PhraseSet(grammar.operators.sequence).at(Utterance.of(text, grammar.language).words, 0):
+                meaning = partial(parser.interpret, state=self._state)
+                if (more := goes_on_from(text, done, self._before, meaning)) is not None:
+                    return more, parser
+        return None
 
     def _first_accepted(self, text: str) -> tuple[Interpretation, _Parser]:
         """The interpretation of the first language that accepts a text; else the one that says most about it."""

@@ -8,7 +8,8 @@ from intent_engine.language.automaton import SOUND
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
-from intent_engine.language.sentence_networks import SentenceNetworks
+from intent_engine.language.sentence_networks import SentenceNetworks, call_of
+from intent_engine.language.template_tree import last_references
 from intent_engine.language.thing_words import thing_words
 
 __all__ = ["UtteranceNetwork"]
@@ -73,7 +74,8 @@ class UtteranceNetwork:
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         called = self._read_as if stop_anywhere else self._said_as()
         for index, intent in self._whole.items():
-            middle.edges.append(Edge(ends.get(intent, end), call=Call(called(index))))
+            after = ends.get(intent, end)
+            middle.edges.append(Edge(self._listed(index, after), call=Call(called(index))))
         for key in self._patterns.networks:
             middle.edges.append(Edge(end, call=Call(key)))
         if stop_anywhere:
@@ -90,6 +92,20 @@ class UtteranceNetwork:
             for index in later:
                 between.edges.append(Edge(ends[name], call=Call(called(index))))
         return begin
+
+    def _listed(self, index: int, after: State) -> State:
+        """Where a sentence ends whose last word is a number that may be one of several: "drawer three *and four*"; else
+        the place ``after`` any sentence of its intent."""
+        numbers = {slot.name: slot for slot in self._grammar.slots.values() if slot.type == "number" and not slot.units}
+        template = self._sentences.template_of(index)
+        last = {one.name for one in last_references(template)} & numbers.keys() if numbers else set[str]()
+        if not last:
+            return after
+        here, between = State(), State()
+        here.edges.append(Edge(after))
+        here.edges.append(Edge(between, call=Call("sequence", apart=True)))
+        between.edges.extend(Edge(here, call=call_of(numbers[name], name)) for name in sorted(last))
+        return here
 
     def _read_as(self, index: int) -> str:
         """The network of a sentence as it is understood."""

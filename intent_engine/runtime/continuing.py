@@ -42,6 +42,7 @@ ONE_BREATH = 0.45
 """s from the last frame of one command to the onset of the next, within which both are said in one breath: what other
 commands wait for those that could go on, and two frames for the onset."""
 _AFTER_NOTHING = "what was said before it was not understood, and may come first; say both again"
+_BESIDES_OR_INSTEAD = "{!r} may be said besides what was said before, or in its place; say 'and' or 'no' before it"
 _TOO_LATE = "it belongs to {!r}, which is being done and cannot be changed; say the whole command again"
 _WITHDRAWN = "the command before it is taken back, and what is meant instead was not understood; say it again"
 
@@ -196,6 +197,8 @@ class Continuing:
                 meaning = replace(refused, reason=_WITHDRAWN)
             elif too_late:
                 meaning = replace(meaning, reason=_TOO_LATE.format(said.command.meaning.text))
+            elif self._follow_up.besides_or_instead(said.command.meaning, alone, state, said.last):
+                meaning = replace(meaning, reason=_BESIDES_OR_INSTEAD.format(alone.free_text))
         return Understood(alone, meaning, self._by_itself(said, utterance, alone, meaning, state), withdrawn)
 
     def _still_stopping(

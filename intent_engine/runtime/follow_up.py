@@ -10,6 +10,7 @@ from collections.abc import Collection
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.going_on import is_a_list
 from intent_engine.language.numbers.alike import alike
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.references import Before
@@ -79,6 +80,18 @@ class FollowUp:
             return None
         meaning = self.text(f"{before} {transcript.text}", transcript, state)
         return meaning if meaning.status is Status.ACCEPTED else None
+
+    def besides_or_instead(
+        self, done: Interpretation, transcript: Transcript, state: Collection[str], last: Before | None = None
+    ) -> bool:
+        """Whether its words are no more than what a command before could name, too: "the bedroom", after "go to the
+        kitchen". Nothing tells whether both are meant."""
+        sequence = grammar_of(self._engine, transcript).operators.sequence
+        words = self._words(transcript)
+        if transcript.score < CLEARLY or not sequence or not words:
+            return False
+        whole = self.text(" ".join((done.text, *sequence[0], *words)), transcript, state, last)
+        return is_a_list(whole, len(done.actions) - 1)
 
     def comes_after(self, transcript: Transcript) -> bool:
         """Whether it begins with "and then", or the like."""

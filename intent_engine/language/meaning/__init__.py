@@ -12,6 +12,7 @@ Each rule has its module, and knows only those above it:
 - ``dictation``: "write down ...", and then anything;
 - ``correction_places``: where what corrects may stand;
 - ``correction``: "turn left no right";
+- ``listed_numbers``: "unlock drawer 3 and 4";
 - ``compound``: "go forward and turn left";
 - ``cancelled``: "turn left, never mind, go back";
 - ``run_on``: "go forward turn left";

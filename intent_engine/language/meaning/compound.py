@@ -14,6 +14,7 @@ from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.doing import verbs
+from intent_engine.language.meaning.listed_numbers import ListedNumbers
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.numbers.units import units
@@ -41,6 +42,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
+        self._lists = ListedNumbers(phrases, commands)
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
         known = thing_words(commands.matcher.grammar.language)
@@ -101,6 +103,15 @@ class Compounds:
                 if self._corrections.leans(part, state, first=start == begin):
                     continue
                 clause = self._one(part, state, before, exactly)
+                several: list[Clause] = []
+                if not (clause is not None and clause.accepted) and end > start + 1:
+                    several = self._lists.each(core.part(start, end), state, before) or []
+                    if several and not several[0].accepted:
+                        found = several
+                        break
+                    if depth + len(several) > MAX_PARTS + 1:
+                        continue
+                    clause = several.pop() if several else clause
                 if start == begin and end < len(words) and not (clause is not None and clause.accepted):
                     clause = self._at_first_of_all(part, state, exactly)
                 if clause is None or not clause.accepted:
@@ -111,13 +122,13 @@ class Compounds:
                     found = [clause] if not listed else None
                 elif self._phrases.only_stops(words, after) and not listed and not self._names_what(words[after:]):
                     found = [self._at_rest(clause, words[after:])]  # "... and stop"
-                elif depth < MAX_PARTS:
+                elif (done := depth + len(several)) < MAX_PARTS:
                     name = self._goes_on_from(clause)
                     onward = None
                     if after > end or (name and self._commands.may_go_on(words[after:], name)):
-                        onward = rest(after, depth + 1, name, after > end)
+                        onward = rest(after, done + 1, name, after > end)
                     if onward is None and after == end:
-                        onward = rest(after, depth + 1, "")
+                        onward = rest(after, done + 1, "")
                     if onward is not None and not self._parts_numbers(words, end, after, clause, onward[0]):
                         onward = None
                     if onward is not None:
@@ -125,7 +136,7 @@ class Compounds:
                     later = onward is not None and _goes_on(onward[0])
                     if onward is not None and not later and not self._phrases.says_later(words[end:after]):
                         onward = self._unless_for_both(clause, onward)
-                    if onward is not None and onward[0].ambiguous:
+                    if onward is not None and not onward[0].accepted:
                         found = onward
                     elif onward is not None and (_of_one_kind(clause, onward[0]) if later else not listed):
                         found = [clause, *onward]
@@ -133,6 +144,7 @@ class Compounds:
                         if stops and not self._ends_another(words[after:]):
                             found = [self._at_rest(clause, words[after:])]  # "... and wait there"
                 if found is not None:
+                    found = [*several, *found] if found[0].accepted else found
                     break
             tried[start, before, joined] = found
             return found

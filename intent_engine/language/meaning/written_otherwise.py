@@ -10,6 +10,7 @@ from intent_engine.interpretation import Status
 from intent_engine.language.called_by_number import is_called_so, without_number
 from intent_engine.language.every_unit import every_one, is_every_one
 from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.going_on import is_a_list
 from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
@@ -154,7 +155,17 @@ class WrittenOtherwise:
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
                 return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
-        return None
+        return self._for_each(text, core, state)
+
+    def _for_each(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Switch on the lamps in the kitchen and the hall" of a grammar that has "the lamp": one command for each."""
+        if not self._phrases.sequence.may_stand_in(core.words):
+            return None
+        other = self._plurals.one_of_each(core)
+        found = self._understood_as(text, core, other, state)
+        if found is None or other is None or not is_a_list(found[0]):
+            return None
+        return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
 
     def _understood_as(
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]

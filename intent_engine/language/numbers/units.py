@@ -43,7 +43,7 @@ LONGEST = 4
 _WORDS = frozenset((
     "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half",
     "half_of_it", "halves", "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number",
-    "of", "of_a_clock", "one",
+    "of", "of_a_clock", "one", "ones_first",
     "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",
     "vague",
 ))  # fmt: skip
