@@ -70,7 +70,7 @@ class Combination:
             unclear += hardly_begun(best.words, (first, second))
             texts = [one.transcript.free_text for one in (first, second)]
             said = SaidAndHeard(self._grammar, best.words, [first.heard, second.heard], heard.language, texts)
-            unclear += said.begins_unheard() + said.unheard_inside()
+            unclear += said.begins_unheard() + said.unheard_inside() + said.either_heard()
             left_out = said.left_out() or said.left_open() or said.opposite() or said.passed_over()
             left_out = left_out or said.heard_otherwise(best.evidence.confidence)
         both = as_read((first, second), readings, unclear=unclear, left_out=left_out)

@@ -7,7 +7,7 @@ it begins, and where it ends, such a word makes another meaning of it: "do you g
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
 
 from rapidfuzz.distance import Levenshtein
@@ -25,8 +25,10 @@ __all__ = [
     "ends_unheard",
     "goes_on",
     "heard_otherwise",
+    "in_place_of",
     "passed_over",
     "tells",
+    "told_of",
     "unheard",
 ]
 
@@ -44,6 +46,7 @@ ALIKE_LETTERS = 8
 """Letters of last words that all models heard alike, from which they are not left out either,"""
 BEYOND_ALIKE = 0.35
 """where the rest is nearer by this share of them: "said the nurse" is a little like "three"."""
+_PAST = ("ed", "s")
 ENDINGS = ("s", "es", "ed", "ing")
 """Of the forms in which the first word of a command is told by somebody of something."""
 BEGIN_LETTERS = 2
@@ -182,6 +185,45 @@ def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]
     for said, meant, after in _all_instead(words, heard):
         if len(meant) == 1 == len(said) and said[0] in _told(meant[0], after):
             return said
+    return ()
+
+
+def in_place_of(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Iterator[tuple[str, str]]:
+    """Words that one of several models heard, each with the one in whose place it stands in a sentence.
+
+    Args:
+        words: of the sentence.
+        heard: the words that each model heard.
+    """
+    own = [word for word in words if word not in ARTICLES]
+    for said, (begin, end) in sorted(
+        set[tuple[tuple[str, ...], tuple[int, int]]]().union(*(_instead(own, one) for one in heard))
+    ):
+        if len(said) == 1 == end - begin:
+            yield said[0], own[begin]
+
+
+def told_of(
+    words: Sequence[str], lead: int, heard: Sequence[tuple[Sequence[str], int]], persons: Collection[str]
+) -> Sequence[str]:
+    """The first words that one of several models heard, where they are a person or a question word and the form in
+    which somebody tells what the verb of a sentence says: "who opened", "I lowered". A word more is easily heard in
+    noise, and not with the form that fits it. Empty: none heard such.
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard, and how many of these say nothing.
+        persons: words that stand before a verb that tells something.
+    """
+    if lead >= len(words):
+        return ()
+    verb = words[lead]
+    forms = {*_told(verb, ()), *(form for ending in _PAST for form in (verb + ending, verb.removesuffix("e") + ending))}
+    for one, nothing in heard:
+        first = one[nothing : nothing + 2]
+        if len(first) == 2 and first[0] in persons and first[1] in forms:
+            return first
     return ()
 
 

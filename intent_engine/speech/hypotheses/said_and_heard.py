@@ -15,11 +15,13 @@ from intent_engine.speech.hypotheses.left_out import (
     begins_unheard,
     end_left_out,
     heard_otherwise,
+    in_place_of,
     passed_over,
     tells,
+    told_of,
     unheard,
 )
-from intent_engine.speech.hypotheses.narration import told, verbless
+from intent_engine.speech.hypotheses.narration import ASKING, OTHERS, SUBJECTS, told, verbless
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 __all__ = ["SaidAndHeard"]
@@ -52,7 +54,7 @@ class SaidAndHeard:
         begin = self.begin_left_out()
         if not begin and not grammar.wake(language).after(self.words) and self._english:
             lead = min((grammar.lead(one, language) for one in self.heard), default=0)
-            begin = told(self.words, self.heard, lead)
+            begin = told(self.words, self.heard, lead) or self._told_of()
         end = end_left_out(self.words, self.heard)
         return tuple(" ".join(part) for part in (begin, end) if not grammar.says_nothing(part, language))
 
@@ -109,6 +111,14 @@ class SaidAndHeard:
     def _meaning(self, words: Sequence[str]) -> tuple[Action, ...]:
         return self.grammar.parse(" ".join(words), self.language).actions
 
+    def either_heard(self) -> tuple[str, ...]:
+        """The joint of two commands, where a model heard that one of them is meant: "raise it *or* lower it"."""
+        if self._free:
+            return ()
+        either = self.grammar.wording(self.language).alternatives
+        pairs = in_place_of(self.words, self.heard)
+        return tuple(meant for said, meant in pairs if said in either and self.grammar.joins(meant, self.language))[:1]
+
     def begins_unheard(self) -> tuple[str, ...]:
         """The word with which the command begins, where no model heard it, and what they heard is none."""
         lead = self._lead
@@ -122,6 +132,11 @@ class SaidAndHeard:
     def unheard_inside(self) -> tuple[str, ...]:
         """Words of the sentence that are like nothing that was heard."""
         return () if self._free else tuple(unheard(self.words, self.heard))
+
+    def _told_of(self) -> Sequence[str]:
+        led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
+        persons = {*SUBJECTS, *OTHERS, *ASKING}.difference(self.words, ("it",))  # a "let's" is heard as "it"
+        return told_of(self.words, self._lead, led, persons)
 
     @property
     def _free(self) -> bool:

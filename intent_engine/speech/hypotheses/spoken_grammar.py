@@ -237,6 +237,10 @@ class SpokenGrammar:
             count += length
         return count if count < len(words) else 0
 
+    def joins(self, word: str, language: str | None = None) -> bool:
+        """Whether a word alone joins commands: "and"."""
+        return self._known(language).sequence.at([word], 0) == 1
+
     def says_nothing(self, words: Sequence[str], language: str | None = None) -> bool:
         """Whether words change nothing, wherever they stand: "please"."""
         return self._known(language).leading.cover(words)

@@ -80,3 +80,35 @@ def test_a_command_is_not_the_opposite_of_what_all_heard(grammar, sentence, hear
 def test_what_all_heard_within_a_sentence_and_changes_it(grammar, heard, said):
     sentence = ["go", "forward", "two", "meters"]
     assert SaidAndHeard(grammar, sentence, [heard.split()] * 2).passed_over() == said
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("turn left", ["who turned left", "turn left"], ("who turned",)),
+        ("please turn left", ["i turned left", "please turn left"], ("i turned",)),
+        ("move forward", ["now move forward", "she moves forward"], ("she moves",)),
+        ("move forward", ["i move forward", "move forward"], ()),  # in noise a word more is easily heard
+        ("turn left", ["turned left", "turn left"], ()),
+        ("turn left", ["who", "turn left"], ()),
+        ("turn left", ["turn left, you turned", "turn left"], ()),
+    ],
+)
+def test_a_person_and_the_form_that_fits_it_are_believed_of_one(grammar, sentence, heard, left_out):
+    heard = [one.replace(",", "").split() for one in heard]
+    assert SaidAndHeard(grammar, sentence.split(), heard).left_out() == left_out
+
+
+@pytest.mark.parametrize(
+    ("heard", "joint"),
+    [
+        (["turn left or move forward", "turn left and move forward"], ("and",)),
+        (["turn left or move forward", "turn left move forward"], ("and",)),
+        (["turn left and move forward", "turn or left and move forward"], ()),
+        (["turn left and move forward"] * 2, ()),
+        (["turn left an move forward"] * 2, ()),
+    ],
+)
+def test_a_joint_is_asked_about_where_one_heard_an_or(grammar, heard, joint):
+    words = "turn left and move forward".split()
+    assert SaidAndHeard(grammar, words, [one.split() for one in heard]).either_heard() == joint
