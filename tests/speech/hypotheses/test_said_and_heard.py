@@ -110,5 +110,5 @@ def test_a_person_and_the_form_that_fits_it_are_believed_of_one(grammar, sentenc
     ],
 )
 def test_a_joint_is_asked_about_where_one_heard_an_or(grammar, heard, joint):
-    words = "turn left and move forward".split()
+    words = ["turn", "left", "and", "move", "forward"]
     assert SaidAndHeard(grammar, words, [one.split() for one in heard]).either_heard() == joint
