@@ -85,6 +85,7 @@ class Phrases:
         self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, wording.agrees))
+        self._agreed_at_first = PhraseSet((*wording.agreeing, *((word,) for word in wording.agrees)))
         self._agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
         around = PhraseSet(grammar.around)
         places = any(slot.type == "location" for slot in grammar.slots.values())
@@ -256,6 +257,12 @@ class Phrases:
         while length := self._opening.at(words, position):
             position += length
         return position
+
+    def agreed(self, said: Utterance) -> int:
+        """How many words at the beginning only agree with what was said before, or praise it, and stand before a pause:
+        "yes, go back", "perfect, take a photo"."""
+        length = self._agreed_at_first.at(said.words, 0)
+        return length if length < len(said) and said.breaks[length] else 0
 
     def opens(self, words: Sequence[str]) -> int:
         """How many words at the beginning say nothing of where a command begins again: "no, *well*, go back", "no,
