@@ -69,7 +69,7 @@ class Phrases:
         self._later = PhraseSet(operators.later)
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
-        self._held = PhraseSet((*operators.hold, *operators.correction))
+        self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
         self.objection = PhraseSet(operators.objection)
         self._objecting = PhraseSet((*operators.objection, *operators.correction))
         self._thanking = PhraseSet(wording.thanking)
@@ -310,7 +310,7 @@ class Phrases:
         return not self._requests.isdisjoint(words[: self.after_opening(words)])
 
     def only_hold(self, words: list[str]) -> bool:
-        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on"."""
+        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on", "fine, hold on"."""
         return self.hold.find(words) is not None and self._held.cover(words)
 
     def only_objects(self, said: Utterance, core: Utterance) -> bool:

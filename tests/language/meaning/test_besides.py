@@ -103,3 +103,9 @@ def test_other_languages_have_theirs() -> None:
 
 def test_a_place_that_is_not_on_the_map_is_still_told_of_a_way() -> None:
     assert shipped().parse("go to the room 206").reason == "no place is called 'room 206'"
+
+
+@pytest.mark.parametrize("said", ["fine, don't move", "Perfect, hold on.", "yes, wait there"])
+def test_a_robot_that_moves_is_held_by_who_agrees_as_well(shed: IntentEngine, said: str) -> None:
+    assert shed.parse(said, state=["moving"]).stops
+    assert not shed.parse(said).actions
