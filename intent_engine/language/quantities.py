@@ -46,9 +46,9 @@ KEPT = 2048
 """Quantities whose values are remembered: people say the same few over and over, and reading one takes as long as all
 else that is done with a plain sentence."""
 
-_FROM_TO = ("duration", "percent")
-"""Kinds of which people leave out the "to" between two: "eight ten minutes". Of lengths and angles they leave out the
-hundred."""
+_FROM_TO = ("duration", "percent", "distance", "speed")
+"""Kinds of which people leave out the "to" between two: "eight ten minutes". Of angles they leave out the hundred, and
+of plain numbers where these are names: "room five ten"."""
 
 
 def is_number_word(word: str, language: str = "en") -> bool:

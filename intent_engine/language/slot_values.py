@@ -13,7 +13,7 @@ from intent_engine.language.free_text import FREE_KINDS, FreeText
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
-from intent_engine.language.numbers import foreign
+from intent_engine.language.numbers import english, foreign
 from intent_engine.language.numbers.digit_by_digit import said_together
 from intent_engine.language.numbers.units import units
 from intent_engine.language.own_units import OwnUnits
@@ -28,6 +28,10 @@ __all__ = ["NamesOf", "SlotValues"]
 
 MAX_SPELLINGS = 64
 """Ways of saying one choice value that are compared with misheard words."""
+LEAST_OF_TWO = 2
+"""Words of a number that can be two, or have a sign."""
+LEAST_BEFORE_NAME = 2
+"""Words before the number of a name: a verb, and what is called so."""
 
 
 class SlotValues:
@@ -49,7 +53,8 @@ class SlotValues:
         self, slot: Slot, label: str, words: list[str], start: int, end: int, value: Any, loosely: bool
     ) -> SlotReading:
         if slot.type in QUANTITY_KINDS:
-            return self._quantity(slot, label, words[start:end], start, end, before_word=end < len(words))
+            found = self._quantity(slot, label, words[start:end], start, end, before_word=end < len(words))
+            return self._as_one_number(found, words) if self._grammar.language == "en" else found
         if slot.type in FREE_KINDS:
             if not self.has_room(slot, words[start:end]):  # the "a" of "a 42 red" is a part of the name
                 problem = f"{' '.join(words[start:end])!r} has more words than slot {slot.name!r} takes"
@@ -101,6 +106,27 @@ class SlotValues:
         elif isinstance(value, float):
             value = slot.counted(value)
         return SlotReading(label, slot, start, end, value, problem=problem, status=status)
+
+    def _as_one_number(self, found: SlotReading, words: Sequence[str]) -> SlotReading:
+        """An English quantity as it was read, without a value if it may be no one number: of "five ten tablets" nobody
+        knows how many are meant ("room five ten" has its name). Or if its plus may add to what it is now, since none is
+        below zero: "dim to plus five percent"."""
+        slot, said = found.slot, words[found.start : found.end]
+        if found.problem or len(said) < LEAST_OF_TWO:
+            return found
+        if slot.type == "number" and english.may_be_from_to(said) and not self._is_name(found, words):
+            problem = f"{' '.join(said)!r} could be one number or two"
+        elif "plus" in said and slot.smallest is not None and slot.smallest >= 0:
+            problem = f"{' '.join(said)!r} may add to what it is now; say how much it shall be"
+        else:
+            return found
+        return replace(found, value=None, status="unknown", problem=problem)
+
+    def _is_name(self, found: SlotReading, words: Sequence[str]) -> bool:
+        """Whether a number names what is called so before it, and counts nothing: "go to room *five ten*"."""
+        joining = thing_words(self._grammar.language).joining
+        led = found.start >= LEAST_BEFORE_NAME and words[found.start - 1] not in joining
+        return led and (found.end == len(words) or words[found.end] in joining)
 
     def has_room(self, slot: Slot, said: Sequence[str]) -> bool:
         """Whether a free slot takes so many words, as :meth:`FreeText.has_room` has it."""

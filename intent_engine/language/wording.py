@@ -19,6 +19,10 @@ class Wording:
     """Fillers behind which something may be said anew: "left, uh, right"."""
     at_first: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind the first of several commands: "close the door *first*, then start"."""
+    leads: frozenset[str] = frozenset()
+    """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
+    besides: tuple[tuple[str, ...], ...] = ()
+    """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
     """What is backward, or the way back, where it stands behind a way: "to the kitchen and back"."""
     asks_for_doing: tuple[tuple[str, ...], ...] = ()
@@ -80,6 +84,9 @@ class Wording:
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()
     """Words of order that may stand behind the verb of a command: "fahr *dann* in die Küche"."""
+    gives: frozenset[str] = frozenset()
+    """Verbs of what is done for somebody, where others are done to him: "*bring* me a cup", but "turn me round". None:
+    the language has other words for the one and the other."""
     for_whom: frozenset[str] = frozenset()
     """Words behind a verb for whom something is done, which change nothing of it: "hol *mir* die Zange"."""
     once_more: tuple[tuple[str, ...], ...] = ()

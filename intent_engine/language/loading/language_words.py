@@ -29,11 +29,12 @@ __all__ = [
 
 _OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"}  # which is made of the stops
 _WORDING = (
-    "greeting", "hesitation", "at_first", "way_back", "asked", "request", "agrees", "agreeing", "compares",
+    "greeting", "hesitation", "at_first", "besides", "leads", "way_back", "asked", "request", "agrees", "agreeing",
+    "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
     "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
-    "leaves_open", "ranging", "adverb", "for_whom", "once_more", "wishing", "wished",
+    "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -140,6 +141,8 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         thanking=phrases("thanking"),
         hesitations=phrases("hesitation"),
         at_first=phrases("at_first"),
+        besides=phrases("besides"),
+        leads=words("leads"),
         ways_back=phrases("way_back"),
         asks_for_doing=phrases("asks_for_doing"),
         asks_to_do=phrases("asks_to_do"),
@@ -171,6 +174,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),
+        gives=words("gives"),
         once_more=phrases("once_more"),
         wishing=phrases("wishing"),
         wished=tuple(tuple(pair.split()) for pair in lists.get("wished", ())),

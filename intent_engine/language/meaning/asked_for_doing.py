@@ -53,9 +53,9 @@ class AskedForDoing:
         return place
 
     def _to_do(self, said: Utterance, place: int) -> str | None:
-        """The word at a place, if a command or a stop begins with it."""
+        """The verb at a place, if a command or a stop begins with it: "go *to* the lab" asks for nothing else."""
         word = said.words[place] if place < len(said) else ""
-        return word if self._begins(word) else None
+        return word if self._begins(word) and word not in self._commands.not_verbs else None
 
     def _doing(self, said: Utterance, place: int) -> str | None:
         """The verb of which a word is the form that ends in "-ing", if a command or a stop begins with it."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
+from intent_engine.language.adjacent_numbers import is_number
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["BehindTheVerb"]
@@ -31,6 +33,8 @@ class BehindTheVerb:
         self._matcher = matcher
         self._adverbs = sorted(wording.adverbs, key=len, reverse=True)
         self._for_whom = wording.for_whom
+        self._gives = wording.gives
+        self._language = matcher.grammar.language
         self._once_more = wording.once_more
         self._of_the_verb = wording.asked | wording.before_verbs
 
@@ -57,9 +61,15 @@ class BehindTheVerb:
             words, paused = core.words[at : at + 1], any(core.breaks[verb + 1 : at + 2])
             if at + _LEAST_BEHIND >= len(core) or paused or self._for_whom.isdisjoint(words):
                 continue
+            if self._gives and not (core.words[at - 1] in self._gives and self._begins_thing(core.words[at + 1])):
+                continue
             if self._matcher.prefix(core.words[verb : at + 1])[1] is None:
                 said = said.with_other(at, at + 1, _NOTHING)
         return said if said.words != core.words else None
+
+    def _begins_thing(self, word: str) -> bool:
+        """Whether a thing begins with a word, its article or how many there are of it."""
+        return word in thing_words(self._language).articles or is_number(word, self._language)
 
     def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".

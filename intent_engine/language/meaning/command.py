@@ -37,7 +37,8 @@ class Commands:
         self._patterns = Patterns(matcher.grammar)
         self._whose_place = WhosePlace(matcher)
         known = thing_words(matcher.grammar.language)
-        self._not_verbs = ARTICLES | known.alone
+        self.not_verbs = ARTICLES | known.alone
+        """Words that are no verb of a command, though one may begin with them."""
         self._telling = known.telling
 
     @step(Kind.SENTENCE)
@@ -117,7 +118,7 @@ class Commands:
 
     @cached_property
     def _verbs(self) -> frozenset[str]:
-        return self.first_words - self._not_verbs
+        return self.first_words - self.not_verbs
 
     def may_begin_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any word could be the verb of a command."""
@@ -125,7 +126,7 @@ class Commands:
 
     def opens_with_a_verb(self, reading: Reading) -> bool:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
-        return reading.words[0] not in self._not_verbs and all(slot.start > 0 for slot in reading.slots)
+        return reading.words[0] not in self.not_verbs and all(slot.start > 0 for slot in reading.slots)
 
     def lists(self, words: list[str]) -> bool:
         """Whether words are a command without a verb, as one says it in a list: "left, right, left"."""

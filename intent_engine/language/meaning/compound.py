@@ -44,6 +44,7 @@ class Compounds:
         self._corrections = corrections
         self._lists = ListedNumbers(phrases, commands)
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
+        self._besides = PhraseSet(commands.matcher.grammar.wording.besides)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
         known = thing_words(commands.matcher.grammar.language)
         self._definite, self._itself, self._persons = known.definite, known.itself, known.persons
@@ -59,6 +60,8 @@ class Compounds:
             corrected = self._corrections.corrected(part, state)
             if corrected is not None:
                 return corrected
+        if self._besides.may_stand_in(words) and (alone := self._but_for_besides(part, state)) is not None:
+            return alone
         # No name takes a word that changes a sense, but a sentence may have it: "i would like a cofee". Where it may
         # join commands every part would be compared.
         if loosely and not (self._phrases.change_meaning(words) and self._sequence.may_stand_in(words)):
@@ -66,6 +69,21 @@ class Compounds:
             if loose is not None and (clause is None or not clause.parted or loose.accepted):
                 return loose
         return clause
+
+    def _but_for_besides(self, part: Utterance, state: Collection[str]) -> Clause | None:
+        """The command that a part is but for an "as well" at its end. None: it is none so, or a sentence may go on with
+        what that sounds like: "turn left too" may be the beginning of "turn left two degrees"."""
+        words = part.words
+        length = self._besides.ends(words)
+        if not 0 < length < len(words):
+            return None
+        matcher = self._commands.matcher
+        for other in matcher.alikes.get(words[-1], ()) if length == 1 else ():
+            if matcher.prefix([*words[:-1], other])[1] is not None:
+                return None
+        before = part.part(0, len(part) - length)
+        clause = self._commands.exact(before.words, state, breaks=before.breaks)
+        return clause if clause is not None and clause.accepted else None
 
     @step(Kind.COMPOUND)
     def split(self, core: Utterance, state: Collection[str], *, exactly: bool = False) -> list[Clause] | None:
@@ -81,7 +99,7 @@ class Compounds:
 
         What may say nothing at its beginning does not where it belongs to a command: "first gear, then go back".
         """
-        begin = self._phrases.goes_on(core.words)
+        begin = self._phrases.goes_on(core.words) or self._phrases.agreed(core)
         whole = self._commands_from(core, state, 0, True) if begin else None
         return whole or self._commands_from(core, state, begin, exactly)
 

@@ -69,7 +69,7 @@ class Phrases:
         self._later = PhraseSet(operators.later)
         self.contrast = PhraseSet(operators.contrast)
         self.hold = PhraseSet(operators.hold)
-        self._held = PhraseSet((*operators.hold, *operators.correction))
+        self._held = PhraseSet((*operators.hold, *operators.correction, *wording.agreeing))
         self.objection = PhraseSet(operators.objection)
         self._objecting = PhraseSet((*operators.objection, *operators.correction))
         self._thanking = PhraseSet(wording.thanking)
@@ -85,6 +85,7 @@ class Phrases:
         self._hides = SomePhrases(several, lambda filler: any(map(self._alone, filler)))
         """Fillers of several words of which one is a command: "right away", "all right"."""
         self._agrees = frozenset(filter(self._alone, wording.agrees))
+        self._agreed_at_first = PhraseSet((*wording.agreeing, *((word,) for word in wording.agrees)))
         self._agreeing = PhraseSet(words for words in wording.agreeing if words in grammar.fillers)
         around = PhraseSet(grammar.around)
         places = any(slot.type == "location" for slot in grammar.slots.values())
@@ -257,6 +258,12 @@ class Phrases:
             position += length
         return position
 
+    def agreed(self, said: Utterance) -> int:
+        """How many words at the beginning only agree with what was said before, or praise it, and stand before a pause:
+        "yes, go back", "perfect, take a photo"."""
+        length = self._agreed_at_first.at(said.words, 0)
+        return length if length < len(said) and said.breaks[length] else 0
+
     def opens(self, words: Sequence[str]) -> int:
         """How many words at the beginning say nothing of where a command begins again: "no, *well*, go back", "no,
         *just* go back"."""
@@ -303,7 +310,7 @@ class Phrases:
         return not self._requests.isdisjoint(words[: self.after_opening(words)])
 
     def only_hold(self, words: list[str]) -> bool:
-        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on"."""
+        """Whether nothing is said but that what goes on is to rest: "wait", "no, hold on", "fine, hold on"."""
         return self.hold.find(words) is not None and self._held.cover(words)
 
     def only_objects(self, said: Utterance, core: Utterance) -> bool:

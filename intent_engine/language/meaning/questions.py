@@ -12,6 +12,7 @@ from intent_engine.actions import Stop
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Questions"]
@@ -26,6 +27,10 @@ class Questions:
     def __init__(self, phrases: Phrases, commands: Commands) -> None:
         self._phrases = phrases
         self._commands = commands
+        known, requests = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording.requests
+        verb_last = bool(requests)
+        self._before_things = (known.articles | known.joining) - requests if verb_last else frozenset[str]()
+        """Words with which an order in the infinitive begins, whose verb stands last."""
 
     def asks(self, text: str, said: Utterance, parts: Sequence[Clause], *, spoken: bool) -> bool:
         """Whether a text is a question, and not one to do something.
@@ -43,9 +48,16 @@ class Questions:
         )
 
     def _lists_only(self, parts: Collection[Clause]) -> bool:
-        """Whether something is told to be done, and no word of it is a verb: "right", "two meters forward"."""
-        readings = [part.reading for part in parts if part.accepted and part.reading is not None]
-        return bool(readings) and not any(map(self._commands.opens_with_a_verb, readings))
+        """Whether something is told to be done, and no word of it is a verb that tells it: "right", "two meters
+        forward". Nor is a German infinitive, which stands behind all else: "die Tür öffnen?"."""
+        told = [part for part in parts if part.accepted and part.reading is not None]
+        return bool(told) and not any(map(self._tells, told))
+
+    def _tells(self, part: Clause) -> bool:
+        """Whether a command begins with the verb that tells it. A stop is heard all the same."""
+        if part.reading is None or not self._commands.opens_with_a_verb(part.reading):
+            return False
+        return part.reading.words[0] not in self._before_things or isinstance(part.action, Stop)
 
     def _asks_whether(self, part: Clause) -> bool:
         """Whether a command is a question in the same words, which nothing but its mark tells: "gehen Sie zur Tür?". A

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection
 from intent_engine.interpretation import Status
 from intent_engine.language.meaning.asked_for_doing import AskedForDoing
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.no_command import REASON as NO_REASON
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.utterance import Utterance
@@ -63,6 +64,9 @@ class TakenOtherwise:
             return otherwise
         told = self._asked.told(woken or said)
         found = self._meant(text, told, state, False) if told is not None else None
-        if told is None or found is None or (found[0].status is Status.REJECTED and found[0].intent is None):
+        if told is None or found is None:
             return otherwise
+        better = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS)
+        if not better and (found[0].intent is None or NO_REASON not in otherwise[1][0].reason):
+            return otherwise  # "go to room 206" is a way, and no "to room 206"
         return told, found

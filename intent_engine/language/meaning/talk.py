@@ -17,6 +17,7 @@ from intent_engine.language.meaning.spoken_to import spoken_to
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Talk"]
@@ -37,6 +38,8 @@ class Talk:
         self._sayings = Sayings(phrases, grammar)
         self._conditions = Conditions(phrases, grammar)
         self._more_than_now = MoreThanNow(grammar)
+        self._besides = PhraseSet(grammar.wording.besides)
+        self._commands = commands
 
     def asks_or_quotes(self, text: str, said: Utterance, meant: Understood, *, spoken: bool) -> str:
         """Why it is a question, may be a saying, is said to somebody else, or leaves a value open; empty: it is none of
@@ -59,6 +62,8 @@ class Talk:
             return f"{told!r} tells of somebody; say the command alone"
         if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
+        if self._is_done_besides(said, parts):
+            return f"{said.words[-1]!r} may be a number, or say that this is done as well; say it in other words"
         if name := spoken_to(text, parts, self._values, self._language):
             return f"{name!r} after a pause may be who is spoken to; say the command without it"
         return ""
@@ -74,6 +79,16 @@ class Talk:
             if token.word in OTHER_WORDS - kept and _APOSTROPHE.search(written):
                 return written
         return ""
+
+    def _is_done_besides(self, said: Utterance, parts: Sequence[Clause]) -> bool:
+        """Whether what ends a command was read as another word, without which it is one as well: "turn left too" may be
+        no turn by two degrees."""
+        if not self._besides.may_stand_in(said.words[-1:]):
+            return False
+        last = parts[-1].reading if parts else None
+        if last is None or self._besides.at(said.words, len(said) - 1) != 1 or last.words[-1] == said.words[-1]:
+            return False
+        return len(last.words) > 1 and any(not one.problem for one in self._commands.readings([*last.words[:-1]]))
 
     def tells(self, said: Utterance, meant: Understood, *, typed: bool) -> str:
         """Why its words are a condition, or tell of what somebody did; empty: they do not. A stop is one anyhow.

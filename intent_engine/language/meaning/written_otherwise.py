@@ -15,7 +15,9 @@ from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
+from intent_engine.language.meaning.named_before import NamedBefore
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.plurals import Plurals
@@ -63,6 +65,8 @@ class WrittenOtherwise:
         self._behind = BehindTheVerb(phrases, self._matcher)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
+        self._named = NamedBefore(self._matcher.grammar, phrases, meant)
+        self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
     def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -82,7 +86,7 @@ class WrittenOtherwise:
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
-            written = self._begun_twice(text, core, state)
+            written = self._begun_twice(text, core, state) or self._verb_first(text, core, state)
         for other in self._symbols.in_full(core):
             if written is None:
                 written = self._understood_as(text, core, other, state)
@@ -91,7 +95,10 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, _readings(written), language):
                     written = None
-        return written if written is not None else self._counted_otherwise(text, core, state)
+        for rule in (self._counted_otherwise, self._named_again):
+            if written is None:
+                written = rule(text, core, state)
+        return written
 
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Den Ball aufheben": "kannst du den Ball aufheben" without what asks for it. The verb is one that would be
@@ -146,6 +153,26 @@ class WrittenOtherwise:
         if found is None or once is None or not self._said_twice.means(found[1], core, once):
             return None
         return found
+
+    def _verb_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "For ten minutes water the beds" of a grammar that has "water the beds for ten minutes"."""
+        found: list[Understood] = []
+        for other, place in self._said_first.verb_first(core, self._commands.first_words - self._commands.not_verbs):
+            clause = self._commands.exact(other.words, state, breaks=other.breaks)
+            if clause is None or not clause.accepted or clause.reading is None:
+                continue
+            if self._said_first.means(clause.reading, place):
+                changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
+                found.append(as_told(text, replace(clause, reason=changed)))
+        return found[0] if len({one[0].actions for one in found}) == 1 else None
+
+    def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""
+        found = []
+        for ways in self._named.ways(text, core, state):
+            fits = (self._understood_as(text, core, other, state) for other in ways)
+            found += [one for one in fits if one is not None][:1]
+        return found[0] if len(found) == 1 else None
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

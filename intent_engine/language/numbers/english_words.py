@@ -52,5 +52,19 @@ SIGNS = frozenset(("minus", "negative", "plus"))
 
 SMALL = {**DIGITS, **TEENS, **TENS}
 NUMBER_WORDS = frozenset(
-    (*SMALL, *ZERO, *SCALES, "hundred", "hundreds", "dozen", "dozens", "point", "half", "quarter", "quarters", "minus")
+    (
+        *SMALL,
+        *ZERO,
+        *SCALES,
+        "hundred",
+        "hundreds",
+        "dozen",
+        "dozens",
+        "point",
+        "half",
+        "quarter",
+        "quarters",
+        "minus",
+        "plus",
+    )
 )

@@ -25,11 +25,11 @@ ENGLISH: Mapping[str, str] = {
     "part": "(thirds|third|quarter|quarters|fourth|fourths|fifth|fifths|sixth|sixths|seventh|sevenths|eighth|eighths"
     "|ninth|ninths|tenth|tenths|twelfth|twelfths|sixteenth|sixteenths|twentieth|twentieths|hundredth|hundredths|thousandth|thousandths|half|halves)",
     "fraction": "([a|one] half|[a|one] quarter|(a|an|{digit}|{teen}|{#}) {part})",
-    "counted": "[minus|negative] ({cardinal} [and ({fraction}|{#}) [{scale}]|{fraction}|(point {decimals} [{scale}])]"
-    "|[{zero}|nought|naught] point {decimals} [{scale}]|{fraction}|{zero}|[a] couple [of]"
+    "counted": "[minus|negative|plus] ({cardinal} [and ({fraction}|{#}) [{scale}]|{fraction}|(point {decimals} "
+    "[{scale}])]|[{zero}|nought|naught] point {decimals} [{scale}]|{fraction}|{zero}|[a] couple [of]"
     "|([a|{below_hundred}|{#}] dozen [and a half]|half a dozen|[a] half dozen)|a pair [of])",
     # "Half a" only before a word.
-    "number": "{counted}|[minus|negative] {cardinal} (over|out of) {cardinal}|{fraction} [of] (a|an)",
+    "number": "{counted}|[minus|negative|plus] {cardinal} (over|out of) {cardinal}|{fraction} [of] (a|an)",
     "ordinal_unit": "(" + "|".join(english_words.ORDINAL_UNITS) + ")",
     "ordinal_tens": "(" + "|".join(english_words.ORDINAL_TENS) + ")",
     "round": "[a|{group}] (hundred|thousand) [and]",

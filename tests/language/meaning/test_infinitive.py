@@ -42,3 +42,26 @@ def test_it_is_an_order(said: str, slots: dict[str, str]) -> None:
 )
 def test_what_asks_denies_or_tells_of_others_is_none(said: str) -> None:
     assert not german().parse(said).actions
+
+
+DOORS = """
+language: de
+slots: {door: [Hintertür, Haustür]}
+intents:
+  open: {action: custom, sentences: ["die {door} öffnen", "öffne die {door}"]}
+  halt: {action: stop, sentences: ["zum Stehen kommen"]}
+"""
+
+
+@pytest.mark.parametrize("said", ["Die Hintertür öffnen?", "die Haustür öffnen ?"])
+def test_one_of_the_grammar_asks_whether_where_a_question_mark_ends_it(engine_of, said: str) -> None:
+    assert not engine_of(DOORS).parse(said).actions
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["die Hintertür öffnen", "Die Hintertür öffnen!", "öffne die Hintertür?", "kannst du die Hintertür öffnen?",
+     "bitte die Hintertür öffnen?", "zum Stehen kommen?"],
+)  # fmt: skip
+def test_what_tells_asks_for_it_or_stops_is_done(engine_of, said: str) -> None:
+    assert engine_of(DOORS).parse(said).actions

@@ -1,0 +1,60 @@
+"""How something is done, said before its verb: "for ten minutes water the beds"."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+
+FARM = """
+language: en
+slots:
+  bed: [north bed, south bed]
+  time: duration
+  pace: {type: choice, values: {slow: [slowly], fast: [quickly]}}
+  litres: {type: number, max: 9}
+  thing: {type: text, max_words: 3}
+intents:
+  water: {action: custom, sentences: ["water the {bed} [with {litres} liters] [(for|in) {time}]"]}
+  drive: {action: custom, sentences: ["drive to the {bed} [{pace}]"]}
+  carry: {action: custom, sentences: ["carry {thing} to the {bed}", "carry {thing} with {thing:tool}"]}
+"""
+
+
+@pytest.fixture(scope="module")
+def farm(engine_of) -> IntentEngine:
+    return engine_of(FARM)
+
+
+@pytest.mark.parametrize(
+    ("said", "usual"),
+    [
+        ("for ten minutes water the north bed", "water the north bed for ten minutes"),
+        ("With two liters, please water the north bed.", "water the north bed with two liters"),
+        ("slowly drive to the south bed", "drive to the south bed slowly"),
+        ("quickly, drive to the south bed", "drive to the south bed quickly"),
+        ("to the south bed carry the rake", "carry the rake to the south bed"),
+    ],
+)
+def test_it_is_the_same_command(farm: IntentEngine, said: str, usual: str) -> None:
+    assert farm.parse(said).actions == farm.parse(usual).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "in ten minutes water the north bed",  # when, and not how fast
+        "for ten minutes water the north bed and drive to the south bed",
+        "for ten minutes the north bed got water",
+        "for ten minutes don't water the north bed",
+        "for ten minutes she watered the north bed",
+        "to water the north bed drive to the south bed",
+        "with a rake carry the hay",
+        "for Anna water the north bed",
+        "at noon water the north bed",
+        "for ten minutes, or twenty, water the north bed",
+        "quickly water the north bed",
+    ],
+)
+def test_what_may_be_when_or_of_something_else_is_none(farm: IntentEngine, said: str) -> None:
+    assert not farm.parse(said).actions
