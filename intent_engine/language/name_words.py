@@ -33,8 +33,6 @@ ORDINALS = frozenset((
     "twelfth", "thirteenth", "fourteenth", "fifteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth",
     "twentieth", "thirtieth", "fortieth", "fiftieth", "sixtieth", "seventieth", "eightieth", "ninetieth",
 ))  # fmt: skip
-PLURALS = thing_words("en").plurals
-"""How more of a thing end in English, and one of it."""
 _SPECIAL = NUMBER_WORDS | ORDINALS | frozenset(("the", "number", "nr", "point"))
 _PLAIN = re.compile(r"[a-z]+(?: [a-z]+)*(?: (?:0|[1-9][0-9]*))?")
 _ABBREVIATED = re.compile(r"\b(?:no|nr)\s*\.\s*(?=\d)|#\s*(?=\d)", re.IGNORECASE)
@@ -200,16 +198,16 @@ def heard_otherwise(words: Sequence[str]) -> Iterator[tuple[str, ...]]:
             yield name_words([ALIKES[word] if place in chosen else word for place, word in enumerate(words)])
 
 
-def singular(words: tuple[str, ...], endings: Sequence[tuple[str, str]] = PLURALS) -> Iterator[tuple[str, ...]]:
+def singular(words: tuple[str, ...], endings: Sequence[tuple[str, str]] | None = None) -> Iterator[tuple[str, ...]]:
     """The same words with the last as one of what it names, by how a language makes more of it: "boxes", "batteries",
     "knives". Some of them are none.
 
     Args:
         words: a name.
-        endings: of more of a thing, and of one of it.
+        endings: of more of a thing, and of one of it; None: the English ones.
     """
     *before, last = words
-    for ending, one in endings:
+    for ending, one in thing_words("en").plurals if endings is None else endings:
         stem = last.removesuffix(ending)
         if (stem != last or not ending) and len(stem) > 1:
             yield (*before, stem + one)

@@ -95,7 +95,7 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, _readings(written), language):
                     written = None
-        for rule in (self._counted_otherwise, self._named_again):
+        for rule in (self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         return written
@@ -182,7 +182,7 @@ class WrittenOtherwise:
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
                 return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
-        return self._for_each(text, core, state)
+        return None
 
     def _for_each(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Switch on the lamps in the kitchen and the hall" of a grammar that has "the lamp": one command for each."""

@@ -46,7 +46,6 @@ ALIKE_LETTERS = 8
 """Letters of last words that all models heard alike, from which they are not left out either,"""
 BEYOND_ALIKE = 0.35
 """where the rest is nearer by this share of them: "said the nurse" is a little like "three"."""
-_PAST = ("ed", "s")
 ENDINGS = ("s", "es", "ed", "ing")
 """Of the forms in which the first word of a command is told by somebody of something."""
 BEGIN_LETTERS = 2
@@ -188,17 +187,15 @@ def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]
     return ()
 
 
-def in_place_of(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Iterator[tuple[str, str]]:
-    """Words that one of several models heard, each with the one in whose place it stands in a sentence.
+def in_place_of(words: Sequence[str], heard: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Single words that a model heard, each with the one of a sentence in whose place it stands.
 
     Args:
         words: of the sentence.
-        heard: the words that each model heard.
+        heard: the words that the model heard.
     """
     own = [word for word in words if word not in ARTICLES]
-    for said, (begin, end) in sorted(
-        set[tuple[tuple[str, ...], tuple[int, int]]]().union(*(_instead(own, one) for one in heard))
-    ):
+    for said, (begin, end) in sorted(_instead(own, heard)):
         if len(said) == 1 == end - begin:
             yield said[0], own[begin]
 
@@ -218,8 +215,7 @@ def told_of(
     """
     if lead >= len(words):
         return ()
-    verb = words[lead]
-    forms = {*_told(verb, ()), *(form for ending in _PAST for form in (verb + ending, verb.removesuffix("e") + ending))}
+    forms = _forms(words[lead], ENDINGS)
     for one, nothing in heard:
         first = one[nothing : nothing + 2]
         if len(first) == 2 and first[0] in persons and first[1] in forms:
@@ -258,11 +254,15 @@ def _told(verb: str, after: Sequence[str]) -> Iterable[str]:
     """The forms of a verb in which somebody tells what they do or did. The end of the past is heard before vowels:
     "turned on", while "turn left" may be written "turned left", and "send two" may be "sent two"; "took two" was heard
     wherever it stands."""
-    stems = (verb, verb.removesuffix("e"), verb + verb[-1])
     heard = bool(after) and after[0][0] in "aeiou"
-    forms = [stem + ending for stem in stems for ending in (("ing", "ed") if heard else ("ing",))]
     nearly = [form for form, its in NEARLY_THE_VERB.items() if its == verb and heard]
-    return [*forms, *nearly, *IRREGULAR.get(verb, ())]
+    return [*_forms(verb, ("ing", "ed") if heard else ("ing",)), *nearly]
+
+
+def _forms(verb: str, endings: Sequence[str]) -> list[str]:
+    """A verb with some endings, and its irregular forms."""
+    stems = (verb, verb.removesuffix("e"), verb + verb[-1])
+    return [*(stem + ending for stem in stems for ending in endings), *IRREGULAR.get(verb, ())]
 
 
 def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: int) -> Sequence[str]:

@@ -116,7 +116,7 @@ class SaidAndHeard:
         if self._free:
             return ()
         either = self.grammar.wording(self.language).alternatives
-        pairs = in_place_of(self.words, self.heard)
+        pairs = (pair for one in self.heard for pair in in_place_of(self.words, one))
         return tuple(meant for said, meant in pairs if said in either and self.grammar.joins(meant, self.language))[:1]
 
     def begins_unheard(self) -> tuple[str, ...]:
