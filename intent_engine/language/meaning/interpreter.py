@@ -265,7 +265,8 @@ class Interpreter:
     ) -> Understood:
         """What is no single exact sentence: cancellation, negation, correction, compound, misheard names."""
         words = core.words
-        if self._corrections.may_stand_in(words) and self._stops.in_protest(core, state):
+        takes_back = self._corrections.may_stand_in(words) or self.phrases.cancel.may_stand_in(words)
+        if takes_back and self._stops.in_protest(core, state):
             return self._stopped(text)
         if MOVING in state and self._stops.in_objection(said, core):
             (found, told), reason = self._stopped(text), f"{' '.join(words)!r} {OBJECTED}"
