@@ -118,7 +118,7 @@ def grammar_and_words(draw: st.DrawFn) -> tuple[Matcher, ReferenceMatcher, list[
 
 
 many = settings(
-    max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much]
+    max_examples=80, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much]
 )
 
 
@@ -198,7 +198,7 @@ def test_what_was_read_before_changes_nothing(
 
 
 @given(case=grammar_and_words())
-@settings(many, max_examples=100)
+@settings(many, max_examples=50)
 def test_a_store_that_is_emptied_all_the_time_changes_nothing(
     case: tuple[Matcher, ReferenceMatcher, list[list[str]]],
 ) -> None:

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from two_models import FORWARD, LEFT, LIKELY, SOUND, Thinks, heard, two
 
 from intent_engine.speech import second_opinion
 from intent_engine.speech.again import CONFIRMED, HOPELESS, LATER, MAY_BE, SURE_AGAIN, heard_again, later
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
-from tests.speech.two_models import FORWARD, LEFT, LIKELY, SOUND, Thinks, heard, two
 
 HARDLY = Thinks(replace(heard(LEFT, 0.5), free_text="ten laugh"), {LEFT: -9.0})
 """Asked back, after both have searched and dug."""

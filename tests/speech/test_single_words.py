@@ -43,15 +43,15 @@ def some(labels: set[str], most: int) -> list[dict[str, str]]:
 
 
 def test_words_stop_move_and_turn_it(listen) -> None:
-    heard_well(lambda row: actions(listen, row))
+    heard_well(lambda row: actions(listen, row), 8)
 
 
 def test_a_recording_may_begin_with_the_word(listen) -> None:
-    heard_well(lambda row: actions(listen, row, 0.0))
+    heard_well(lambda row: actions(listen, row, 0.0), 4)
 
 
-def heard_well(hear: Callable[[dict[str, str]], list[Action]]) -> None:
-    said = [(word, hear(row)) for word in MEANT for row in some({word}, 8)]
+def heard_well(hear: Callable[[dict[str, str]], list[Action]], people: int) -> None:
+    said = [(word, hear(row)) for word in MEANT for row in some({word}, people)]
     right = sum(len(done) == 1 and MEANT[word](done[0]) for word, done in said)
     wrong = [(word, done) for word, done in said if done and not all(map(MEANT[word], done))]
     assert not wrong, "another thing was done"
