@@ -11,11 +11,11 @@ from dataclasses import replace
 from enum import StrEnum
 
 from intent_engine.actions import Stop
+from intent_engine.language.done_again import said_by_itself
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.references import said_by_itself
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
