@@ -53,6 +53,14 @@ class Clause:
         slot = self.wrong_slot
         return slot is not None and slot.slot.type in FREE_KINDS
 
+    @property
+    def free_names(self) -> list[tuple[str, ...]]:
+        """The words of its slots that hold any words."""
+        if self.reading is None:
+            return []
+        slots = (slot for slot in self.reading.slots if slot.slot.type in FREE_KINDS)
+        return [self.reading.words[slot.start : slot.end] for slot in slots]
+
 
 def slot_values(reading: Reading) -> dict[str, Any]:
     """Slots for a person or a program: SI numbers, names, text; a relative speed as its factor of the usual one."""

@@ -189,10 +189,7 @@ class Corrections:
         Not "sorry, right": one word is as likely talk. Nor, in one breath, "no turn left", which may forbid, and "wait
         a little more" where one may be told to wait.
         """
-        start = 0
-        while length := self._correction.at(part.words, start):
-            start += length
-        start = self._before_its_verb(part, start, state)
+        start = self._before_its_verb(part, self._correction.after(part.words, 0), state)
         forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return None
@@ -279,9 +276,7 @@ class Corrections:
 
     def _may_forbid(self, part: Utterance) -> bool:
         """Whether a part begins with one "no" or several, and goes on in one breath."""
-        end = 0
-        while length := self._correction.at(part.words, end):
-            end += length
+        end = self._correction.after(part.words, 0)
         return end > 0 and self._forbidding.issuperset(part.words[:end]) and not self._pause_after(part, end)
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:
