@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from intent_engine.actions import Action
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import any_articles

@@ -8,8 +8,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases

@@ -6,8 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import cache
 
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.openers import Openers, TextPlace
 from intent_engine.language.phrase_set import PhraseSet, SomePhrases
 from intent_engine.language.reading import Reading

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from intent_engine.actions import Custom, Stop
 from intent_engine.language.done_again import AGAIN
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.compound import MAX_PARTS
