@@ -74,6 +74,8 @@ class Wording:
     """Answers that say that nothing of it is meant: "no", "neither"."""
     standing_for: frozenset[str] = frozenset()
     """Words for one of several things, behind what tells which: "the left *one*"."""
+    placed: tuple[tuple[str, ...], ...] = ()
+    """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()

@@ -33,7 +33,7 @@ _WORDING = (
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
-    "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
+    "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
     "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished",
 )  # fmt: skip
 _OTHERS = (
@@ -168,6 +168,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         affirming=phrases("affirming"),
         declining=phrases("declining"),
         standing_for=words("standing_for"),
+        placed=phrases("placed"),
         several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
