@@ -12,8 +12,10 @@ from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.opposed_words import OpposedWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
+from intent_engine.language.meaning.stand_ins import StandIns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
@@ -29,6 +31,8 @@ class Corrections:
         self._correction = phrases.correction
         self._commands = commands
         self._replacements = replacements
+        self._opposites = OpposedWords(commands)
+        self._stand_ins = StandIns(commands, replacements)
         self._matcher = commands.matcher
         self._definite = thing_words(commands.matcher.grammar.language).definite
         wording = commands.matcher.grammar.wording
@@ -108,6 +112,10 @@ class Corrections:
                 once_more = self._replacements.replaced(current, less, state, before)
                 ways = [(self._matcher.read(way.words, after=before), way) for way in (replaced, once_more) if way]
                 replaced = min(ways, key=lambda way: way[0][0].free_words if way[0] else 0, default=(None, None))[1]
+            if not before and self._stand_ins.stand_in(current, piece):
+                replaced = self._stand_ins.replaced(current, piece, state)
+            elif replaced is None:
+                replaced = self._opposites.replaced(current, piece, state)
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words
@@ -179,6 +187,7 @@ class Corrections:
         """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
         replaced = self._replacements.replaced(denied, meant, state, "")
+        replaced = replaced or self._opposites.replaced(denied, meant, state)
         if replaced is None:
             return None
         before, after = (self._commands.exact(some.words, state) for some in (denied, replaced))
