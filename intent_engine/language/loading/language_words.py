@@ -32,7 +32,8 @@ _WORDING = (
     "greeting", "hesitation", "at_first", "besides", "leads", "way_back", "asked", "request", "agrees", "agreeing",
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
-    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
+    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "parted",
+    "thanking",
     "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
     "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished",
 )  # fmt: skip
@@ -136,6 +137,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
     def words(key: str) -> frozenset[str]:
         return frozenset(lists.get(key, ()))
 
+    formal = (pair.partition("/") for pair in lists.get("formal", ()))
     return Wording(
         greetings=phrases("greeting"),
         thanking=phrases("thanking"),
@@ -172,6 +174,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
+        formal=tuple((tuple(one.split()), tuple(other.split())) for one, _, other in formal),
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),

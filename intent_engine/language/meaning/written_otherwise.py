@@ -15,6 +15,7 @@ from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
+from intent_engine.language.meaning.formal import Formal
 from intent_engine.language.meaning.named_before import NamedBefore
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_first import SaidFirst
@@ -63,6 +64,7 @@ class WrittenOtherwise:
         self._meant = meant
         self._phrases = phrases
         self._behind = BehindTheVerb(phrases, self._matcher)
+        self._formal = Formal(self._matcher.grammar, phrases)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamedBefore(self._matcher.grammar, phrases, meant)
@@ -79,6 +81,9 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
+        if written is None and "?" not in text:  # "schalten Sie die Lampe ein?" asks
+            other = self._formal.to_a_friend(core, self._commands.first_words)
+            written = self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
