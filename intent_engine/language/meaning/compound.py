@@ -42,7 +42,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
-        self._at_once = SeveralAtOnce(phrases, commands, corrections)
+        self.at_once = SeveralAtOnce(phrases, commands, corrections)
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
         self._besides = PhraseSet(commands.matcher.grammar.wording.besides)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
@@ -103,7 +103,7 @@ class Compounds:
         whole = self._commands_from(core, state, 0, True, {}) if begin else None
         parts: dict[tuple[int, int, str], Clause | None] = {}
         whole = whole or self._commands_from(core, state, begin, exactly, parts)
-        if whole is None and self._at_once.verb_may_be_shared(core):
+        if whole is None and self.at_once.verb_may_be_shared(core):
             whole = self._commands_from(core, state, begin, exactly, parts, shared=True)
         return whole
 
@@ -140,7 +140,7 @@ class Compounds:
                 clause = parts[start, end, before]
                 several: list[Clause] = []
                 if not (clause is not None and clause.accepted) and end > start + 1:
-                    several = self._at_once.each(part, state, before, shared=shared)
+                    several = self.at_once.each(part, state, before, shared=shared)
                     if several and not several[0].accepted:
                         found = several
                         break

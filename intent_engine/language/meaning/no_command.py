@@ -50,6 +50,11 @@ class NoCommand:
             clause: what came nearest to a command, if anything did.
         """
         words = core.words
+        if "?" not in text and (choices := self._compounds.at_once.one_of(core, state)):
+            names, sentences = zip(*choices, strict=True)
+            reason = f"one of them is meant; say which: {' or '.join(names)}"
+            asked = Question(sentences)
+            return Interpretation(text, Status.REJECTED, reason=reason, alternatives=names, question=asked), ()
         if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             automaton = self._matcher.spoken

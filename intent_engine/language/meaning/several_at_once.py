@@ -29,6 +29,11 @@ class SeveralAtOnce:
         """A quick look: whether one verb may be said of several things."""
         return self._shared_verb.may_stand_in(core)
 
+    def one_of(self, core: Utterance, state: Collection[str]) -> list[tuple[str, str]]:
+        """What is said of each thing of which one is meant, and the whole command with it: "unlock drawer 13 or 30".
+        Empty: there are none."""
+        return self._shared_verb.one_of(core, state)
+
     def each(self, part: Utterance, state: Collection[str], after: str, *, shared: bool) -> list[Clause]:
         """The commands; or the one clause that is not accepted, since one of them cannot be done or it is not clear
         what is meant. Empty: there are none.

@@ -76,14 +76,15 @@ class SharedVerb:
         self._turns = wording.leaves_open.union(
             wording.alternatives, (words[0] for words in turning if len(words) == 1)
         )
-        self._joints = {word for words in operators.sequence for word in words}
+        self._alternatives = wording.alternatives
+        self._joints = {words[0] for words in operators.sequence if len(words) == 1}
 
     def each(self, part: Utterance, state: Collection[str]) -> list[Clause] | None:
         """The commands, one for each thing; or the one clause that asks, where it is not clear what is of which. None:
         there is nothing of the kind."""
         if not self.may_stand_in(part) or self._correction.find(part.words) is not None:
             return None
-        joints = list(self._joints_in(part))
+        joints = list(_joints_in(part, self._sequence))
         if not joints or joints[-1][0] == joints[-1][1] or len(joints) >= MOST_SAID:
             return None  # without a word before the last it may be a correction
         if any(self._lists.joins_one(part.words, *joint) for joint in joints):
@@ -110,17 +111,28 @@ class SharedVerb:
             return False
         return self._stop.find(words) is None
 
-    def _joints_in(self, part: Utterance) -> Iterator[tuple[int, int]]:
-        """Where words stand that join, or only a pause."""
-        place = 2
-        while place < len(part) - 1:
-            length = self._sequence.at(part.words, place)
-            if length or part.breaks[place]:
-                yield place, place + length
-            place += length + 1
+    def one_of(self, part: Utterance, state: Collection[str]) -> list[tuple[str, str]]:
+        """What is said of each thing of which one is meant, and the whole command with it: "13" and "unlock drawer 13"
+        of "unlock drawer 13 or 30". Empty: there are none, or it is not clear which they are."""
+        words = part.words
+        others = self._turns - self._alternatives
+        if not 4 <= len(part) <= MOST_WORDS or self._alternatives.isdisjoint(words) or not others.isdisjoint(words):
+            return []
+        if any(phrases.find(words) is not None for phrases in (self._stop, self._correction, self._sequence)):
+            return []
+        joints = list(_joints_in(part, PhraseSet((word,) for word in self._alternatives)))
+        if not joints or joints[-1][0] == joints[-1][1] or len(joints) >= MOST_SAID:
+            return []
+        ways: dict[tuple[object, ...], list[list[tuple[str, str]]]] = {}
+        for said in self._ways(part, joints, state, one=True):
+            named = [(" ".join(one.reading.words[one.start : one.end]), " ".join(one.reading.words)) for one in said]
+            ways.setdefault(tuple(one.clause.action for one in said), []).append(named)
+        found = next(iter(ways.values())) if len(ways) == 1 else []
+        articled = [one for one in found if all(name.split()[0] in self._articles for name, _ in one)]
+        return next(iter(articled or found), [])
 
     def _ways(
-        self, part: Utterance, joints: Sequence[tuple[int, int]], state: Collection[str]
+        self, part: Utterance, joints: Sequence[tuple[int, int]], state: Collection[str], *, one: bool = False
     ) -> Iterator[list[_Said]]:
         """The commands, for each place where what all share may end before the first, and go on behind the last."""
         words, first_end, last_start = part.words, joints[0][0], joints[-1][1]
@@ -133,12 +145,12 @@ class SharedVerb:
             for start in range(first_end - 1, 0, -1):
                 said = [_Said(first.clause, first.reading, start, first_end)]
                 for begin, stop in (*between, (last_start, end)):
-                    one = self._said(_joined(part.part(0, start), part.part(begin, stop)), after, start, state)
-                    if one is None:
+                    other = self._said(_joined(part.part(0, start), part.part(begin, stop)), after, start, state)
+                    if other is None:
                         break
-                    said.append(one)
+                    said.append(other)
                 else:
-                    if self._are_alike(said):
+                    if self._are_alike(said, one=one):
                         yield said
 
     def _said(self, before: Utterance, after: Utterance, start: int, state: Collection[str]) -> _Said | None:
@@ -152,23 +164,29 @@ class SharedVerb:
             return None
         return _Said(clause, clause.reading, start, len(before))
 
-    def _are_alike(self, said: Sequence[_Said]) -> bool:
-        """Whether all say the same of themselves, each of something else, and share the rest."""
-        one = said[0]
-        labels = sorted(slot.label for slot in one.own)
+    def _are_alike(self, said: Sequence[_Said], *, one: bool) -> bool:
+        """Whether all say the same of themselves, each of something else, and share the rest. If ``one`` of them is
+        meant, that may be an amount as well."""
+        first = said[0]
+        labels = sorted(slot.label for slot in first.own)
         for other in said:
             if not labels or sorted(slot.label for slot in other.own) != labels:
                 return False
-            if len(other.own) + len(other.shared) != len(other.reading.slots) or not self._may_be_listed(other):
+            if len(other.own) + len(other.shared) != len(other.reading.slots):
                 return False
-            if {slot.label: slot.value for slot in other.shared} != {slot.label: slot.value for slot in one.shared}:
+            if not one and not self._may_be_listed(other):
                 return False
-            same = other.reading.sentence is one.reading.sentence
-            if (not same and other.end < len(other.reading.words)) or self._joins_by_itself(other.reading):
+            if {slot.label: slot.value for slot in other.shared} != {slot.label: slot.value for slot in first.shared}:
+                return False
+            same = other.reading.sentence is first.reading.sentence
+            if (not same and other.end < len(other.reading.words)) or (
+                not one and self._joins_by_itself(other.reading)
+            ):
                 return False
         if len({clause.clause.action for clause in said}) < len(said):
             return False
-        return any(len({str(each.reading.values()[label]) for each in said}) == len(said) for label in self._names(one))
+        names = labels if one else self._names(first)
+        return any(len({str(each.reading.values()[label]) for each in said}) == len(said) for label in names)
 
     def _names(self, said: _Said) -> list[str]:
         """The labels of what tells it from another: no amount does, but "bin 3"."""
@@ -242,6 +260,16 @@ def _may_share_tens(said: Sequence[_Said]) -> bool:
         one.value >= 20 > other.value and other.start == of.start and one.value % 10 != 0
         for (one, _), (other, of) in pairwise(slots)
     )
+
+
+def _joints_in(part: Utterance, joining: PhraseSet) -> Iterator[tuple[int, int]]:
+    """Where words stand that join, or only a pause."""
+    place = 2
+    while place < len(part) - 1:
+        length = joining.at(part.words, place)
+        if length or part.breaks[place]:
+            yield place, place + length
+        place += length + 1
 
 
 def _joined(one: Utterance, other: Utterance) -> Utterance:
