@@ -18,6 +18,7 @@ from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.listed_numbers import OF_EACH, ListedNumbers
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.numbers.units import units
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.references import AGAIN
@@ -71,6 +72,7 @@ class SharedVerb:
         known, operators, wording = thing_words(grammar.language), grammar.operators, grammar.wording
         self._articles = known.articles | set(known.contracted)
         self._joining = known.joining | known.binding | known.within
+        self._scales, self._units = known.scales, units(grammar.language)
         self._placed = PhraseSet(wording.placed)
         turning = (*operators.negation, *operators.contrast)
         self._turns = wording.leaves_open.union(
@@ -222,7 +224,9 @@ class SharedVerb:
         listed = " ".join(part.words[one.start : len(part) - (len(words) - one.end)])
         behind = [slot for slot in one.shared if slot.start >= one.end]
         alone = self._commands.exact(list(words[: one.end]), state) if behind else None
-        if any(slot.slot.type not in OF_EACH for slot in behind) or (alone is not None and alone.accepted):
+        if any(slot.slot.type not in OF_EACH and not self._is_level(slot, one) for slot in behind) or (
+            alone is not None and alone.accepted
+        ):
             told = f"{' '.join(words[one.end :])!r} may be meant for each of them, for the last, or for all together"
         elif self._is_one_thing(one):
             told = f"{listed!r} may be of one thing, or of one for each"
@@ -244,6 +248,13 @@ class SharedVerb:
         between = words[max(before) : said.own[0].start]
         placed = self._placed.at(words, said.start) > 0 and max(before) == said.start
         return not self._joining.isdisjoint(between) and not placed
+
+    def _is_level(self, slot: SlotReading, said: _Said) -> bool:
+        """Whether a number says how much each has of something: "to 20 *degrees*", but not "for 20 minutes"."""
+        words, end = said.reading.words, slot.end
+        durations = self._units.by_kind.get("duration", {}) if self._units is not None else {}
+        scale = end < len(words) and words[end] in self._scales and (words[end],) not in durations
+        return slot.slot.type == "number" and scale and words[slot.start - 1] in self._joining
 
     def _names_things(self, said: _Said) -> bool:
         """Whether a bare name stands behind an article, and no noun behind it: "the hall and bathroom", but not "the

@@ -113,6 +113,9 @@ SINGLY = {
         "heat the kitchen to 20 degrees and the hall to 25 degrees": [
             "heat the kitchen to 20 degrees", "heat the hall to 25 degrees",
         ],
+        "heat the kitchen and the hall to 20 degrees": [
+            "heat the kitchen to 20 degrees", "heat the hall to 20 degrees",
+        ],
         "put 5 screws in bin 3 and 2 nuts in bin 4": ["put 5 screws in bin 3", "put 2 nuts in bin 4"],
         "bring coffee to Anna and tea to Ben": ["bring coffee to Anna", "bring tea to Ben"],
         "turn on the fan in the kitchen and the pump in the hall": [
