@@ -82,8 +82,8 @@ class Wording:
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
-    formal: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = ()
-    """How a command is told to a stranger, and how to a friend: "-en sie", "-e"."""
+    formal: tuple[str, ...] = ()
+    """How a command is told to a stranger, and how to a friend: "-en sie/-e"."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()

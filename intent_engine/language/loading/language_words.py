@@ -137,7 +137,6 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
     def words(key: str) -> frozenset[str]:
         return frozenset(lists.get(key, ()))
 
-    formal = (pair.partition("/") for pair in lists.get("formal", ()))
     return Wording(
         greetings=phrases("greeting"),
         thanking=phrases("thanking"),
@@ -174,7 +173,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
-        formal=tuple((tuple(one.split()), tuple(other.split())) for one, _, other in formal),
+        formal=lists.get("formal", ()),
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),

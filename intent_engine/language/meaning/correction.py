@@ -112,7 +112,8 @@ class Corrections:
                 once_more = self._replacements.replaced(current, less, state, before)
                 ways = [(self._matcher.read(way.words, after=before), way) for way in (replaced, once_more) if way]
                 replaced = min(ways, key=lambda way: way[0][0].free_words if way[0] else 0, default=(None, None))[1]
-            if not before and self._stand_ins.stand_in(current, piece):
+            stands = self._stand_ins.stands_last(current, piece)
+            if not before and (stands or (replaced is None and self._stand_ins.stands_first(piece))):
                 replaced = self._stand_ins.replaced(current, piece, state)
             elif replaced is None:
                 replaced = self._opposites.replaced(current, piece, state)

@@ -19,7 +19,8 @@ class Formal:
     """Reads such commands as they are told to a friend."""
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
-        self._forms = grammar.wording.formal
+        pairs = (pair.partition("/") for pair in grammar.wording.formal)
+        self._forms = [(form.split(), told.split()) for form, _, told in pairs]
         self._phrases = phrases
 
     def to_a_friend(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:

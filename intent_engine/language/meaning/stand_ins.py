@@ -25,18 +25,20 @@ class StandIns:
         self._articles = known.articles
         self._binding = known.joining | known.binding | known.within
 
-    def stand_in(self, said: Utterance, meant: Utterance) -> bool:
-        """Whether a correction ends with such a word behind what tells which, or begins with one: "the left *one*",
-        "*celle* de gauche". "Drawer one" is a number, and "blue one" may be a name."""
-        words = meant.words
-        if self._words.isdisjoint(words):
+    def stands_last(self, said: Utterance, meant: Utterance) -> bool:
+        """Whether a correction ends with such a word behind what tells which: "the left *one*". "Drawer one" is a
+        number, and "blue one" may be a name."""
+        words, number = meant.words, self._commands.matcher.is_number
+        if words[-1] not in self._words or words[0] not in self._articles:
             return False
-        if words[-1] in self._words:
-            which = [word for word in words[:-1] if word not in self._articles]
-            number = self._commands.matcher.is_number
-            apart = set(said.words).isdisjoint(which) and not any(map(number, which))
-            return words[0] in self._articles and apart
-        return not all(word in self._words or word in self._articles for word in words)
+        which = [word for word in words[:-1] if word not in self._articles]
+        return set(said.words).isdisjoint(which) and not any(map(number, which))
+
+    def stands_first(self, meant: Utterance) -> bool:
+        """Whether one begins with such a word, which may be none as well: "*celle* de gauche", "la *de* la"."""
+        begun = [word for word in meant.words[:2] if word in self._words]
+        led = meant.words[0] in self._words or meant.words[0] in self._articles
+        return led and bool(begun) and not any(map(self._commands.matcher.is_number, begun))
 
     def replaced(self, said: Utterance, meant: Utterance, state: Collection[str]) -> Utterance | None:
         """``said`` with what ``meant`` is about in its place; None: it is not clear."""
@@ -44,7 +46,9 @@ class StandIns:
         for full in self._in_full(said.words, meant):
             words = self._replacements.replaced(said, full, state, "")
             clause = self._commands.exact(words.words, state, breaks=words.breaks) if words is not None else None
-            if words is not None and clause is not None and clause.accepted:
+            if words is None or clause is None or not clause.accepted or clause.reading is None:
+                continue
+            if meant.words[-1] in self._words or not clause.reading.free_words:
                 found.setdefault(clause.action, words)
         return next(iter(found.values())) if len(found) == 1 else None
 

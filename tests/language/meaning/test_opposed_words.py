@@ -179,5 +179,7 @@ def test_a_number_and_a_name_stay_what_they_are(engines) -> None:
     engine = engines["en"]
     assert engine.parse("unlock drawer three, no, drawer one").slots == {"n": 1}
     assert engine.parse("unlock drawer three, no, one").slots == {"n": 1}
+    assert engine.parse("unlock drawer three, no, one hundred and one").slots == {"n": 101}
+    assert engine.parse("unlock drawer three, no, a hundred and ninety one").slots == {"n": 191}
     assert engine.parse("fetch the crate two, no, the crate one").slots == {"title": "crate one"}
     assert engine.parse("play lights on, no, lights off").slots == {"title": "lights off"}
