@@ -23,6 +23,7 @@ language: fr
 slots: {appareil: [lampe, pompe], n: {type: number, whole: true}}
 intents:
   allumer: {action: custom, sentences: ["allume la {appareil}"]}
+  éteindre: {action: custom, sentences: ["éteins la {appareil}"]}
   ouvrir: {action: custom, sentences: ["ouvre le tiroir {n}"]}
   finir: {action: custom, sentences: ["finis le tour {n}"]}
   prendre: {action: custom, sentences: ["prends la {appareil}"]}
@@ -49,6 +50,7 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("de", "Öffnen Sie Fach 3 und 4", "öffne Fach 3 und 4"),
         ("de", "Öffnen Sie Fach 3, nein, 5", "öffne Fach 5"),
         ("fr", "allumez la lampe", "allume la lampe"),
+        ("fr", "éteignez la pompe", "éteins la pompe"),
         ("fr", "ouvrez le tiroir 3, s'il vous plaît", "ouvre le tiroir 3"),
         ("fr", "finissez le tour 3 et prenez la pompe", "finis le tour 3 et prends la pompe"),
     ],
