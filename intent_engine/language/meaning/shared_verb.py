@@ -176,6 +176,8 @@ class SharedVerb:
                 return False
             if len(other.own) + len(other.shared) != len(other.reading.slots):
                 return False
+            if one and any(slot.slot.type in FREE_KINDS for slot in other.own):
+                return False  # of which things are given as they were said: "a cup or two"
             if not one and not self._may_be_listed(other):
                 return False
             if {slot.label: slot.value for slot in other.shared} != {slot.label: slot.value for slot in first.shared}:

@@ -65,7 +65,7 @@ class WrittenOtherwise:
         self._meant = meant
         self._phrases = phrases
         self._behind = BehindTheVerb(phrases, self._matcher)
-        self._formal = Formal(self._matcher.grammar, phrases)
+        self._formal = Formal(phrases, commands)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamedBefore(self._matcher.grammar, phrases, meant)
@@ -84,7 +84,7 @@ class WrittenOtherwise:
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
         if written is None and "?" not in text:  # "schalten Sie die Lampe ein?" asks
-            other = self._formal.to_a_friend(core, self._commands.first_words)
+            other = self._formal.to_a_friend(core)
             written = self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:

@@ -80,3 +80,15 @@ def test_it_is_what_is_told_to_a_friend(engines, language: str, formal: str, fri
 )
 def test_what_asks_or_tells_or_forbids_does_nothing(engines, language: str, said: str) -> None:
     assert not engines[language].parse(said).actions
+
+
+def test_a_grammar_with_forms_of_its_own_says_of_which_verbs(engine_of) -> None:
+    engine = engine_of("""
+language: de
+slots: {raum: [Küche, Bad], wie: [schön, groß]}
+intents:
+  suchen: {action: custom, sentences: ["(suche|suchen sie|finde) die {raum} [{wie}]"]}
+""")
+    assert engine.parse("Suchen Sie die Küche").actions
+    assert engine.parse("finde die Küche").actions
+    assert not engine.parse("Finden Sie die Küche schön").actions

@@ -83,6 +83,7 @@ def test_it_asks_which_and_an_answer_tells(engines, language, said, names, answe
         "turn left or the hall",
         "he said go to the lab or the hall",
         "go to the lab, or the hall, no",
+        "play this or that",
     ],
 )
 def test_nothing_is_asked_where_it_is_no_such_pair(engines, said: str) -> None:
