@@ -27,7 +27,7 @@ class Formal:
 
     @cached_property
     def _grammar_says(self) -> bool:
-        """Whether the grammar has such a form itself, and so says of which verbs: "finden Sie" may ask what one thinks."""
+        """Whether the grammar has such a form itself, and so says of which verbs: "finden Sie" may only ask."""
         verbs, strict = self._commands.first_words, self._commands.matcher.strict
         for verb in verbs:
             said = (Utterance([verb, *form[1:]], [False] * len(form)) for form, _ in self._forms)
