@@ -16,6 +16,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.references import Before, resolve
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.needs import MOVING, Needs
 
@@ -118,7 +119,8 @@ class Understanding(Generic[_Parser]):
             grammar = parser.matcher.grammar
             if PhraseSet(grammar.operators.sequence).at(Utterance.of(text, grammar.language).words, 0):
                 meaning = partial(parser.interpret, state=self._state)
-                if (more := goes_on_from(text, done, self._before, meaning)) is not None:
+                parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
+                if (more := goes_on_from(text, done, self._before, meaning, parted)) is not None:
                     return more, parser
         return None
 

@@ -74,12 +74,16 @@ class Wording:
     """Answers that say that nothing of it is meant: "no", "neither"."""
     standing_for: frozenset[str] = frozenset()
     """Words for one of several things, behind what tells which: "the left *one*"."""
+    placed: tuple[tuple[str, ...], ...] = ()
+    """What says where something is, and not where it is to go: "die Lampe *im* Flur", but "in den Flur"."""
     several: frozenset[str] = frozenset()
     """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
     forbidden: tuple[tuple[str, ...], ...] = ()
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
+    formal: tuple[str, ...] = ()
+    """How a command is told to a stranger, and how to a friend: "-en sie/-e"."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()

@@ -30,6 +30,10 @@ def sampler(engine_of) -> IntentEngine:
         ("please sample every hour now", {"often": 3600.0}),
         ("sample every two minutes", {"often": 120.0}),
         ("photo every meter", {"apart": 1.0}),
+        ("sample every other hour", {"often": 7200.0}),
+        ("please sample every other minute now", {"often": 120.0}),
+        ("photo every other meter", {"apart": 2.0}),
+        ("find every other meter", {"thing": "every other meter"}),
         ("find every meter", {"thing": "every meter"}),
     ],
 )
@@ -39,8 +43,10 @@ def test_a_unit_behind_every_is_one_of_it(sampler, said, slots) -> None:
 
 @pytest.mark.parametrize(
     "said",
-    ["sample every second minute", "sample every other hour", "sample every, hour", "sample hour",
-     "do not sample every hour", "sample every hour or two", "he samples every hour"],
+    ["sample every second minute", "sample every other, hour", "sample other hour", "sample every, hour",
+     "sample hour",
+     "do not sample every hour", "sample every hour or two", "he samples every hour",
+     "don't sample every other hour", "sample every other other hour"],
 )  # fmt: skip
 def test_what_is_no_every_one(sampler, said) -> None:
     assert not sampler.parse(said).actions

@@ -134,3 +134,43 @@ def test_one_by_one_is_the_same_as_in_one_sentence(engine: IntentEngine, listed)
         assert last.status is Status.ACCEPTED, (text, last.reason)
         done += last.actions
     assert tuple(done) == engine.parse(" ".join(texts)).actions
+
+
+PARTED = {
+    "de": """
+language: de
+slots: {raum: [Küche, Flur, Bad], gerät: [Pumpe, Lampe], anteil: percent}
+intents:
+  licht: {action: custom, sentences: ["mach das Licht (in der|im) {raum} an"]}
+  ein: {action: custom, sentences: ["schalte die {gerät} ein"]}
+  dimmen: {action: custom, sentences: ["dimme das Licht (in der|im) {raum} auf {anteil}"]}
+""",
+    "en": """
+language: en
+slots: {device: [fan, pump, lamp]}
+intents:
+  "on": {action: custom, sentences: ["turn the {device} on"]}
+  "off": {action: custom, sentences: ["turn the {device} off"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "texts", "added"),
+    [
+        ("de", ("mach das Licht in der Küche an.", "und im Flur"), ["Flur"]),
+        ("de", ("Mach das Licht in der Küche an", "und im Flur", "und im Bad."), ["Bad"]),
+        ("de", ("schalte die Pumpe ein", "und die Lampe"), ["Lampe"]),
+        ("en", ("turn the fan on", "and the pump", "and the lamp"), ["lamp"]),
+        ("de", ("mach das Licht in der Küche an", "und in der Küche"), []),
+        ("de", ("mach das Licht in der Küche an", "und die Pumpe"), []),
+        ("de", ("mach das Licht in der Küche an", "oder im Flur"), []),
+        ("de", ("mach das Licht in der Küche an", "und nicht im Flur"), []),
+        ("de", ("dimme das Licht im Flur auf 20 Prozent", "und im Bad"), []),
+        ("en", ("turn the fan on", "and the pump off"), []),
+        ("en", ("turn the fan on", "the pump"), []),
+    ],
+)
+def test_a_word_that_ends_the_sentence_ends_what_is_added(engine_of, language, texts, added) -> None:
+    found = said_one_by_one(engine_of(PARTED[language]), *texts)
+    assert (values(found), found.goes_on) == (added, bool(added))

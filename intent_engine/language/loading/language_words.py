@@ -32,8 +32,9 @@ _WORDING = (
     "greeting", "hesitation", "at_first", "besides", "leads", "way_back", "asked", "request", "agrees", "agreeing",
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
-    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "parted", "thanking",
-    "affirming", "declining", "standing_for", "asks_for_doing", "asks_to_do",
+    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "parted",
+    "thanking",
+    "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
     "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished",
 )  # fmt: skip
 _OTHERS = (
@@ -168,9 +169,11 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         affirming=phrases("affirming"),
         declining=phrases("declining"),
         standing_for=words("standing_for"),
+        placed=phrases("placed"),
         several=words("several"),
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
+        formal=lists.get("formal", ()),
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),

@@ -14,8 +14,8 @@ from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.doing import verbs
-from intent_engine.language.meaning.listed_numbers import ListedNumbers
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.several_at_once import SeveralAtOnce
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.numbers.units import units
 from intent_engine.language.phrase_set import PhraseSet
@@ -42,7 +42,7 @@ class Compounds:
         self._sequence = phrases.sequence
         self._commands = commands
         self._corrections = corrections
-        self._lists = ListedNumbers(phrases, commands)
+        self.at_once = SeveralAtOnce(phrases, commands, corrections)
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
         self._besides = PhraseSet(commands.matcher.grammar.wording.besides)
         self._ways_back = PhraseSet(commands.matcher.grammar.wording.ways_back)
@@ -100,10 +100,25 @@ class Compounds:
         What may say nothing at its beginning does not where it belongs to a command: "first gear, then go back".
         """
         begin = self._phrases.goes_on(core.words) or self._phrases.agreed(core)
-        whole = self._commands_from(core, state, 0, True) if begin else None
-        return whole or self._commands_from(core, state, begin, exactly)
+        whole = self._commands_from(core, state, 0, True, {}) if begin else None
+        parts: dict[tuple[int, int, str], Clause | None] = {}
+        whole = whole or self._commands_from(core, state, begin, exactly, parts)
+        if whole is None and self.at_once.verb_may_be_shared(core):
+            whole = self._commands_from(core, state, begin, exactly, parts, shared=True)
+        return whole
 
-    def _commands_from(self, core: Utterance, state: Collection[str], begin: int, exactly: bool) -> list[Clause] | None:
+    def _commands_from(
+        self,
+        core: Utterance,
+        state: Collection[str],
+        begin: int,
+        exactly: bool,
+        parts: dict[tuple[int, int, str], Clause | None],
+        *,
+        shared: bool = False,
+    ) -> list[Clause] | None:
+        """The same from a place on. ``parts`` are known already; ``shared`` tells whether one verb may be said of
+        several things, as it is where there is no other way."""
         words = core.words
         tried: dict[tuple[int, str, bool], list[Clause] | None] = {}
 
@@ -120,10 +135,12 @@ class Compounds:
                 part = core.part(start, end)
                 if self._corrections.leans(part, state, first=start == begin):
                     continue
-                clause = self._one(part, state, before, exactly)
+                if (start, end, before) not in parts:
+                    parts[start, end, before] = self._one(part, state, before, exactly)
+                clause = parts[start, end, before]
                 several: list[Clause] = []
                 if not (clause is not None and clause.accepted) and end > start + 1:
-                    several = self._lists.each(core.part(start, end), state, before) or []
+                    several = self.at_once.each(part, state, before, shared=shared)
                     if several and not several[0].accepted:
                         found = several
                         break

@@ -4,15 +4,17 @@ replaces."""
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.opposed_words import OpposedWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.replacement import Replacements
+from intent_engine.language.meaning.stand_ins import StandIns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
@@ -28,6 +30,8 @@ class Corrections:
         self._correction = phrases.correction
         self._commands = commands
         self._replacements = replacements
+        self._opposites = OpposedWords(commands)
+        self._stand_ins = StandIns(commands, replacements)
         self._matcher = commands.matcher
         self._definite = thing_words(commands.matcher.grammar.language).definite
         wording = commands.matcher.grammar.wording
@@ -60,6 +64,14 @@ class Corrections:
 
     def may_stand_in(self, words: list[str]) -> bool:
         return self._correction.may_stand_in(words)
+
+    def pieces(self, part: Utterance) -> list[tuple[Utterance, str]]:
+        """What stands between the words of correction, each with the "no" that it follows in one breath, if it does."""
+        return list(self._split(part))
+
+    def in_place(self, said: Utterance, meant: Utterance, state: Collection[str]) -> Utterance | None:
+        """A command with the part that ``meant`` corrects replaced; None: that is not clear."""
+        return self._replacements.replaced(said, meant, state, "")
 
     @step(Kind.CORRECTION)
     def corrected(self, part: Utterance, state: Collection[str], before: str = "") -> Clause | None:
@@ -99,6 +111,11 @@ class Corrections:
                 once_more = self._replacements.replaced(current, less, state, before)
                 ways = [(self._matcher.read(way.words, after=before), way) for way in (replaced, once_more) if way]
                 replaced = min(ways, key=lambda way: way[0][0].free_words if way[0] else 0, default=(None, None))[1]
+            stands = self._stand_ins.stands_last(current, piece)
+            if not before and (stands or (replaced is None and self._stand_ins.stands_first(piece))):
+                replaced = self._stand_ins.replaced(current, piece, state)
+            elif replaced is None:
+                replaced = self._opposites.replaced(current, piece, state)
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words
@@ -122,11 +139,15 @@ class Corrections:
             clause = self._commands.exact(words, state, before, breaks)
         if clause is None or not clause.accepted:
             return clause
+        return self.told(clause, words)
+
+    def told(self, clause: Clause, words: list[str]) -> Clause:
+        """A command that was corrected to some words, with a reason that says so."""
         articles = thing_words(self._matcher.grammar.language).articles
-        told = [
+        said = [
             word for word, after in itertools.zip_longest(words, words[1:]) if word != after or word not in articles
         ]
-        return Clause(clause.reading, clause.action, f"corrected to {' '.join(told)!r}")
+        return replace(clause, reason=f"corrected to {' '.join(said)!r}")
 
     def _parted(self, said: Utterance, meant: Utterance, state: Collection[str], before: str) -> Clause | None:
         """Why ``said`` is no command, if that is for a pause in a name and ``meant`` only corrects a part of it:
@@ -138,12 +159,14 @@ class Corrections:
         refused = plain is not None and plain.accepted and paused is not None and not paused.accepted
         return paused if refused else None
 
-    def unclear(self, part: Utterance, state: Collection[str]) -> list[str]:
-        """What was said in the place of a part of a command, where it is not clear of which; empty: that is not so."""
-        pieces = [piece.words for piece, _ in self._split(part) if piece.words]
+    def unclear(self, part: Utterance, state: Collection[str], are_several: Callable[[Utterance], bool]) -> list[str]:
+        """What was said in the place of a part of a command, or of several, where it is not clear of which; empty: that
+        is not so."""
+        parts = [piece for piece, _ in self._split(part) if piece.words]
+        pieces = [piece.words for piece in parts]
         if len(pieces) != 2:
             return []
-        if not self._commands.accepts(pieces[0], state):
+        if not self._commands.accepts(pieces[0], state) and not are_several(parts[0]):
             nearly = self._commands.misheard(pieces[0], state)  # "bring two beers to table five, no, six"
             if nearly is None or not nearly.accepted:
                 return []
@@ -164,6 +187,7 @@ class Corrections:
         """A command that is denied, with what is meant in the place of a part of it: "go to the kitchen", "to the
         bedroom". None: that is not clear, or the same, or any words would do there ("pick up the cup", "smile")."""
         replaced = self._replacements.replaced(denied, meant, state, "")
+        replaced = replaced or self._opposites.replaced(denied, meant, state)
         if replaced is None:
             return None
         before, after = (self._commands.exact(some.words, state) for some in (denied, replaced))
@@ -188,16 +212,24 @@ class Corrections:
         Not "sorry, right": one word is as likely talk. Nor, in one breath, "no turn left", which may forbid, and "wait
         a little more" where one may be told to wait.
         """
-        start = self._before_its_verb(part, self._correction.after(part.words, 0), state)
-        forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
-        if not start or len(part) < start + 2 or forbids:
-            return None
-        if not self._pause_after(part, start) and self._commands.moves(part.words[:start], state):
+        start = self.begins_anew(part, state)
+        if not start:
             return None
         clause = self._commands.exact(part.words[start:], state)
         if clause is None or not clause.accepted:
             return clause
         return replace(clause, reason=f"after {' '.join(part.words[:start])!r}")
+
+    def begins_anew(self, part: Utterance, state: Collection[str]) -> int:
+        """The word with which begins what is wanted, behind words of correction that stand first; 0: there are none, or
+        they may forbid it, or be all of a command."""
+        start = self._before_its_verb(part, self._correction.after(part.words, 0), state)
+        forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
+        if not start or len(part) < start + 2 or forbids:
+            return 0
+        if not self._pause_after(part, start) and self._commands.moves(part.words[:start], state):
+            return 0
+        return start
 
     def _before_its_verb(self, part: Utterance, start: int, state: Collection[str]) -> int:
         """Where a command begins behind a word of correction and a pause, if it begins with words that may correct as

@@ -27,9 +27,9 @@ from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
 
-__all__ = ["ListedNumbers"]
+__all__ = ["OF_EACH", "ListedNumbers"]
 
-_OF_EACH = frozenset(("speed", "angular_speed", "angle", "percent", "ordinal", "boolean", "choice", "location"))
+OF_EACH = frozenset(("speed", "angular_speed", "angle", "percent", "ordinal", "boolean", "choice", "location"))
 """Types of slots that say how, where or which: behind a list they are meant for each of it. How many and how long may
 be each one's, or that of all together."""
 
@@ -146,6 +146,20 @@ class ListedNumbers:
             for at, joint in enumerate(joints)
         )
 
+    def joins_one(self, words: Sequence[str], end: int, start: int) -> bool:
+        """Whether the numbers before and behind a joint, in words from ``end`` to ``start``, may be one."""
+        begin, stop = end, start
+        while begin and self._is_number(words[begin - 1]):
+            begin -= 1
+        while stop < len(words) and self._is_number(words[stop]):
+            stop += 1
+        numbers = (tuple(words[begin:end]), tuple(words[start:stop]))
+        values = [evaluate(number, "number", self._language) for number in numbers if number]
+        if len(values) < len(numbers):
+            return False
+        counted = [int(value) for value in values if isinstance(value, float)]
+        return len(counted) < len(numbers) or self._may_be_one(numbers, counted, words[end:start])
+
     def _may_be_one(self, numbers: Sequence[tuple[str, ...]], values: Sequence[int], joint: Sequence[str]) -> bool:
         """Whether two numbers may be one: "a hundred and four", "twenty and four", "fünf und zwanzig"."""
         if len(joint) > 1 or not self._and.issuperset(joint):
@@ -235,7 +249,7 @@ class ListedNumbers:
         ):
             return False
         before = [other for other in reading.slots if other.start < start]
-        if any(other.end >= start or other.slot.type not in _OF_EACH for other in before):
+        if any(other.end >= start or other.slot.type not in OF_EACH for other in before):
             return False
         shared = [other.end for other in before if other.slot.type == "choice"]
         return not shared or self._joining.isdisjoint(reading.words[max(shared) : start - 1])
@@ -275,7 +289,7 @@ class ListedNumbers:
             return None
         said = " ".join(reading.words[start + length :])
         each = tuple(described(clause.reading) for clause in clauses if clause.reading is not None)
-        shared = [slot for slot in behind if slot.slot.type not in _OF_EACH and not self._is_name(slot, reading)]
+        shared = [slot for slot in behind if slot.slot.type not in OF_EACH and not self.is_name(slot, reading)]
         if shared:
             reason = f"{said!r} may be for each of them, or for all together; say each command in full"
             return Clause(reading, reason=reason, alternatives=each, ambiguous=True)
@@ -285,7 +299,7 @@ class ListedNumbers:
         reason = f"{said!r} may be meant for each of them, or for the last; say each command in full"
         return Clause(reading, reason=reason, alternatives=each, ambiguous=True)
 
-    def _is_name(self, slot: SlotReading, reading: Reading) -> bool:
+    def is_name(self, slot: SlotReading, reading: Reading) -> bool:
         """Whether another number names a thing as well: "pallet 3 and 4 to *bay 5*"."""
         if slot.slot.type != "number" or slot.slot.units:
             return False

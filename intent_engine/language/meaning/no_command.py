@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import partial
 from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation, Question, Status
@@ -49,6 +50,11 @@ class NoCommand:
             clause: what came nearest to a command, if anything did.
         """
         words = core.words
+        if "?" not in text and (choices := self._compounds.at_once.one_of(core, state)):
+            names, sentences = zip(*choices, strict=True)
+            reason = f"one of them is meant; say which: {' or '.join(names)}"
+            asked = Question(sentences)
+            return Interpretation(text, Status.REJECTED, reason=reason, alternatives=names, question=asked), ()
         if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             automaton = self._matcher.spoken
@@ -66,7 +72,8 @@ class NoCommand:
                 ), ()
         if clause is not None:
             return as_told(text, clause)
-        if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state)):
+        are_several = partial(self._are_several, state=state)
+        if self._corrections.may_stand_in(words) and (meant := self._corrections.unclear(core, state, are_several)):
             reason = f"it is not clear what {' '.join(meant)!r} takes the place of; say the whole command again"
             return Interpretation(text, Status.REJECTED, reason=reason), ()
         failing = self._compounds.failing(core, state)
@@ -75,6 +82,10 @@ class NoCommand:
         near = self._nearest.sentences(words)
         which = None if self._phrases.change_meaning(words) else _which_sentence(near)
         return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near, question=which), ()
+
+    def _are_several(self, said: Utterance, state: Collection[str]) -> bool:
+        parts = self._compounds.split(said, state)
+        return parts is not None and parts[0].accepted
 
     def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
         """One part of what was said is no command, so nothing of it is done."""

@@ -15,7 +15,9 @@ from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
+from intent_engine.language.meaning.formal import Formal
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.placed_first import PlacedFirst
 from intent_engine.language.meaning.pronouns import NamesListed
 from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
@@ -63,10 +65,12 @@ class WrittenOtherwise:
         self._meant = meant
         self._phrases = phrases
         self._behind = BehindTheVerb(phrases, self._matcher)
+        self._formal = Formal(phrases, commands)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
+        self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
     def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -79,6 +83,9 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
+        if written is None and "?" not in text:  # "schalten Sie die Lampe ein?" asks
+            other = self._formal.to_a_friend(core)
+            written = self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
@@ -87,6 +94,7 @@ class WrittenOtherwise:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
             written = self._begun_twice(text, core, state) or self._verb_first(text, core, state)
+            written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
             if written is None:
                 written = self._understood_as(text, core, other, state)
@@ -165,6 +173,18 @@ class WrittenOtherwise:
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.append(as_told(text, replace(clause, reason=changed)))
         return found[0] if len({one[0].actions for one in found}) == 1 else None
+
+    def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
+        found: dict[Action | None, Understood] = {}
+        for other, start, end in self._placed_first.ways(core, self._commands.first_words):
+            clause = self._commands.exact(other.words, state, breaks=other.breaks)
+            if clause is None or not clause.accepted or clause.reading is None:
+                continue
+            if self._placed_first.means(clause.reading, start, end):
+                changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
+                found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
+        return next(iter(found.values())) if len(found) == 1 else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""

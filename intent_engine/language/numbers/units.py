@@ -41,7 +41,8 @@ RATES: Mapping[str, Mapping[str, float]] = {
 LONGEST = 4
 """Words of a unit."""
 _WORDS = frozenset((
-    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "half",
+    "added", "all_of_it", "and", "and_part", "and_smaller", "another", "billion", "dozen", "every", "every_other",
+    "half",
     "half_of_it", "halves", "last", "level", "million", "minus", "more", "more_after", "no_number", "nth", "number",
     "of", "of_a_clock", "one", "ones_first",
     "over", "per", "point", "pointing", "power", "quarter", "second", "speed", "temperature", "the", "thousand",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
+from intent_engine.language.homophones import LETTERS_BY_SOUND
 from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
@@ -145,5 +146,6 @@ def _before_named(noun: str, heard: Sequence[str]) -> list[str] | None:
 
 
 def _stands_for(heard: str, words: Sequence[str]) -> bool:
-    """Whether a word that was heard may have been one of these: "had" for "head"."""
-    return any(Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)
+    """Whether a word that was heard may have been one of these: "had" for "head", "you" for the "u" of "u turn"."""
+    letter = LETTERS_BY_SOUND.get(heard)
+    return any(word == letter or Levenshtein.normalized_distance(heard, word) <= MISHEARD for word in words)

@@ -177,7 +177,6 @@ NONE = {
         "unlock drawer 3 4",
         "unlock drawer 3, uh, 4 and 5",
         "unlock drawer 3, wait, 4 and 5",
-        "unlock drawer 3 and 4, no, 5",
         "unlock drawer 3 and 3",
         "unlock drawer 3, 4 and 3",
         "unlock drawer 3 and -4",

@@ -72,6 +72,9 @@ def test_no_word_is_misheard_as_one_that_was_heard():
         ("when do you open", ["what do you open"] * 2, 0, ""),
         ("pick it up", ["pick it up"] * 2, 0, ""),
         ("as the crow flies", ["has the crow flies"] * 2, 0, ""),
+        ("u turn", ["you turn"] * 2, 0, ""),
+        ("please u turn now", ["please you turn now"] * 2, 1, ""),
+        ("turn around", ["you turn around"] * 2, 0, "you"),
         ("go back", [], 0, ""),
     ],
 )

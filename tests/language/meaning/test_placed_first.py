@@ -1,0 +1,77 @@
+"""Where something is, said before it: "mach im Flur das Licht an"."""
+
+from __future__ import annotations
+
+import pytest
+
+from intent_engine.engine import IntentEngine
+
+GERMAN = """
+language: de
+slots:
+  raum: [Flur, Bad, großer Saal]
+  gerät: [Lampe, Pumpe]
+  anteil: percent
+  n: {type: number, whole: true}
+  ding: {type: text, max_words: 3}
+intents:
+  an: {action: custom, sentences: ["mach das Licht [(im|in der) {raum}] an"]}
+  ein: {action: custom, sentences: ["schalte die {gerät} [(im|in der) {raum}] ein"]}
+  dimmen: {action: custom, sentences: ["dimme das Licht im {raum} auf {anteil}"]}
+  gießen: {action: custom, sentences: ["gieße die Pflanzen am Fenster {n}"]}
+  stellen: {action: custom, sentences: ["stell die {gerät} in den {raum}"]}
+  holen: {action: custom, sentences: ["hol {ding}"]}
+"""
+SPANISH = """
+language: es
+slots: {sala: [cocina, sala], aparato: [lámpara, bomba]}
+intents:
+  encender: {action: custom, sentences: ["enciende la {aparato} [en la {sala}]"]}
+"""
+GRAMMARS = {"de": GERMAN, "es": SPANISH}
+
+
+@pytest.fixture(scope="module")
+def engines(engine_of) -> dict[str, IntentEngine]:
+    return {language: engine_of(text) for language, text in GRAMMARS.items()}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [
+        ("de", "Mach im Flur das Licht an", "mach das Licht im Flur an"),
+        ("de", "mach bitte im Bad das Licht an", "mach das Licht im Bad an"),
+        ("de", "schalte im Flur die Pumpe ein", "schalte die Pumpe im Flur ein"),
+        ("de", "dimme im Flur das Licht auf 20 Prozent", "dimme das Licht im Flur auf 20 Prozent"),
+        ("de", "gieße am Fenster 3 die Pflanzen", "gieße die Pflanzen am Fenster 3"),
+        ("es", "enciende en la cocina la bomba", "enciende la bomba en la cocina"),
+    ],
+)
+def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> None:
+    wanted = engines[language].parse(meant).actions
+    assert wanted
+    assert engines[language].parse(said).actions == wanted
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", "mach im Flur nicht das Licht an"),
+        ("de", "mach im Flur das Licht an oder aus"),
+        ("de", "mach in den Flur das Licht an"),
+        ("de", "mach im Garten das Licht an"),
+        ("de", "mach im Flur im Bad das Licht an"),
+        ("de", "mach im Flur, das Licht an"),
+        ("de", "stell im Flur die Lampe"),
+        ("de", "ich mach im Flur das Licht an"),
+        ("de", "wenn im Flur das Licht an ist"),
+        ("es", "no enciendas en la cocina la bomba"),
+        ("es", "enciende a la cocina la bomba"),
+    ],
+)
+def test_what_may_be_meant_otherwise_does_nothing(engines, language: str, said: str) -> None:
+    assert not engines[language].parse(said).actions
+
+
+def test_free_words_take_it_as_it_was_said(engines) -> None:
+    assert engines["de"].parse("hol im Flur Wasser").slots in ({}, {"ding": "im flur wasser"})
