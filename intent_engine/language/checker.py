@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.errors import Problem
 from intent_engine.interpretation import Status
 from intent_engine.language.exploration import Exploration, Meeting, explore
-from intent_engine.language.grammar import Grammar, Intent, Place, Sentence, problem_at
+from intent_engine.language.grammar import FREE_KINDS, Grammar, Intent, Place, Sentence, problem_at
 from intent_engine.language.grammar_figures import Size, grammar_size
 from intent_engine.language.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
 from intent_engine.language.meaning import Interpreter
@@ -213,7 +213,7 @@ class _Meetings:
         return any(
             set(reading.words[slot.start : slot.end]) != {self.walk.free}
             for slot in reading.slots
-            if slot.slot.type in ("text", "object")
+            if slot.slot.type in FREE_KINDS
         )
 
     @staticmethod

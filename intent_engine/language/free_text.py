@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 
 from intent_engine.language import quantities
 from intent_engine.language.contractions import begins_to_tell, shortened
-from intent_engine.language.grammar import ACTION_PARAMETERS, Grammar, Slot
+from intent_engine.language.grammar import ACTION_PARAMETERS, FREE_KINDS, Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
@@ -17,9 +17,8 @@ from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.template_tree import Node, Reference, references
 from intent_engine.language.thing_words import ARTICLES, thing_words
 
-__all__ = ["FREE_KINDS", "FreeText"]
+__all__ = ["FreeText"]
 
-FREE_KINDS = frozenset(("text", "object"))
 _COUNTING = NUMBER_WORDS | {"couple", "pair"}
 _AMOUNTS = ("distance", "angle", "duration", "speed", "percent")
 

@@ -15,6 +15,7 @@ from intent_engine.needs import Needs
 
 __all__ = [
     "ACTION_PARAMETERS",
+    "FREE_KINDS",
     "LONGEST_WAIT",
     "MOTIONS",
     "QUANTITY_KINDS",
@@ -33,6 +34,8 @@ __all__ = [
 
 QUANTITY_KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
 """Slot types whose value is a float in SI units (``ordinal`` and ``number`` have none)."""
+FREE_KINDS = frozenset(("text", "object"))
+"""Slot types that hold any words."""
 
 _WRITTEN: Mapping[str, tuple[float, str]] = {
     "distance": (1.0, " m"),

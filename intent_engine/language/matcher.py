@@ -12,8 +12,8 @@ from intent_engine.language.adjacent_numbers import is_number, numbers_apart, pa
 from intent_engine.language.alternative_slots import alternatives
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.free_text import FREE_KINDS, FreeText
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence
+from intent_engine.language.free_text import FreeText
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Sentence
 from intent_engine.language.keyboards import Keyboards
 from intent_engine.language.network import Call, Edge, Networks, State
 from intent_engine.language.numbers.english_words import NUMBER_WORDS

@@ -92,7 +92,7 @@ class Openers:
         if self.counted.at(said.words, position) == length:
             return paused or not self._counted_before(said, position, length, before)
         if before and self.place_of is not None and self.sounds.at(said.words, position) != length:
-            end = self._after_fillers(said, position + length)
+            end = self.fillers.after(said.words, position + length)
             place = self.place_of(before, said.words[end] if end < len(said) else "")
             if place is not None and place is not TextPlace.OUTSIDE:
                 return self._belongs(said, position, length, end, place, paused=paused)
@@ -163,17 +163,11 @@ class Openers:
             return False
         return self.names(before, said.words[end])
 
-    def _after_fillers(self, said: Utterance, position: int) -> int:
-        """Where the next word stands that is no filler."""
-        while position < len(said) and (length := self.fillers.at(said.words, position)):
-            position += length
-        return position
-
     def _begins_name(self, said: Utterance, position: int, length: int, before: Sequence[str]) -> bool:
         """Whether a greeting stands in the midst of a command, in one breath: people greet before one or behind it."""
         end = position + length
         apart = any(said.breaks[position + 1 : end + 1]) or self.joints.ends(before) > 0
-        end = self._after_fillers(said, end)
+        end = self.fillers.after(said.words, end)
         return not apart and end < len(said) and not self.joints.at(said.words, end)
 
     def _begins_after(self, before: Sequence[str]) -> bool:

@@ -40,7 +40,8 @@ class OwnUnits:
     def value(self, words: Sequence[str]) -> float | None:
         """The value in SI units of exactly these words, normalised: how many, the unit, and perhaps "and a half" or how
         many of a smaller one: "two kilos three hundred grams"."""
-        return self._below(words, math.inf)
+        may_be_two = self._language == "en" and english.may_be_from_to(words)
+        return self._below(words, math.inf) if not may_be_two else None
 
     def is_unit(self, words: Sequence[str]) -> bool:
         """Whether words are one of them, without how many there are."""
@@ -49,8 +50,6 @@ class OwnUnits:
     def _below(self, words: Sequence[str], largest: float) -> float | None:
         """The same of units that are smaller than that."""
         if self._ends.isdisjoint(words) or len(words) > quantities.MAX_WORDS:
-            return None
-        if self._language == "en" and english.may_be_from_to(words):
             return None
         for count, after in self._counts(words):
             for end in range(len(words), after, -1):

@@ -38,12 +38,15 @@ class PhraseSet:
             if tuple(words[position : position + len(phrase)]) == phrase
         ]
 
+    def after(self, words: Sequence[str], position: int) -> int:
+        """Where the words go on behind all phrases that stand at a position, one after the other."""
+        while length := self.at(words, position):
+            position += length
+        return position
+
     def cover(self, words: Sequence[str]) -> bool:
         """Whether the words are such phrases, one after the other, and nothing else."""
-        place = 0
-        while place < len(words) and (length := self.at(words, place)):
-            place += length
-        return place == len(words)
+        return self.after(words, 0) == len(words)
 
     def ends(self, words: Sequence[str]) -> int:
         """Length of the longest phrase that the words end with; 0 for none."""

@@ -8,8 +8,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.language.adjacent_numbers import is_number
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.name_words import singular
 from intent_engine.language.reading import Reading
 from intent_engine.language.spellings import own_words

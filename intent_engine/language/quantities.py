@@ -46,10 +46,6 @@ KEPT = 2048
 """Quantities whose values are remembered: people say the same few over and over, and reading one takes as long as all
 else that is done with a plain sentence."""
 
-_FROM_TO = ("duration", "percent", "distance", "speed")
-"""Kinds of which people leave out the "to" between two: "eight ten minutes". Of angles they leave out the hundred, and
-of plain numbers where these are names: "room five ten"."""
-
 
 def is_number_word(word: str, language: str = "en") -> bool:
     """Whether a word is a number of a language, or part of one. Templates spell out the English ones, but not "3rd"."""
@@ -121,8 +117,8 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
             value = tidy(number * factor)
     if value is None or not math.isfinite(value) or (kind == "angle" and _in_two_pieces(words, value, language)):
         return None
-    if kind in _FROM_TO and language == "en" and english.may_be_from_to(words):
-        return None
+    if language == "en" and english.may_be_from_to(words):
+        return None  # a plain number may be a name: "room five ten"
     return value
 
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language import quantities
 from intent_engine.language.automaton import SOUND
-from intent_engine.language.free_text import FREE_KINDS, FreeText
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Sentence, Slot
+from intent_engine.language.free_text import FreeText
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Sentence, Slot
 from intent_engine.language.led_names import led
 from intent_engine.language.network import NAMED, NEVER, Call, Networks
 from intent_engine.language.numbered import numbers_either_way

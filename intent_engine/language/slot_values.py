@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.interpretation import UNKNOWN_PLACE
 from intent_engine.language import quantities
-from intent_engine.language.free_text import FREE_KINDS, FreeText
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
+from intent_engine.language.free_text import FreeText
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import elided
 from intent_engine.language.numbers import english, foreign

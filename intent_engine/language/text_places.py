@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.openers import TextPlace
 from intent_engine.language.thing_words import thing_words

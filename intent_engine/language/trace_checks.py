@@ -7,8 +7,7 @@ from collections.abc import Sequence
 from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number
 from intent_engine.language.automaton import Automaton
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.network import NAMED
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.word_state import Trace

@@ -102,9 +102,7 @@ class Understanding(Generic[_Parser]):
         if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if before is not None or len(found.actions) > 1 or found.corrected:
-            grammar = parser.matcher.grammar
-            pronouns, several = grammar.operators.pronoun, grammar.wording.several
-            found = resolve(found, before, pronouns, self._needs, self._state, several)
+            found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
         if self._by_voice and NO_COMMAND in found.reason:
             found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
         if found.question is not None and before:

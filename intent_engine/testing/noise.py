@@ -11,11 +11,11 @@ from dataclasses import replace
 from enum import StrEnum
 
 from intent_engine.actions import Stop
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Slot
+from intent_engine.language.done_again import said_by_itself
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.references import said_by_itself
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
 from intent_engine.language.spellings import own_words, spellings
 from intent_engine.language.spoken_quantities import spoken_forms
@@ -43,7 +43,6 @@ CONTRACTED = {("do", "not"): "don't", ("should", "not"): "shouldn't", ("can", "n
 MOST_FILLERS = 3
 _VALUES = frozenset((*QUANTITY_KINDS, "choice", "boolean", "location"))
 """Slots whose value can be corrected by saying it alone; for words of free text nobody knows what they replace."""
-_FREE = frozenset(("text", "object"))
 MOST_SPELLINGS = 50
 """Ways to say one value of a slot that are looked at."""
 
@@ -96,13 +95,13 @@ def _dictated(pieces: Sequence[Piece]) -> bool:
 
 def _is_any_name(piece: Piece) -> bool:
     """Whether a piece was said for a slot that takes any words for a name."""
-    return piece.slot is not None and piece.slot.type in _FREE and not piece.slot.known
+    return piece.slot is not None and piece.slot.type in FREE_KINDS and not piece.slot.known
 
 
 def _describes(filler: Sequence[str], before: Piece, piece: Piece, grammar: Grammar) -> bool:
     """Whether a filler would be a part of the name that a piece was said for: it stands behind its article."""
     known = thing_words(grammar.language)
-    named = piece.slot is not None and piece.slot.type in _FREE
+    named = piece.slot is not None and piece.slot.type in FREE_KINDS
     return named and known.describing.issuperset(filler) and before.text.split()[-1] in known.articles
 
 
@@ -167,7 +166,7 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
             meant = sampler.finish(first.intent, first.sentence, [*first.pieces[:-1], piece])
             return None if meant is None else ([*first.pieces, again, piece], meant)
     other = sampler.attempt(choices)
-    free = any(slot.type in _FREE for slot in slots)
+    free = any(slot.type in FREE_KINDS for slot in slots)
     if other is None or other.intent == first.intent or len(other.pieces) < 2 or free:
         return None  # what follows could be a new value of the first, or free text
     if _holds_operator(other, grammar) or said_by_itself(other.actions[0]):
@@ -203,7 +202,7 @@ def misheard(pieces: Sequence[Piece], grammar: Grammar, choices: Choices) -> Seq
     takes no guess; and nothing that is a number, or tells what somebody did where it was typed ("turned left").
     """
     words = [piece.text.split() for piece in pieces]
-    plain = all(piece.slot is None or piece.slot.type not in _FREE for piece in pieces)
+    plain = all(piece.slot is None or piece.slot.type not in FREE_KINDS for piece in pieces)
     own = PhraseSet(grammar.fillers).find(_words(pieces)) is not None  # "turn about", where "about" is a filler too
     if own or not plain or any(not grammar.operators.closed.isdisjoint(said) for said in words):
         return pieces

@@ -33,7 +33,13 @@ def pharmacy(engine_of) -> IntentEngine:
 
 @pytest.mark.parametrize(
     "said",
-    ["dispense five ten tablets", "dispense eight fifteen tablets", "count to five ten", "lift it five ten feet"],
+    [
+        "dispense five ten tablets",
+        "dispense eight fifteen tablets",
+        "count to five ten",
+        "lift it five ten feet",
+        "lift it two meters five ten centimeters",
+    ],
 )
 def test_how_many_are_meant_is_not_clear(pharmacy: IntentEngine, said: str) -> None:
     assert not pharmacy.parse(said).actions

@@ -338,16 +338,17 @@ def test_every_unit_of_every_language_has_a_size() -> None:
 @given(st.integers(1, 9), st.integers(10, 99), st.sampled_from(["", "minus "]), st.booleans())
 @example(5, 10, "", True)
 @example(7, 20, "", True)
+@example(8, 10, "", True)
 def test_an_angle_in_two_pieces_is_a_common_one_or_none(hundreds: int, tens: int, sign: str, unit: bool) -> None:
     """ "One eighty" is an angle, "five ten degrees" five, no, ten."""
     degrees = 100 * hundreds + tens
     said = f"{sign}{in_words([str(hundreds)])[0]} {' '.join(in_words([str(tens)]))}".split()
     value = evaluate([*said, "degrees"] if unit else said, "angle", unit="deg")
-    if degrees <= 360 or degrees % 90 == 0:
+    from_to = hundreds > 3 and 10 <= tens < 20  # "five ten meters" may be five to ten
+    if (degrees <= 360 or degrees % 90 == 0) and not from_to:
         assert value == pytest.approx(math.copysign(degrees, -1 if sign else 1) * DEGREE)
     else:
         assert value is None
-    from_to = hundreds > 3 and 10 <= tens < 20  # "five ten meters" may be five to ten
     assert evaluate([*said, "meters"], "distance") == (None if from_to else -degrees if sign else degrees)
     whole = [*sign.split(), *in_words([str(degrees)]), "degrees"]
     assert evaluate(whole, "angle") == pytest.approx(math.copysign(degrees, -1 if sign else 1) * DEGREE)
@@ -360,6 +361,12 @@ def test_a_time_from_one_number_to_another_is_none(said: str) -> None:
     assert evaluate([*said.split(), "percent"], "percent") is None
     assert evaluate([*said.split(), "meters"], "distance") is None
     assert evaluate([*said.split(), "meters", "per", "second"], "speed") is None
+    assert evaluate([*said.split(), "degrees", "per", "second"], "angular_speed") is None
+
+
+@pytest.mark.parametrize("said", ["two hours five ten minutes", "a minute and eight ten seconds"])
+def test_nor_is_one_behind_a_larger_unit(said: str) -> None:
+    assert evaluate(said.split(), "duration") is None
 
 
 @pytest.mark.parametrize(("said", "number"), [("one ten", 110), ("two fifteen", 215), ("five fifty", 550)])

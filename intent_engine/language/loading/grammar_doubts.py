@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
-from intent_engine.language.grammar import Grammar, Sentence, problem_at
+from intent_engine.language.grammar import FREE_KINDS, Grammar, Sentence, problem_at
 from intent_engine.language.loading.grammar_parts import Draft, Places
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
@@ -161,7 +161,7 @@ def _neighbours(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
     def free(node: Node) -> Reference | None:
         node = node.item if isinstance(node, Optional) else node
         if isinstance(node, Reference) and node.name in grammar.slots:
-            return node if grammar.slots[node.name].type in ("text", "object") else None
+            return node if grammar.slots[node.name].type in FREE_KINDS else None
         return None
 
     def pairs(node: Node) -> Iterator[tuple[Reference, Reference]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
 
 __all__ = ["Shapes"]
@@ -44,7 +44,7 @@ class Shapes:
                 phrase = self._grammar.phrases.get(name)
                 if phrase is None:
                     slot = self._grammar.slots.get(name)
-                    return free and slot is not None and slot.type in ("text", "object")
+                    return free and slot is not None and slot.type in FREE_KINDS
                 if name not in known:
                     known[name] = self._only(phrase, known, free=free)
                 return known[name]

@@ -7,9 +7,9 @@ from typing import Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import (
     ACTION_PARAMETERS,
+    FREE_KINDS,
     QUANTITY_KINDS,
     ActionSpec,
     Grammar,

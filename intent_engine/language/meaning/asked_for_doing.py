@@ -37,7 +37,7 @@ class AskedForDoing:
             found = asking.find(said.words)
             if found is None or not self._before.cover(said.words[: found[0]]):
                 continue
-            start = self._after_fillers(said, found[0] + found[1])
+            start = self._phrases.fillers.after(said.words, sum(found))
             verb = self._doing if asking is self._asks_for_doing else self._to_do
             if verb(said, start) is None:
                 continue
@@ -46,11 +46,6 @@ class AskedForDoing:
             plain = {at: one for at in places if (one := verb(told, at)) is not None}
             return Utterance([plain.get(at, word) for at, word in enumerate(told.words)], [*told.breaks])
         return None
-
-    def _after_fillers(self, said: Utterance, place: int) -> int:
-        while place < len(said) and (length := self._phrases.fillers.at(said.words, place)):
-            place += length
-        return place
 
     def _to_do(self, said: Utterance, place: int) -> str | None:
         """The verb at a place, if a command or a stop begins with it: "go *to* the lab" asks for nothing else."""

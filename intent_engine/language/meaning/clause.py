@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from intent_engine.actions import Action
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.thing_words import any_articles
@@ -52,6 +52,14 @@ class Clause:
         """Whether it would be a command, were some free words the name of anything: "take your time"."""
         slot = self.wrong_slot
         return slot is not None and slot.slot.type in FREE_KINDS
+
+    @property
+    def free_names(self) -> list[tuple[str, ...]]:
+        """The words of its slots that hold any words."""
+        if self.reading is None:
+            return []
+        slots = (slot for slot in self.reading.slots if slot.slot.type in FREE_KINDS)
+        return [self.reading.words[slot.start : slot.end] for slot in slots]
 
 
 def slot_values(reading: Reading) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from intent_engine.actions import Action, Stop
 from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.adjacent_numbers import number_said_apart
 from intent_engine.language.continuation import MANNER
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.share_of_a_turn import share_of_a_turn

@@ -8,8 +8,7 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 
 from intent_engine.language.adjacent_numbers import leaves_one_of_two
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.opposed_words import OpposedWords
@@ -224,10 +223,7 @@ class Corrections:
     def begins_anew(self, part: Utterance, state: Collection[str]) -> int:
         """The word with which begins what is wanted, behind words of correction that stand first; 0: there are none, or
         they may forbid it, or be all of a command."""
-        start = 0
-        while length := self._correction.at(part.words, start):
-            start += length
-        start = self._before_its_verb(part, start, state)
+        start = self._before_its_verb(part, self._correction.after(part.words, 0), state)
         forbids = self._forbidding.issuperset(part.words[:start]) and not self._pause_after(part, start)
         if not start or len(part) < start + 2 or forbids:
             return 0
@@ -311,9 +307,7 @@ class Corrections:
 
     def _may_forbid(self, part: Utterance) -> bool:
         """Whether a part begins with one "no" or several, and goes on in one breath."""
-        end = 0
-        while length := self._correction.at(part.words, end):
-            end += length
+        end = self._correction.after(part.words, 0)
         return end > 0 and self._forbidding.issuperset(part.words[:end]) and not self._pause_after(part, end)
 
     def _begins_a_sentence(self, part: Utterance, length: int) -> bool:

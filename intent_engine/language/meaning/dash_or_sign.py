@@ -8,7 +8,6 @@ from dataclasses import replace
 from enum import Enum
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.told import Understood
@@ -108,7 +107,8 @@ class DashOrSign:
             if words[at - 1] not in self._level or not _DASH.fullmatch(between):
                 continue
             is_number = next(parser_of(self._language).numbers_at(words, at), None) is not None
-            if is_number and not _among_free(words[at], parts):
+            free = (name for part in parts for name in part.free_names)
+            if is_number and not any(words[at] in name for name in free):
                 return text[tokens[at - 1].end : tokens[at].end].strip()
         return ""
 
@@ -159,12 +159,3 @@ def _below_zero(understood: Understood) -> dict[tuple[int, str, int], tuple[Read
 def _either(text: str, written: str) -> Understood:
     reason = f"{written!r} could be below zero or not; write a space before the sign and none behind it, or say 'minus'"
     return Interpretation(text, Status.REJECTED, reason=reason), ()
-
-
-def _among_free(word: str, parts: Sequence[Clause]) -> bool:
-    return any(
-        slot.slot.type in FREE_KINDS and word in part.reading.words[slot.start : slot.end]
-        for part in parts
-        if part.reading is not None
-        for slot in part.reading.slots
-    )

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from intent_engine.actions import Custom
+from intent_engine.language.done_again import AGAIN
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -20,7 +21,6 @@ from intent_engine.language.normalize import without_accents
 from intent_engine.language.numbers.units import units
 from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.references import AGAIN
 from intent_engine.language.spellings import own_words
 from intent_engine.language.template_tree import Node, references
 from intent_engine.language.thing_words import thing_words

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.numbers.quantity_parser import parser_of
@@ -43,13 +42,7 @@ class MoreThanNow:
         """
         if not self._added.may_stand_in(words) or self._level.isdisjoint(words):
             return ""
-        free = [
-            " ".join(part.reading.words[slot.start : slot.end])
-            for part in parts
-            if part.reading is not None
-            for slot in part.reading.slots
-            if slot.slot.type in FREE_KINDS
-        ]
+        free = [" ".join(name) for part in parts for name in part.free_names]
         for at, word in enumerate(words[:-1]):
             end = max(self._ends(words, at + 1), default=0) if word in self._level else 0
             said = " ".join(words[at + 1 : end])

@@ -6,8 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import cache
 
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.openers import Openers, TextPlace
 from intent_engine.language.phrase_set import PhraseSet, SomePhrases
 from intent_engine.language.reading import Reading
@@ -253,10 +252,7 @@ class Phrases:
 
     def goes_on(self, words: Sequence[str]) -> int:
         """How many words at the beginning only go on from what was said before: "and then", "but"."""
-        position = 0
-        while length := self._opening.at(words, position):
-            position += length
-        return position
+        return self._opening.after(words, 0)
 
     def agreed(self, said: Utterance) -> int:
         """How many words at the beginning only agree with what was said before, or praise it, and stand before a pause:
@@ -267,18 +263,14 @@ class Phrases:
     def opens(self, words: Sequence[str]) -> int:
         """How many words at the beginning say nothing of where a command begins again: "no, *well*, go back", "no,
         *just* go back"."""
-        position = 0
-        while length := self._restart.at(words, position):
-            position += length
+        position = self._restart.after(words, 0)
         return position if position < len(words) else 0
 
     def comes_later(self, words: Sequence[str]) -> bool:
         """Whether words begin by saying that something else is done first: "then", "um, when you get there". A wake
         word may stand before them."""
         words = words[self.after_wake(words) :]
-        position = 0
-        while length := self.fillers.at(words, position):
-            position += length
+        position = self.fillers.after(words, 0)
         return self._later.at(words, position) > (position > 0) or self._later.at(words, 0) > 0
 
     def takes_back(self, words: Sequence[str]) -> bool:

@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Collection, Iterator
 from typing import Any
 
-from intent_engine.language.grammar import QUANTITY_KINDS
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.correction_places import beginnings, ends, same_but
 from intent_engine.language.meaning.steps import Kind, step
@@ -22,7 +22,6 @@ from intent_engine.language.utterance import Utterance
 __all__ = ["Replacements"]
 
 _WITH_UNITS = tuple(kind for kind in QUANTITY_KINDS if kind not in ("number", "ordinal"))
-_FREE = ("text", "object")
 
 _Stretch = tuple[int, int]
 """Where the words begin that are replaced, and where what follows them begins."""
@@ -88,7 +87,7 @@ class Replacements:
                     continue
                 meaning = tuple(sorted((label, str(value)) for label, value in new.items()))
                 # A place takes the place of a place, though free words would take it as well.
-                known = not any(slot.slot.type in _FREE for slot in touched)
+                known = not any(slot.slot.type in FREE_KINDS for slot in touched)
                 listed = any(meant[-1] in slot.slot.known for slot in touched)
                 introduced = not any(slot.start <= at for slot in touched)
                 kept.setdefault((known, listed, introduced, count), {}).setdefault(meaning, (at, after))
@@ -136,7 +135,7 @@ class Replacements:
         for at, after in [(begin, end) for begin in begins for end in range(begin + 1, len(said) + 1)]:
             words = said[:at] + meant + said[after:]
             reading = next(iter(self._commands.readings(words)), None)
-            if reading is None or reading.problem or any(slot.slot.type in _FREE for slot in reading.slots):
+            if reading is None or reading.problem or any(slot.slot.type in FREE_KINDS for slot in reading.slots):
                 continue
             stop, moved = at + len(meant), at + len(meant) - after
             new = [slot for slot in reading.slots if slot.start >= at and slot.end <= stop]
@@ -168,7 +167,7 @@ class Replacements:
                 continue
             spoken = [slot for slot in sorted(begun.slots, key=lambda slot: slot.start) if slot.start < len(said)]
             for index, slot in enumerate(spoken):
-                if any(one.slot.type in _FREE for one in spoken[index:]) and not (
+                if any(one.slot.type in FREE_KINDS for one in spoken[index:]) and not (
                     slot is spoken[-1] and self._named_otherwise(slot, said, meant[:length])
                 ):
                     continue
@@ -223,7 +222,7 @@ class Replacements:
                 touched = [slot for slot in reading.slots if slot.start < stop and slot.end > at]
                 if any(slot.start < at or slot.end > stop for slot in touched):
                     continue
-                if all(slot.slot.type in _FREE for slot in run) and not self._alike(said, run, words, touched):
+                if all(slot.slot.type in FREE_KINDS for slot in run) and not self._alike(said, run, words, touched):
                     continue
                 again, new = {slot.label for slot in touched}, reading.values()
                 same = all(new.get(label) == value for label, value in old.items() if label not in again)
@@ -240,7 +239,7 @@ class Replacements:
         """Whether ``meant`` may say again all from some free words on, though these would take all of it in: "put the
         cup on the table, no, the plate in the sink" names another place, or a plate that is in the sink."""
         for slot in first.slots:
-            if slot.slot.type not in _FREE:
+            if slot.slot.type not in FREE_KINDS:
                 continue
             reading = next(iter(self._matcher.read(said[: slot.start] + meant)), None)
             if reading is None or reading.problem or reading.intent is not first.intent:
@@ -275,7 +274,7 @@ class Replacements:
         within: set[int] = set()
         articles = thing_words(self._matcher.grammar.language).articles
         for slot in reading.slots:
-            if slot.slot.type in _FREE:
+            if slot.slot.type in FREE_KINDS:
                 # Any words would do there, so all of them are replaced, and never by what is a command itself.
                 within.update(range(slot.start + (not whole), slot.end))
                 ends = [] if whole else [slot.end]
@@ -328,7 +327,7 @@ class Replacements:
         take nothing over, and never hold what is a command by itself.
         """
         mixed = slot.start < at or slot.end > at + len(meant)
-        if slot.slot.type in _FREE:
+        if slot.slot.type in FREE_KINDS:
             return mixed or whole
         if not mixed:
             return False

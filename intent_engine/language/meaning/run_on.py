@@ -11,14 +11,14 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from intent_engine.actions import Custom, Stop
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.done_again import AGAIN
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.compound import MAX_PARTS
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.references import AGAIN
 from intent_engine.language.thing_words import any_articles
 from intent_engine.language.utterance import Utterance
 

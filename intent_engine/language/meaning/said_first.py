@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words

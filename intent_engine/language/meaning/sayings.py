@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.phrases import Phrases
@@ -30,7 +29,8 @@ class Sayings:
         grammar with a sentence "play it from the top" means that.
         """
         words = said.words
-        if not self._sayings.may_stand_in(words) or not any(map(self._has_it, parts)):
+        free = (name for part in parts for name in part.free_names)
+        if not self._sayings.may_stand_in(words) or not any(map(self._pronouns.cover, free)):
             return ""
         for place in range(len(words)):
             if (length := self._sayings.at(words, place)) and self._ends(said, place + length):
@@ -43,10 +43,3 @@ class Sayings:
         if end == len(words) or said.breaks[end]:
             return True
         return phrases.fillers.at(words, end) > 0 or phrases.sequence.at(words, end) > 0
-
-    def _has_it(self, part: Clause) -> bool:
-        reading = part.reading
-        return reading is not None and any(
-            slot.slot.type in FREE_KINDS and self._pronouns.cover(reading.words[slot.start : slot.end])
-            for slot in reading.slots
-        )

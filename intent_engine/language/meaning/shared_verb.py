@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.actions import ChangeSpeed, Custom, Stop
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.done_again import AGAIN
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.listed_numbers import OF_EACH, ListedNumbers
@@ -21,7 +22,6 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.numbers.units import units
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.references import AGAIN
 from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in

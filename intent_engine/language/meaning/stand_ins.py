@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.thing_words import thing_words

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from intent_engine.language.action_builder import names_taken
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading

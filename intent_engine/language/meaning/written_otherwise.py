@@ -16,9 +16,9 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
 from intent_engine.language.meaning.formal import Formal
-from intent_engine.language.meaning.named_before import NamedBefore
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.placed_first import PlacedFirst
+from intent_engine.language.meaning.pronouns import NamesListed
 from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
@@ -68,7 +68,7 @@ class WrittenOtherwise:
         self._formal = Formal(phrases, commands)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
-        self._named = NamedBefore(self._matcher.grammar, phrases, meant)
+        self._named = NamesListed(self._matcher.grammar, phrases.sequence)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
@@ -188,11 +188,7 @@ class WrittenOtherwise:
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""
-        found = []
-        for ways in self._named.ways(text, core, state):
-            fits = (self._understood_as(text, core, other, state) for other in ways)
-            found += [one for one in fits if one is not None][:1]
-        return found[0] if len(found) == 1 else None
+        return self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from intent_engine.language.numbers.english_parts import Found, cardinal, decimals, fraction, numeral
 from intent_engine.language.numbers.english_words import (
@@ -215,8 +216,6 @@ def leaves_hundred_out(words: Sequence[str]) -> bool:
 
 
 def may_be_from_to(words: Sequence[str]) -> bool:
-    """Whether words begin with two numbers between which a "to" may have been left out: "eight ten minutes" are eight
-    to ten, and not 810. "One ten" and "five fifty" are only one number."""
-    signed = bool(words) and words[0] in ("minus", "negative")
-    first, second, *_ = (*words[signed : signed + 2], "", "")
-    return DIGITS.get(first, 0) > 3 and second in TEENS
+    """Whether words hold two numbers between which a "to" may have been left out: "eight ten minutes" are eight to
+    ten, and not 810. "One ten" and "five fifty" are only one number."""
+    return any(DIGITS.get(first, 0) > 3 and second in TEENS for first, second in pairwise(words))

@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.free_text import FREE_KINDS
-from intent_engine.language.grammar import Grammar, Intent, Sentence
+from intent_engine.language.grammar import FREE_KINDS, Grammar, Intent, Sentence
 from intent_engine.language.loading.grammar_parts import Places
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words

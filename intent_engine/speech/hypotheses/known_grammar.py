@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation
 from intent_engine.language.approximate import FreeWord, UtteranceSearch
-from intent_engine.language.free_text import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.doing import verbs
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import SlotReading
