@@ -29,7 +29,8 @@ def test_where_a_handler_raised_is_logged(stage, caplog) -> None:
     s.executor.wait(goal)
     assert (goal.state, goal.reason, goal.detail) == (GoalState.ABORTED, Reason.HANDLER_ERROR, "KeyError: 'tilt'")
     (record,) = caplog.records
-    assert record.levelno == logging.ERROR and "Custom(name='tilt'" in record.getMessage()
+    assert record.levelno == logging.ERROR
+    assert "Custom(name='tilt'" in record.getMessage()
     assert "_aim_the_servo" in caplog.text
 
 
@@ -51,7 +52,8 @@ def test_where_a_robot_raised_is_logged_once_for_a_command(caplog) -> None:
         clock.advance(1.0)
     assert (goal.reason, goal.detail) == (Reason.ROBOT_ERROR, "the motor driver is gone")
     (record,) = caplog.records
-    assert record.getMessage() == "the robot raised" and "the motor driver is gone" in caplog.text
+    assert record.getMessage() == "the robot raised"
+    assert "the motor driver is gone" in caplog.text
 
 
 def test_a_robot_that_is_gone_and_says_so_is_no_fault(caplog) -> None:
