@@ -93,8 +93,8 @@ MISTAKES = {
     "commas that were to part a value": (
         "locations:\n  hall: {x: 1,5, y: 2}\n  lab: {x: 1, y: 2, aliases: shop, big shop, bay}\n",
         ["2:15 unknown key '5': the ',' before it begins a key (a number has a point: 1.5)",
-         "3:34 unknown key 'big shop': the ',' before it begins a key (write it as a list: aliases: [shop, big shop",
-         "3:44 unknown key 'bay': the ',' before it begins a key (write it as a list: aliases: [shop, big shop"],
+         "3:36 unknown key 'big shop': the ',' before it begins a key (write it as a list: aliases: [shop, big shop",
+         "3:46 unknown key 'bay': the ',' before it begins a key (write it as a list: aliases: [shop, big shop"],
     ),
     "other words for the fields": (
         "locations:\n  hall: {x: 1, y: 2, z: 0}\n  lab: {x: 1, y: 2, theta: 0}\n",
