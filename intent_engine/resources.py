@@ -31,19 +31,22 @@ def find(kind: str, name: str) -> Path:
     Raises:
         ConfigError: there is none; the message lists those that there are.
     """
+    if "\n" in name:
+        what = f"the text of a file stands where a path or a name belongs: {name[:40]!r}"
+        raise ConfigError(Problem(what, hint="write it to a file, and give its path"))
     given = Path(name)
-    if given.suffix or os.sep in name or "/" in name or given.is_file():
+    if given.suffix or os.sep in name or "/" in name or os.path.isfile(name):  # noqa: PTH113 - a name may be too long
         return given
     for folder in _folders(kind):
         path = folder / f"{name}{_SUFFIX}"
-        if path.is_file():
+        if os.path.isfile(path):  # noqa: PTH113
             return path
     known = names(kind)
-    if given.is_dir() or not name:
+    if not name or os.path.isdir(name):  # noqa: PTH112
         what = "is a folder, not a file" if name else f"a name of one of the {kind} is empty"
         raise ConfigError(Problem(what, name or None, hint=f"there is {', '.join(known)}; or give the path of a file"))
     here = Path(f"{name}{_SUFFIX}")
-    if here.is_file():
+    if os.path.isfile(here):  # noqa: PTH113
         raise ConfigError(Problem(f"{name!r} is the name of no file in {kind}/", hint=f"there is a file here: {here}"))
     hint = f"there is {', '.join(known)}; or give the path of a file" if known else "give the path of a file"
     raise ConfigError(Problem(f"no file {name}{_SUFFIX} in {kind}/", hint=hint))

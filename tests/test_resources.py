@@ -24,6 +24,16 @@ def test_a_path_is_a_path_even_if_nothing_is_there(given):
     assert resources.find("grammars", given) == Path(given)
 
 
+def test_the_text_of_a_file_is_no_name_of_one():
+    with pytest.raises(ConfigError, match="the text of a file stands where a path or a name belongs: 'language: en"):
+        resources.find("grammars", "language: en\nintents: {}\n" * 50)
+
+
+def test_a_name_that_is_too_long_for_a_file_is_that_of_none():
+    with pytest.raises(ConfigError, match=r"no file xxx"):
+        resources.find("grammars", "x" * 300)
+
+
 def test_the_installed_package_comes_before_the_repository(tmp_path, monkeypatch):
     package = tmp_path / "site-packages" / "intent_engine"
     installed = package / "share" / "locations" / "home.yaml"

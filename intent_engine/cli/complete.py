@@ -9,7 +9,7 @@ import typer
 from intent_engine.cli.guard import EXIT_NOT_ACCEPTED, verb
 from intent_engine.cli.options import Grammars, Json, Language, Locations, load_engine
 from intent_engine.cli.terminal import json_line, note, say
-from intent_engine.cli.typed import check_length
+from intent_engine.cli.typed import check_length, readable
 
 __all__ = ["complete"]
 
@@ -25,6 +25,7 @@ def complete(
     """List the words with which a sentence may go on, one a line."""
     from intent_engine.prefix import PrefixStatus
 
+    text = readable(text)
     check_length(text)
     engine = load_engine(grammar, locations, language)
     found = engine.prefix(text, language=language)

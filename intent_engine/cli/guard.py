@@ -6,6 +6,7 @@ Nothing that a user can do gives a traceback. A robot is stopped by the ``with``
 from __future__ import annotations
 
 import contextlib
+import errno
 import functools
 import math
 import os
@@ -22,7 +23,7 @@ import typer
 
 from intent_engine.cli.streams import OutputError, drop_output
 from intent_engine.cli.terminal import error_block
-from intent_engine.errors import IntentEngineError
+from intent_engine.errors import ConfigError, IntentEngineError
 
 if TYPE_CHECKING:
     from sys import UnraisableHookArgs
@@ -106,6 +107,9 @@ def _run(function: Callable[[], int | None], stopped: str) -> int:
         return EXIT_PIPE_CLOSED
     except Exception as error:
         _trace()
+        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+            error_block(f"{str(error.filename)[:60]}...: no file has so long a name\n    give the path of a file")
+            return ConfigError.exit_code
         error_block(
             f"intent-engine failed in a way it should not: {type(error).__name__}: {error}\n"
             f"{'The robot is stopped. ' if stopped else ''}This is a fault of the program, not of what you gave it.\n"

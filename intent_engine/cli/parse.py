@@ -25,7 +25,7 @@ from intent_engine.cli.options import (
     tell_doubts,
 )
 from intent_engine.cli.terminal import json_line, note, say
-from intent_engine.cli.typed import MAX_TEXT, check_length, too_long
+from intent_engine.cli.typed import MAX_TEXT, check_length, readable, too_long
 from intent_engine.cli.watching import Watch, watched
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation, Status
@@ -57,6 +57,7 @@ def parse(
     if watch:
         hint = "leave it out, or read from there: intent-engine parse --watch -"
         raise ConfigError(Problem("--watch is for sentences from standard input", hint=hint))
+    text = readable(text)
     check_length(text)
     if as_json:
         found, data = _understood(engine, text, states, language, explain)

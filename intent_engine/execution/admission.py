@@ -25,6 +25,7 @@ from intent_engine.execution.policy import Policy
 from intent_engine.execution.raised import with_type
 from intent_engine.execution.robots.robot import Capability, Robot
 from intent_engine.execution.runs import Ending
+from intent_engine.hints import did_you_mean
 
 __all__ = ["Admission", "Terms", "check_robot", "checked", "forbidden", "limits_of"]
 
@@ -168,7 +169,9 @@ class Admission:
         need = _NEEDS.get(type(action))
         if need is None:
             name = action.name if isinstance(action, Custom) else action.type
-            return _no(Reason.NO_HANDLER, f"nothing is registered for {name!r}: executor.register({name!r}, ...)")
+            near = did_you_mean(name, self.handlers)
+            why = f"nothing is registered for {name!r}: executor.register({name!r}, ...)"
+            return _no(Reason.NO_HANDLER, f"{why}; {near}" if near else why)
         if need not in self.robot.capabilities:
             return _no(Reason.CAPABILITY, f"this robot cannot {need.value}")
         checked = self.limits.check(action)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 
+from intent_engine.errors import IntentEngineError
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.gate import Gate
 from intent_engine.execution.goal import Reason
@@ -99,6 +100,8 @@ class Failsafe:
         stopped = self.stop_robot()
         if reason_of(error) is Reason.VELOCITY_LOOP:
             self.fault = told(error)
+        if self.failures == 1 and not isinstance(error, IntentEngineError):  # the goal tells what, a traceback where
+            log.error("the robot raised", exc_info=error)
         return stopped
 
     def end_motion(self, now: float) -> Travel | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import logging
 import threading
 from collections.abc import Callable, Coroutine, Generator, Sequence
 from typing import Any
@@ -13,6 +14,8 @@ from intent_engine.execution.raised import with_type
 from intent_engine.execution.runs import Ending
 
 __all__ = ["Handler", "HandlerContext", "HandlerRun", "check_waiter"]
+
+log = logging.getLogger(__name__)
 
 _at_work = threading.local()
 """``goal``: the one whose handler this thread carries out."""
@@ -63,17 +66,22 @@ class HandlerRun:
         if self._context.cancelled.is_set():
             return
         before, _at_work.goal = getattr(_at_work, "goal", None), self.goal
+        fault: BaseException | None = None
         try:
             result = self._handler(*([self.goal.action, self._context][: _arguments(self._handler)]))
             self._ending = _after(result)
         except BaseException as error:  # a handler that calls sys.exit() ends its goal, too
-            text = str(error) if isinstance(error, IntentEngineError) else with_type(error)
+            meant = isinstance(error, IntentEngineError)
+            fault = None if meant else error
+            text = str(error) if meant else with_type(error)
             self._ending = Ending(GoalState.ABORTED, Reason.HANDLER_ERROR, text)
             if isinstance(error, KeyboardInterrupt):
                 raise
         finally:
             _at_work.goal = before
             self._poke()
+        if fault is not None:  # when the goal has ended: a log that hangs holds up nobody
+            log.error("the handler of %r raised", self.goal, exc_info=fault)
 
     def step(self, now: float) -> Ending | None:
         if self._ending is None and now >= self._deadline:

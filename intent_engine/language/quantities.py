@@ -78,7 +78,7 @@ def evaluate(words: Sequence[str], kind: str, language: str = "en", unit: str | 
     Args:
         words: normalised words, all of which must belong to the quantity.
         kind: see the module.
-        unit: taken if the words carry none ("deg"); None: a unit must be said.
+        unit: taken if the words carry none, in English ("deg"); None: a unit must be said.
 
     Returns:
         A finite float; :class:`Relative` for a speed said in terms of the usual one; None if the words are no
@@ -112,7 +112,7 @@ def _evaluated(words: tuple[str, ...], kind: str, language: str, unit: str | Non
         number = _whole(parser.numbers_at(words, 0), len(words))
         if kind == "angle" and words[-1] in english_words.HALVES and number is not None and number < 1:
             return None  # "a quarter" of a turn, or of what? Never 0.25 degrees
-        factor = parser.factor(unit, kind)
+        factor = parser_of("en").factor(unit, kind)  # grammar files write units in English, whatever is spoken
         if number is not None and factor is not None:
             value = tidy(number * factor)
     if value is None or not math.isfinite(value) or (kind == "angle" and _in_two_pieces(words, value, language)):

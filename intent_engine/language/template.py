@@ -99,6 +99,9 @@ _FOREIGN = re.compile(r"[<>$@=^~*+\\_]|(?<!\{)#")
 
 def _check_characters(text: str) -> None:
     """Refuse what another grammar language would understand, and this one would silently drop."""
+    if (column := text.find("(?")) >= 0:
+        hint = "write [words] for what may be left out and {name} for a slot, or put the pattern below regex:"
+        raise TemplateError("'(?' is of a regular expression, and this is a sentence", column, hint)
     for match in _FOREIGN.finditer(text):
         column = match.start()
         if text.rfind("{", 0, column) > text.rfind("}", 0, column):
@@ -158,7 +161,9 @@ def _build(tree: Any) -> Node:
         written = tree.children[0]
         items = tuple(map(Word, words_of(str(written))))
         if not items:
-            raise TemplateError(f"{str(written)!r} is no word", written.start_pos, "write letters or digits")
+            optional = str(written).startswith("?")
+            hint = "write [words] for what may be left out" if optional else "write letters or digits"
+            raise TemplateError(f"{str(written)!r} is no word", written.start_pos, hint)
         return items[0] if len(items) == 1 else Sequence(items)
     if kind == "choice":
         options = tuple(_build(child) for child in tree.children)

@@ -17,6 +17,7 @@ from intent_engine.language.meaning.no_command import REASON as NO_COMMAND
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.references import Before, resolve
 from intent_engine.language.thing_words import thing_words
+from intent_engine.language.unreadable import as_read
 from intent_engine.language.utterance import Utterance
 from intent_engine.needs import MOVING, Needs
 
@@ -70,11 +71,12 @@ class Understanding(Generic[_Parser]):
         """What a text means, and the parser that says so."""
         found, parser = self._by_itself(text)
         answer = self._as_answer(text, found)
-        return (found if answer is None else answer), parser
+        return as_read(text, found if answer is None else answer), parser
 
     def answer(self, text: str) -> Interpretation | None:
         """What a text means as the answer to what ``last`` asks back; None: it is none."""
-        return self._as_answer(text, self._by_itself(text)[0])
+        answer = self._as_answer(text, self._by_itself(text)[0])
+        return answer if answer is None else as_read(text, answer)
 
     def _as_answer(self, text: str, found: Interpretation) -> Interpretation | None:
         """The same, where it is known what it means by itself."""

@@ -394,3 +394,12 @@ def test_how_long_nobody_speaks_in_a_pipe(intent_engine):
     done = intent_engine("run", "-", stdin=bytes(2 * 3 * RATE))
     assert done.returncode == 3
     assert "standard input: nobody speaks in it (3.0 s)" in done.stderr
+
+
+@pytest.mark.parametrize("words", [["test"], ["run"], ["evaluate"], ["parse", "stop", "--grammar"]])
+def test_a_sentence_where_a_file_belongs_is_no_fault_of_the_program(intent_engine, words):
+    done = intent_engine(*words, "turn left and " * 25)
+    assert done.returncode in (2, 3)
+    assert done.stderr.startswith("error: ")
+    assert "turn left" in done.stderr
+    assert "fault of the program" not in done.stderr

@@ -200,3 +200,18 @@ def test_the_name_of_a_file_is_no_sentence(intent_engine, tmp_path):
     assert done.returncode == 1
     assert done.stdout.startswith("rejected: ")
     assert f"{path} is a file; for the sentences in it, one a line: intent-engine parse - < '{path}'" in done.stderr
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems know the encoding of an argument")
+def test_an_argument_is_utf_8_whatever_the_locale_says(intent_engine):
+    locale = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    done = intent_engine("parse", "--json", "--language", "de", "fahr zurück", **locale)
+    found = json.loads(done.stdout)
+    assert (found["text"], found["confidence"]) == ("fahr zurück", 1.0)
+    done = intent_engine("complete", "--json", "--language", "de", "fahr zurü", **locale)
+    assert json.loads(done.stdout)["next_words"] == ["zurück"]
+
+
+def test_a_line_in_another_encoding_does_nothing(intent_engine):
+    done = intent_engine("parse", "--language", "de", "-", stdin="fahr 1½ Meter vor\n".encode("latin-1"))
+    assert (done.returncode, json.loads(done.stdout)["actions"]) == (1, [])

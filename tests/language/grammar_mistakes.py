@@ -54,6 +54,9 @@ MISTAKES: dict[str, str | bytes] = {
     "forty-one brackets": says("(" * 41 + "wave" + ")" * 41),
     "the angles of another template language": says("wave at <name>"),
     "the dollar of another template language": says("wave at $name"),
+    "what may be left out as in regular expressions": says("wave (at)? hand"),
+    "a group of a regular expression": says("wave (?:the )?hand"),
+    "a named group of a regular expression": says("wave (?P<thing>.+)"),
     "a star for repetition": says("wave (again)*"),
     "an underscore in a word": says("wave_hand"),
     "punctuation alone": says("wave ..."),
@@ -61,6 +64,10 @@ MISTAKES: dict[str, str | bytes] = {
     "a sentence without a necessary word": says("[wave] [hand]"),
     "a sentence of free text alone": slot("{type: text}", "[please] {it}"),
     "the same slot twice in a sentence": slot("{type: text}", "from {it} to {it}"),
+    "units of another language than English": (
+        "language: de\nslots:\n  it: {type: angle, max: 90 Grad, unit: grad}\n"
+        "intents:\n  wave: {action: custom, sentences: ['wink {it}']}\n"
+    ),
     # -- names
     "a misspelt slot": says("wave at {persn}", "slots:\n  person: text\n"),
     "a misspelt phrase inside a phrase": says("{greet}", "phrases:\n  hi: (hi|hello)\n  greet: '{hii} there'\n"),
@@ -91,6 +98,10 @@ MISTAKES: dict[str, str | bytes] = {
     "a bracket of YAML that is never closed": wave("sentences: [wave, bow"),
     "a tab": "language: en\nintents:\n\twave: {}\n",
     "a line that is indented too far": "language: en\nintents:\n  wave:\n    action: stop\n     sentences: [wave]\n",
+    "commas that were to part a value": slot("{values: left, right, straight on}"),
+    "a slot without quotes in an action": wave("sentences: [wave]").replace("name: wave", "name: wave, at: {it}"),
+    "an action of a name alone": wave("sentences: [wave]").replace("type: custom, ", ""),
+    "an action as a call": wave("sentences: [wave]").replace("{type: custom, name: wave}", "robot.wave()"),
     "a key twice": wave("sentences: [wave]", "sentences: [bow]"),
     "mistakes in what stands twice": (
         "language: en\nslots:\n  it: {type: txet}\n  it: {type: text}\n"

@@ -34,6 +34,8 @@ __all__ = ["grammar_doubts"]
 
 MAX_SPELLINGS = 256
 """Ways to say a sentence that are looked at."""
+_OPTIONAL = re.compile(r"([^\W\d_]+)\?(?=\s+[\w({\[])")
+"""A word with a "?" in the midst of a sentence."""
 _STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
 
 
@@ -44,6 +46,7 @@ def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[P
     yield from _denials(grammar, draft)
     yield from _neighbours(grammar, draft)
     yield from _strokes(grammar, draft)
+    yield from _foreign_signs(draft)
     yield from unsaid_patterns(grammar, places)
 
 
@@ -130,6 +133,37 @@ def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
             heard = " ".join(words_of(match.group()))
             message = f"{match.group()!r} would have to be said as {heard!r}"
             yield written.problem(message, f"for either of them write ({match[1]}|{match[2]})", match.start())
+
+
+def _foreign_signs(draft: Draft) -> Iterator[Problem]:
+    """Signs that are read otherwise than their author means who knows them from regular expressions: "the? lab" is said
+    with its "the", and "go|drive to {place}" is "go", or "drive to {place}"."""
+    for written in draft.written:
+        if (match := _OPTIONAL.search(written.text)) is not None:
+            message = f"the '?' of {match.group()!r} says nothing: the word must be said"
+            yield written.problem(message, f"for a word that may be left out write [{match[1]}]", match.start())
+        if written.kind == "sentence" and isinstance(written.node, Choice):
+            ways = [bool(list(references(way))) for way in written.node.items]
+            bar = _bare_bar(written.text)
+            if bar is not None and len(set(ways)) > 1:
+                message = (
+                    "this '|' stands in no brackets, and so parts all of the sentence: one part has a slot, one none"
+                )
+                before, after = written.text[:bar].split()[-1:], written.text[bar + 1 :].split()[:1]
+                hint = (
+                    f"for either of two words write ({''.join(before)}|{''.join(after)}); for two sentences, two lines"
+                )
+                yield written.problem(message, hint, bar)
+
+
+def _bare_bar(text: str) -> int | None:
+    """Where the first "|" of a template stands that is in no brackets; None: there is none."""
+    depth = 0
+    for column, character in enumerate(text):
+        depth += (character in "([{") - (character in ")]}")
+        if character == "|" and not depth:
+            return column
+    return None
 
 
 def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:

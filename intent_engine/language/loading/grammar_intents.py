@@ -153,9 +153,9 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
     if isinstance(spec, str):
         if spec not in ACTION_PARAMETERS:
             near = meant(spec, ACTIONS, ACTION_PARAMETERS)
-            near = f"{near};" if near and not near.endswith("?") else near or f"one of: {', '.join(ACTION_PARAMETERS)};"
-            own = f" for your own: action: {{type: custom, name: {spec}}}" if spec.isidentifier() else ""
-            source.problem(path, f"no action is called {spec!r}", near + own)
+            near = near or f"one of: {', '.join(ACTION_PARAMETERS)}"
+            own = f"for your own: action: {{type: custom, name: {spec if spec.isidentifier() else name}}}"
+            source.problem(path, f"no action is called {spec!r}", f"{near}{' ' if near.endswith('?') else '; '}{own}")
             parts.draft.partial.add(name)
             return ActionSpec("custom", name)
         return ActionSpec(spec, name if spec == "custom" else None)

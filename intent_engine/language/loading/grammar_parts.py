@@ -14,6 +14,7 @@ from intent_engine.language.loading.language_words import default_booleans
 from intent_engine.language.loading.other_words import TYPES, meant
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.normalize import words_of
+from intent_engine.language.numbers.units import units
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.template_tree import Choice, Node
 
@@ -177,7 +178,8 @@ class PartReader:
         if unit is not None and kind in _UNITS and self.si("1", kind, unit) is None:
             unit = " ".join(words_of(unit)) or unit  # "%" is "percent"
         if unit is not None and self.si("1", kind, unit) is None:
-            hint = f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
+            usual = self._unit_key(unit)
+            hint = f"write {usual}" if usual else f"for example {_UNITS.get(kind, 'none: it is a plain number')}"
             source.problem((*path, "unit"), f"{spec['unit']!r} is not a unit of {kind}", hint)
             unit = None
         low, high, least, most = (
@@ -315,7 +317,9 @@ class PartReader:
         if value is None:
             hint = "write a number"
             if kind in _UNITS:
+                usual = self._unit_key(str(raw))
                 hint = f"write a number in SI units, or one with its unit ({_UNITS[kind]})"
+                hint = f"write it with the unit {usual}, in English whatever is spoken" if usual else hint
             article = "an" if kind[0] in "aeiou" else "a"
             self.source.problem(path, f"{raw!r} is not {article} {kind.replace('_', ' ')}", hint, key=key)
         return value
@@ -335,3 +339,9 @@ class PartReader:
         """The value of a text in SI units; grammar files write numbers and units in English."""
         found = quantities.evaluate(words_of(text), kind, "en", unit)
         return float(found) if isinstance(found, (int, float)) else None
+
+    def _unit_key(self, text: str) -> str | None:
+        """How a grammar file writes the unit with which a text of its language ends: "deg" of "5 Grad"."""
+        table = units(self.draft.language)
+        found = table.unit_at_end(words_of(text)) if table is not None and self.draft.language != "en" else None
+        return found[0] if found else None

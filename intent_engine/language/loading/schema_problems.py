@@ -94,7 +94,7 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
         strange = [key for key in instance if key not in known]
         for key in wanted:
             if key not in instance and not any(_misspelt(other, key, known) for other in strange):
-                yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key), key=True)
+                yield _at(source, path, f"{name} needs {key!r}", _missing_hint(key, path, instance), key=True)
         if path[:1] == ("intents",) and len(path) == 2:
             broken = (*path, "action")  # the rest of it can be read
     elif error.validator == "pattern" and "array" in schema.get("type", ()):
@@ -141,6 +141,8 @@ def _bare_values(path: tuple[Any, ...], instance: dict[Any, Any], schema: Any) -
 
 def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schema: Any) -> Problem:
     key, known = str(path[-1]), list(schema.get("properties", ()))
+    if (comma := _after_a_comma(source, path, instance)) is not None:
+        return _at(source, path, f"unknown key {key!r}: the ',' before it begins a key", comma, key=True)
     section = _section_of(instance[key], known)
     if section is not None and len(path) == 1:
         message = f"{key!r} stands beside {section!r}, and belongs below it"
@@ -167,6 +169,24 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
     return _at(source, path, f"unknown key {key!r}", near or f"known here: {', '.join(known)}", key=True)
 
 
+def _after_a_comma(source: YamlSource, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
+    """What to write where a "," in braces was to part a value, and not two keys: ``{x: 1,5}``, ``{aliases: a, b}``;
+    None: it parts keys."""
+    keys = list(instance)
+    *above, key = path
+    raw = {each: source.raw.get((*above, each), instance[each]) for each in keys}
+    at = next(index for index, each in enumerate(keys) if str(each) == str(key))
+    first = next((index for index in range(at, -1, -1) if raw[keys[index]] not in ("", None)), at)
+    value = raw[keys[first]]
+    here = source.place(path, key=True)
+    if at == first or not isinstance(value, str | int | float) or here.source[: here.column - 1].rstrip()[-1:] != ",":
+        return None
+    if str(key).isdigit() and str(value).lstrip("+-").isdigit():
+        return f"a number has a point: {value}.{key}"
+    last = next((index for index in range(at, len(keys)) if raw[keys[index]] not in ("", None)), len(keys))
+    return f"write it as a list: {keys[first]}: [{', '.join(map(str, (value, *keys[first + 1 : last])))}]"
+
+
 def _section_of(value: Any, known: list[str]) -> str | None:
     """The section of a grammar to which a mapping belongs by its keys; None for any other value or file."""
     if not isinstance(value, dict) or "intents" not in known:
@@ -187,7 +207,9 @@ def _misspelt(strange: Any, key: str, known: list[str]) -> bool:
     return did_you_mean(str(strange), known) == did_you_mean(key, [key]) or known[:1] == ["say"]
 
 
-def _missing_hint(key: str) -> str | None:
+def _missing_hint(key: str, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
+    if key == "type" and path[-1:] == ("action",) and "name" in instance:
+        return f"for your own: action: {{type: custom, name: {instance['name']}}}"
     if key == "action":
         return "one of: move, turn, stop, navigate, pick, place; or for your own: action: {type: custom, name: ...}"
     return None
@@ -220,6 +242,8 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         hint = pose
     elif "string" in wanted and _begins(source, path, "[") and isinstance(path[-1], int):
         hint = f'quote it: "[{", ".join(map(str, instance))}]"'
+    elif "string" in wanted and isinstance(instance, dict) and len(instance) == 1 and _begins(source, path, "{"):
+        hint = f'quote it: "{{{next(iter(instance))}}}"'
     elif "object" in wanted and isinstance(instance, list) and path:
         hint = "write each as a line  name: ...  without a '-' or brackets"
     elif "number" in wanted and "string" not in wanted and isinstance(instance, str):

@@ -24,12 +24,13 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
         "fortnight": 1209600.0, "quarter_hour": 900.0, "three_quarter_hour": 2700.0,
     },
     "angle": {
-        "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "grad": math.pi / 200,
-        "arcmin": math.pi / 10800, "right_angle": math.pi / 2,
+        "deg": math.pi / 180, "rad": 1.0, "mrad": 1e-3, "turn": 2 * math.pi, "arcmin": math.pi / 10800,
+        "right_angle": math.pi / 2,
     },
     "percent": {"percent": 0.01},
 }  # fmt: skip
-"""Unit -> SI. International yard and pound agreement of 1959 for inch, foot, yard and mile; BIPM for the rest."""
+"""Unit -> SI. International yard and pound agreement of 1959 for inch, foot, yard and mile; BIPM for the rest. None is
+a word for another unit in any language: a German "grad" is a degree, so gradians are not here."""
 
 RATES: Mapping[str, Mapping[str, float]] = {
     "speed": {"mps": 1.0, "kmh": 1 / 3.6, "mph": 0.44704, "knot": 1852 / 3600, "fps": 0.3048},

@@ -85,6 +85,10 @@ FINE = {
         "slots: {what: [music, game]}\nintents:\n"
         "  x: {action: custom, sentences: ['stop [the] {what}', 'play freeze']}\n"
     ),
+    "a question": "intents:\n  x: {action: custom, sentences: ['what time is it?', 'would you [please] wave?']}\n",
+    "bars that part all of a sentence": (
+        "slots: {who: text}\nintents:\n  x: {action: custom, sentences: ['bow|take a bow', 'hug {who}|kiss {who}']}\n"
+    ),
     "a stroke between units": "intents:\n  x: {action: custom, sentences: ['spin at {#} rpm/s', 'mix 1/2 cup']}\n",
     "signs that a regex can do without": "intents:\n  x: {action: custom, regex: 'hop,? now[!.]?'}\n",
     "signs of numbers": "intents:\n  x: {action: custom, regex: 'add (-?\\d+|\\d+/\\d+|\\d+\\.5|2\\.5) cups'}\n",
@@ -115,6 +119,12 @@ DOUBTFUL = {
     ),
     "intents:\n  x: {action: custom, sentences: ['{a}']}\nphrases:\n  a: [bow, wave/greet]\n": (
         4, "'wave/greet' would have to be said as 'wave per greet'",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['wave at the? cat']}\n": (
+        2, "the '?' of 'the?' says nothing: the word must be said",
+    ),
+    "slots: {a: text}\nintents:\n  x: {action: custom, sentences: ['hug|kiss the {a}']}\n": (
+        3, "this '|' stands in no brackets, and so parts all of the sentence: one part has a slot, one none",
     ),
     "intents:\n  x: {action: custom, regex: [bow, 'hop, now!']}\n": (
         2, "the regex asks for ',', and what is said is words and numbers, without signs",

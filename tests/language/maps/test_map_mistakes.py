@@ -90,6 +90,12 @@ MISTAKES = {
         "locations:\n  hall: {x: 1 m, y: 2, yaw: 90 deg}\n",
         ["2:13 'x' must be a number (a plain number, in m)", "2:29 'yaw' must be a number (in rad, without a unit"],
     ),
+    "commas that were to part a value": (
+        "locations:\n  hall: {x: 1,5, y: 2}\n  lab: {x: 1, y: 2, aliases: shop, big shop, bay}\n",
+        ["2:15 unknown key '5': the ',' before it begins a key (a number has a point: 1.5)",
+         "3:36 unknown key 'big shop': the ',' before it begins a key (write it as a list: aliases: [shop, big shop",
+         "3:46 unknown key 'bay': the ',' before it begins a key (write it as a list: aliases: [shop, big shop"],
+    ),
     "other words for the fields": (
         "locations:\n  hall: {x: 1, y: 2, z: 0}\n  lab: {x: 1, y: 2, theta: 0}\n",
         ["2:22 unknown key 'z' (a place lies on the floor", "3:21 unknown key 'theta' (that is yaw, in rad)"],
