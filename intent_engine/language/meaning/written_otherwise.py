@@ -16,6 +16,7 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
 from intent_engine.language.meaning.named_before import NamedBefore
+from intent_engine.language.meaning.particles import Particles
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
@@ -66,6 +67,7 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamedBefore(self._matcher.grammar, phrases, meant)
+        self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
@@ -83,6 +85,8 @@ class WrittenOtherwise:
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
+        if written is None:
+            written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
