@@ -62,8 +62,13 @@ class Plurals:
 
     def one_of_each(self, said: Utterance) -> Utterance | None:
         """The same utterance with every strange word for more of something as the word of the grammar for one: "the
-        *lamps* in the kitchen and the hall". Only where commands come of it that do it for each of several."""
-        words = [self._one_of(word) if self._is_strange(word) else word for word in said.words]
+        *lamps* in the kitchen and the hall", and any such word before a number: "tables 4 and 5" of a grammar that has
+        "all tables" too. Only where commands come of it that do it for each of several."""
+        numbered = [is_number(word, self._grammar.language) for word in (*said.words[1:], "")]
+        words = [
+            self._one_of(word) if number or self._is_strange(word) else word
+            for word, number in zip(said.words, numbered, strict=True)
+        ]
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
     def _one_of(self, word: str) -> str:

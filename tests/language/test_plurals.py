@@ -86,3 +86,43 @@ def test_nobody_is_obeyed_who_only_tells(waiter, said):
 )
 def test_what_is_not_clear_is_told(waiter, said, reason):
     assert waiter.parse(said).reason == reason
+
+
+HALL = """
+slots:
+  n: {type: number, min: 1, max: 40, whole: true}
+  lamp: {type: number, min: 1, max: 9, whole: true}
+  time: duration
+intents:
+  wipe: {action: custom, sentences: ["wipe [the] table {n} [for {time}]"]}
+  all: {action: custom, sentences: ["wipe all [the] tables", "count the lamps"]}
+  dim: {action: custom, sentences: ["dim lamp {lamp}"]}
+  pair: {action: custom, sentences: ["join benches {n} and {n:other}", "move bench {n}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "done_for"),
+    [
+        ("wipe tables 4 and 5", [4, 5]),
+        ("please wipe the tables 4, 5 and 6", [4, 5, 6]),
+        ("dim lamps two and three", [2, 3]),
+        ("wipe tables 4", None),
+        ("wipe tables", None),
+        ("wipe tables 4 or 5", None),
+        ("wipe tables 4 to 6", None),
+        ("wipe tables 4 and 50", None),
+        ("wipe tables 4 and 5 for ten minutes", None),
+        ("don't wipe tables 4 and 5", None),
+        ("we wiped tables 4 and 5", None),
+        ("count lamps 4 and 5", None),
+    ],
+)
+def test_several_are_named_though_the_grammar_has_the_word_for_more(engine_of, said: str, done_for) -> None:
+    found = engine_of(HALL).parse(said)
+    assert ([next(iter(one.slots.values())) for one in found.actions] or None) == done_for
+
+
+def test_a_sentence_of_several_is_one(engine_of) -> None:
+    (action,) = engine_of(HALL).parse("join benches 3 and 4").actions
+    assert action.slots == {"n": 3, "other": 4}
