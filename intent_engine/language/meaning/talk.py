@@ -86,7 +86,12 @@ class Talk:
         if not self._besides.may_stand_in(said.words[-1:]):
             return False
         last = parts[-1].reading if parts else None
-        if last is None or self._besides.at(said.words, len(said) - 1) != 1 or last.words[-1] == said.words[-1]:
+        if (
+            last is None
+            or not last.alikes
+            or self._besides.at(said.words, len(said) - 1) != 1
+            or last.words[-1] == said.words[-1]
+        ):
             return False
         return len(last.words) > 1 and any(not one.problem for one in self._commands.readings([*last.words[:-1]]))
 

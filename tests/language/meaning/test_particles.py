@@ -98,7 +98,9 @@ LAMPS = st.sampled_from(["lamp", "fan", "ceiling light"])
 
 
 @given(lamp=LAMPS, other=LAMPS, article=st.sampled_from(["the ", ""]), joint=st.sampled_from([" and ", ", then "]))
-def test_every_order_of_both_is_understood(house: IntentEngine, lamp: str, other: str, article: str, joint: str) -> None:
+def test_every_order_of_both_is_understood(
+    house: IntentEngine, lamp: str, other: str, article: str, joint: str
+) -> None:
     ons = [f"turn on {article}{lamp}", f"turn {article}{lamp} on"]
     offs = [f"turn off {article}{other}", f"turn {article}{other} off"]
     done = {house.parse(f"{on}{joint}{off}").actions for on in ons for off in offs}
