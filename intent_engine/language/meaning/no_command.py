@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation, Question, Status
@@ -13,6 +13,7 @@ from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.told import Understood, as_told, asked_back
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
@@ -33,7 +34,9 @@ class NoCommand:
         self, phrases: Phrases, commands: Commands, compounds: Compounds, corrections: Corrections, nearest: Nearest
     ) -> None:
         self._phrases = phrases
+        self._commands = commands
         self._matcher = commands.matcher
+        self._is_manner = thing_words(commands.matcher.grammar.language).is_manner
         self._compounds = compounds
         self._corrections = corrections
         self._nearest = nearest
@@ -49,6 +52,11 @@ class NoCommand:
             clause: what came nearest to a command, if anything did.
         """
         words = core.words
+        manner = self._manner(words, state)
+        told = clause is not None and (clause.ambiguous or clause.reason.startswith(repr(manner)))
+        if manner and not told:
+            reason = f"{manner!r} says how it is done, and this command has no word for that; say it without"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
         if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             automaton = self._matcher.spoken
@@ -75,6 +83,18 @@ class NoCommand:
         near = self._nearest.sentences(words)
         which = None if self._phrases.change_meaning(words) else _which_sentence(near)
         return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near, question=which), ()
+
+    def _manner(self, words: Sequence[str], state: Collection[str]) -> str:
+        """The word that says how something is to be done that would be a command without it: "slowly drive to the
+        kitchen". Done as it always is it would not be what was said. Empty: there is none."""
+        return next(
+            (
+                word
+                for place, word in enumerate(words)
+                if self._is_manner(word) and self._commands.accepts([*words[:place], *words[place + 1 :]], state)
+            ),
+            "",
+        )
 
     def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
         """One part of what was said is no command, so nothing of it is done."""
