@@ -36,7 +36,7 @@ class Plurals:
         self._grammar = grammar
         self._first_words = first_words
 
-    def otherwise(self, said: Utterance, *, known: bool = False) -> Utterance | None:
+    def otherwise(self, said: Utterance, *, known: bool = False, owners: Collection[str] = ()) -> Utterance | None:
         """The same utterance with the words that the grammar has for one or more of the same; None: it is the same, or
         no English.
 
@@ -47,6 +47,7 @@ class Plurals:
             said: the utterance.
             known: whether one of something becomes more behind a number though the grammar has a word for one: "take
                 one more photo" of "take {n} more photos" and "take a photo". Never the other way, or there is no end.
+            owners: words that tell whose something is, and name no more than one: "tell *Anna's* son".
         """
         if self._grammar.language != "en":
             return None
@@ -54,7 +55,7 @@ class Plurals:
         for place, word in enumerate(words):
             behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
             before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
-            if self._is_strange(word):
+            if self._is_strange(word) and (behind or word not in owners):
                 words[place] = next(self._ways(word, counted=behind or before), word)
             elif known and behind and word not in self._first_words():
                 words[place] = next(iter(self._more.get(word, ())), word)

@@ -126,3 +126,49 @@ def test_several_are_named_though_the_grammar_has_the_word_for_more(engine_of, s
 def test_a_sentence_of_several_is_one(engine_of) -> None:
     (action,) = engine_of(HALL).parse("join benches 3 and 4").actions
     assert action.slots == {"n": 3, "other": 4}
+
+
+POST = """
+slots:
+  who: [Anna, Tom, Ben]
+  message: {type: text, max_words: 8}
+  plant: [fern, cactus]
+  thing: {type: text, max_words: 3}
+  n: {type: number, whole: true}
+intents:
+  tell: {action: custom, sentences: ["tell {who} [that] {message}", "say {message}"]}
+  water: {action: custom, sentences: ["water [{n}] [the] {plant} [{thing}]"]}
+"""
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["tell Anna's son that I'm here", "tell Tom’s wife it is late", "Tell Ben's mother hello", "water the fern's pot"],
+)
+def test_who_owns_something_is_no_name_in_the_plural(engine_of, said: str) -> None:
+    assert not engine_of(POST).parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("tell Anna it's Tom's turn", {"who": "Anna", "message": "its toms turn"}),
+        ("water the ferns", {"plant": "fern"}),
+        ("water two fern's", {"n": 2, "plant": "fern"}),  # as many write it
+    ],
+)
+def test_what_is_named_in_the_plural_is(engine_of, said: str, slots) -> None:
+    assert engine_of(POST).parse(said).slots == slots
+
+
+@pytest.mark.parametrize(
+    "said", ["tell Anna or Tom that it is late", "tell Anna or Tom it is late", "water the fern or cactus"]
+)
+def test_free_words_do_not_begin_with_another_name(engine_of, said: str) -> None:
+    """Who is told, and which plant is meant, is left open."""
+    assert not engine_of(POST).parse(said).actions
+
+
+def test_free_words_may_tell_of_two(engine_of) -> None:
+    assert engine_of(POST).parse("say now or never").actions == ()  # "never" denies
+    assert engine_of(POST).parse("say tea or coffee").slots == {"message": "tea or coffee"}

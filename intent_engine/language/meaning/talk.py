@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from intent_engine.language.contractions import OTHER_WORDS
+from intent_engine.language.free_text import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.conditions import Conditions
@@ -17,6 +18,7 @@ from intent_engine.language.meaning.spoken_to import spoken_to
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.owners import owners
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
 
@@ -60,6 +62,8 @@ class Talk:
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
         if not _APOSTROPHES.isdisjoint(text) and not found.stops and (told := self._of_somebody(text, parts)):
             return f"{told!r} tells of somebody; say the command alone"
+        if not _APOSTROPHES.isdisjoint(text) and not found.stops and (owned := self._of_an_owner(text, parts)):
+            return f"{owned!r} may tell whose something is; say the name alone"
         if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
         if self._is_done_besides(said, parts):
@@ -78,6 +82,18 @@ class Talk:
             written = text[token.start : token.end]
             if token.word in OTHER_WORDS - kept and _APOSTROPHE.search(written):
                 return written
+        return ""
+
+    def _of_an_owner(self, text: str, parts: Sequence[Clause]) -> str:
+        """A word that is only like a name, tells whose something is, and stands before free words, which may be what
+        that is: "tell Ben's *mother*" is nothing for Ben. Empty: there is none."""
+        known = owners(text) if self._language == "en" else frozenset()
+        for reading in (part.reading for part in parts if known and part.reading is not None):
+            free = {slot.start for slot in reading.slots if slot.slot.type in FREE_KINDS}
+            for slot in reading.slots:
+                last = reading.words[slot.end - 1]
+                if slot.status == "fuzzy" and slot.end in free and last in known:
+                    return last
         return ""
 
     def _is_done_besides(self, said: Utterance, parts: Sequence[Clause]) -> bool:

@@ -21,6 +21,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.owners import owners
 from intent_engine.language.plurals import Plurals
 from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words
@@ -182,7 +183,7 @@ class WrittenOtherwise:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
         begun = self._matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
         for known in (False, True)[: 1 if begun else 2]:
-            other = self._plurals.otherwise(core, known=known)
+            other = self._plurals.otherwise(core, known=known, owners=owners(text))
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
                 return None if self._plurals.changes_free_words(core, other, _readings(found)) else found
