@@ -65,17 +65,18 @@ class Plurals:
         """The same utterance with every strange word for more of something as the word of the grammar for one: "the
         *lamps* in the kitchen and the hall", and any such word before a number: "tables 4 and 5" of a grammar that has
         "all tables" too. Only where commands come of it that do it for each of several."""
-        numbered = [is_number(word, self._grammar.language) for word in (*said.words[1:], "")]
-        words = [
-            self._one_of(word) if number or self._is_strange(word) else word
-            for word, number in zip(said.words, numbered, strict=True)
-        ]
+        language, closed = self._grammar.language, self._grammar.operators.closed
+        words = list(said.words)
+        for place, (before, word, after) in enumerate(zip(("", *words), said.words, (*words[1:], ""), strict=False)):
+            named = place > 0 and before not in closed and is_number(after, language)  # "and *lifts* 3 boxes" tells
+            if named or self._is_strange(word):
+                words[place] = self._one_of(word, named=named)
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
-    def _one_of(self, word: str) -> str:
+    def _one_of(self, word: str, *, named: bool) -> str:
         endings = thing_words(self._grammar.language).plurals
         ones = (one for (one,) in singular((word,), endings) if one in self._words and len(one) >= LEAST_LETTERS)
-        return next((one for one in ones if one not in self._first_words()), word)
+        return next((one for one in ones if named or one not in self._first_words()), word)
 
     def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:
         """Whether a name in free words would not be what was said: of "boxes" there are more than of "box"."""

@@ -98,6 +98,7 @@ intents:
   all: {action: custom, sentences: ["wipe all [the] tables", "count the lamps"]}
   dim: {action: custom, sentences: ["dim lamp {lamp}"]}
   pair: {action: custom, sentences: ["join benches {n} and {n:other}", "move bench {n}"]}
+  order: {action: custom, sentences: ["table {n} wants tea", "lift {n}", "lamp {lamp} is broken"]}
 """
 
 
@@ -107,6 +108,9 @@ intents:
         ("wipe tables 4 and 5", [4, 5]),
         ("please wipe the tables 4, 5 and 6", [4, 5, 6]),
         ("dim lamps two and three", [2, 3]),
+        ("lift 3 and lifts 4", None),
+        ("lifts 3 and 4", None),
+        ("he lifts 3 and 4", None),
         ("wipe tables 4", None),
         ("wipe tables", None),
         ("wipe tables 4 or 5", None),

@@ -114,32 +114,3 @@ def field(engine_of) -> IntentEngine:
 )
 def test_germans_put_other_words_around_a_command(field: IntentEngine, said: str, slots: dict | None) -> None:
     assert [action.slots for action in field.parse(said).actions] == ([] if slots is None else [slots])
-
-
-ROLLER = """
-slots:
-  far: {type: distance, max: 9 m}
-  n: {type: number, whole: true, max: 9}
-  title: {type: text, max_words: 4}
-intents:
-  roll: {action: custom, sentences: ["roll out [{far}]"]}
-  add: {action: custom, sentences: ["add {n} spoons"]}
-  play: {action: custom, sentences: ["play {title}"]}
-"""
-
-
-@pytest.mark.parametrize(
-    ("said", "slots"),
-    [
-        ("roll out, um, like 2 meters", {"far": 2.0}),
-        ("add like three spoons", {"n": 3}),
-        ("play like 24 hours", {"title": "like 24 hours"}),
-        ("play songs like seven years", {"title": "songs like seven years"}),
-        ("I like three spoons", None),
-        ("roll out like crazy", None),
-        ("it rolls out like 2 meters", None),
-    ],
-)
-def test_like_says_nothing_before_a_number(engine_of, said: str, slots) -> None:
-    found = engine_of(ROLLER).parse(said)
-    assert (found.slots if found.actions else None) == slots
