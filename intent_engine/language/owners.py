@@ -6,7 +6,7 @@ import re
 
 __all__ = ["owners"]
 
-_OWNED = re.compile("(?<=[a-z])['’ʼ`]s[.,;:!?\"]*$")
+_OWNED = re.compile("(?<=[a-z0-9])['’ʼ`]s[.,;:!?\"]*$")
 
 
 def owners(text: str) -> frozenset[str]:

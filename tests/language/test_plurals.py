@@ -140,14 +140,20 @@ slots:
   thing: {type: text, max_words: 3}
   n: {type: number, whole: true}
 intents:
-  tell: {action: custom, sentences: ["tell {who} [that] {message}", "say {message}"]}
+  tell: {action: custom, sentences: ["tell {who} [that] {message}", "say {message}", "tell desk {n} [that] {message}"]}
   water: {action: custom, sentences: ["water [{n}] [the] {plant} [{thing}]"]}
 """
 
 
 @pytest.mark.parametrize(
     "said",
-    ["tell Anna's son that I'm here", "tell Tom’s wife it is late", "Tell Ben's mother hello", "water the fern's pot"],
+    [
+        "tell Anna's son that I'm here",
+        "tell Tom’s wife it is late",
+        "Tell Ben's mother hello",
+        "water the fern's pot",
+        "tell desk 4's guest it is late",
+    ],
 )
 def test_who_owns_something_is_no_name_in_the_plural(engine_of, said: str) -> None:
     assert not engine_of(POST).parse(said).actions
@@ -156,6 +162,7 @@ def test_who_owns_something_is_no_name_in_the_plural(engine_of, said: str) -> No
 @pytest.mark.parametrize(
     ("said", "slots"),
     [
+        ("tell desk 4 it's Tom's turn", {"n": 4, "message": "its toms turn"}),
         ("tell Anna it's Tom's turn", {"who": "Anna", "message": "its toms turn"}),
         ("water the ferns", {"plant": "fern"}),
         ("water two fern's", {"n": 2, "plant": "fern"}),  # as many write it

@@ -85,15 +85,18 @@ class Talk:
         return ""
 
     def _of_an_owner(self, text: str, parts: Sequence[Clause]) -> str:
-        """A word that is only like a name, tells whose something is, and stands before free words, which may be what
-        that is: "tell Ben's *mother*" is nothing for Ben. Empty: there is none."""
+        """A word that is only like a name, or a number, tells whose something is, and stands before free words, which
+        may be what that is: "tell Ben's *mother*" is nothing for Ben. Empty: there is none."""
         known = owners(text) if self._language == "en" else frozenset()
         for reading in (part.reading for part in parts if known and part.reading is not None):
+            words = reading.words
             free = {slot.start for slot in reading.slots if slot.slot.type in FREE_KINDS}
             for slot in reading.slots:
-                last = reading.words[slot.end - 1]
+                last = words[slot.end - 1]
                 if slot.status == "fuzzy" and slot.end in free and last in known:
                     return last
+                if slot.end in free and words[slot.end] == "s" and f"{last}s" in known:
+                    return f"{last}'s"
         return ""
 
     def _is_done_besides(self, said: Utterance, parts: Sequence[Clause]) -> bool:
