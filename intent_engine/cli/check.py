@@ -37,7 +37,11 @@ def check(
     ] = False,
     strict: Annotated[bool, typer.Option("--strict", help="Fail on warnings too.")] = False,
     notes: Annotated[
-        bool, typer.Option("--notes", help="Also tell of sentences that meet, though it is clear which one wins.")
+        bool,
+        typer.Option(
+            "--notes",
+            help="Also tell of sentences that meet, though it is clear which one wins, and of what slots take.",
+        ),
     ] = False,
     as_json: Json = False,
 ) -> int:

@@ -86,7 +86,7 @@ class Automaton:
         self._is_numeral = is_numeral
         self._is_number_word = is_number_word
         self._closed = closed_words
-        self._alikes = sound_alikes if sound_alikes and loose else {}
+        self._alikes = sound_alikes or {}
         self._lock = threading.RLock()
         self._bottom = Stack(None, None, None)
         self._forget()
@@ -208,8 +208,9 @@ class Automaton:
         if not (onward or guessed or swallowed):
             return None
         # A word of the grammar is read as such before it is taken for another, or a free slot takes it: "the cup from
-        # the table" is a thing and where it is, "lift up the cup" no "up the cup".
-        entries = onward + guessed + swallowed
+        # the table" is a thing and where it is, "lift up the cup" no "up the cup". Read as it is said, "play another
+        # love" has a title before "another" is "a".
+        entries = onward + (guessed + swallowed if self._loose else swallowed + guessed)
         return self._close(entries) if self._traced else (self._merge(entries), ())
 
     def _close(self, entries: Iterable[Entry]) -> Taken:

@@ -19,6 +19,7 @@ from intent_engine.language.names import MIN_SCORE
 from intent_engine.language.nearest import Nearest
 from intent_engine.language.pattern.pattern_checks import pattern_findings
 from intent_engine.language.reading import Reading
+from intent_engine.language.slot_notes import slot_notes
 from intent_engine.language.spellings import spellings
 
 if TYPE_CHECKING:
@@ -38,8 +39,8 @@ class Finding:
     level: str
     """``error``: it cannot be used; ``warning``: it is hardly meant; ``note``: it works, and this is how."""
     topic: str
-    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``pattern``, ``alike``, ``place`` (of a map)
-    or ``example``."""
+    """``file``, ``ambiguous``, ``shadowed``, ``unreachable``, ``overlap``, ``pattern``, ``alike``, ``slot``, ``place``
+    (of a map) or ``example``."""
     problem: Problem
 
     def to_json(self) -> dict[str, Any]:
@@ -103,6 +104,7 @@ def check_grammar(grammar: Grammar, locations: LocationMap | None) -> Report:
     findings += met.findings()
     findings += [Finding(*found) for found in pattern_findings(grammar, locations)]
     findings += [Finding("warning", "alike", problem) for problem in _alike_values(grammar)]
+    findings += [Finding("note", "slot", problem) for problem in slot_notes(grammar)]
     if locations is not None:
         findings += [Finding("warning", "file", problem) for problem in locations.warnings]
         findings += [Finding("warning", "alike", problem) for problem in _alike_places(locations)]

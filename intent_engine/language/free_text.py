@@ -142,16 +142,15 @@ class FreeText:
     def _leaves_open(self, slot: Slot, said: Sequence[str]) -> str:
         """The word that shows that one of two is meant, and not which: "the cup *or* the glass". Empty: none does.
 
-        Things are never called so. What else is free may be, without an article ("play jazz or rock"). A letter at the
-        end is a name ("caja o").
+        Things are never called so. What else is free may be, without an article ("play jazz or rock"), but begins with
+        none ("tell Anna or Tom it is late"). A letter at the end is a name ("caja o").
         """
         if slot.dictation:
             return ""
         thing = self.is_thing(slot)
-        for word, after in zip(said, (*said[1:], ""), strict=True):
-            if word not in self._words.either or _meant(slot, word):
-                continue
-            if after in self.articles or (thing and (after or len(word) > 1)):
+        for place, (word, after) in enumerate(zip(said, (*said[1:], ""), strict=True)):
+            is_open = (after and not place) or after in self.articles or (thing and (after or len(word) > 1))
+            if is_open and word in self._words.either and not _meant(slot, word):
                 return word
         return ""
 

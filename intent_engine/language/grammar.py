@@ -46,7 +46,9 @@ _WRITTEN: Mapping[str, tuple[float, str]] = {
     "percent": (100.0, " %"),
 }
 """How people write a value in SI units: what it is multiplied by, and the unit."""
-_POINTING = _WRITTEN.keys() - {"duration"}
+_NEVER_NEGATIVE = frozenset(("duration", "percent"))
+"""Quantities of which there is none less than none, but where a file says so."""
+_POINTING = _WRITTEN.keys() - _NEVER_NEGATIVE
 """Quantities that have a size and point one of two ways."""
 
 SLOT_TYPES = (*QUANTITY_KINDS, "choice", "location", "text", "object", "boolean")
@@ -148,10 +150,10 @@ class Slot:
     @property
     def smallest(self) -> float | None:
         """The lower bound in SI, inclusive. Where the file names none, a ``max`` bounds the size both ways, so that
-        nobody drives twenty meters back by "forward minus twenty meters"; and no time is less than none."""
+        nobody drives twenty meters back by "forward minus twenty meters"; and no time or share is less than none."""
         if self.minimum is not None:
             return self.minimum
-        if self.type == "duration":
+        if self.type in _NEVER_NEGATIVE:
             return 0.0
         return -self.maximum if self.maximum is not None and self.maximum > 0 and self.type in _POINTING else None
 
@@ -166,7 +168,7 @@ class Slot:
         if self.whole and not float(value).is_integer():
             return "whole", BEYOND_LIMITS["whole"]
         if self.smallest is not None and value < self.smallest:
-            key = "min" if self.maximum is None or self.minimum is not None or self.type == "duration" else "max"
+            key = "min" if self.maximum is None or self.minimum is not None or self.type in _NEVER_NEGATIVE else "max"
             return key, f"{BEYOND_LIMITS['min']}, {self.written(self.smallest)}"
         if self.least is not None and abs(value) < self.least:
             return "least", f"{BEYOND_LIMITS['min']}, {self.written(self.least)}"

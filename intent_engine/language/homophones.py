@@ -7,10 +7,11 @@ that. Only words that most speakers say alike are here, and none that people say
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import cache
 
-__all__ = ["LETTERS_BY_SOUND", "homophones"]
+__all__ = ["LETTERS_BY_SOUND", "homophones", "spelled_otherwise"]
 
 LETTERS_BY_SOUND = {
     "eh": "a", "hey": "a", "be": "b", "bee": "b", "see": "c", "sea": "c", "dee": "d", "eff": "f", "gee": "g",
@@ -85,6 +86,34 @@ ware wear where; wares wears; warn worn; watt what; watts whats; way weigh whey;
 whether; wet whet; which witch; while wile; whine wine; whines wines; whirl whorl; whiskey whisky; whoa woe; whose
 who's; wood would; yogurt yoghurt; yoke yolk; yolks yokes; zeros zeroes
 """
+
+
+_EITHER_WAY = (
+    (re.compile("(?<=[a-z]{3}[iy])[sz](?=(?:e|es|ed|er|ers|ing|ation|ations)$)"), str.maketrans("sz", "zs")),
+)
+"""Letters of which English has one and American English the other: "steriliSe", "analyZer"."""
+_ENDINGS = (("our", "or"), ("tre", "ter"), ("bre", "ber"))
+"""And how words end here and there, with at least three letters before: "harbour", "theatre", "fibre"."""
+_MORE = ("", "s", "ed", "ing")
+
+
+def spelled_otherwise(word: str) -> tuple[str, ...]:
+    """How an English word is written elsewhere: "stabiliser" for "stabilizer", "harbor" for "harbour". Some of it is no
+    word at all ("motour"), and nobody writes that."""
+    found = [
+        word[: match.start()] + match.group().translate(other) + word[match.end() :]
+        for letters, other in _EITHER_WAY
+        if (match := letters.search(word))
+    ]
+    for more in _MORE:
+        stem = word.removesuffix(more)
+        if more and stem == word:
+            continue
+        for pair in _ENDINGS:
+            for one, other in (pair, pair[::-1]):
+                if stem.endswith(one) and len(stem) >= len(one) + 3:
+                    found.append(stem.removesuffix(one) + other + more)
+    return tuple(dict.fromkeys(found))
 
 
 @cache

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.language import quantities
 from intent_engine.language.adjacent_numbers import is_number, numbers_apart, parted_at_joint
 from intent_engine.language.alternative_slots import alternatives
+from intent_engine.language.another import Another
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.continuation import Continuation, Continuations
 from intent_engine.language.free_text import FreeText
@@ -53,6 +54,7 @@ class Matcher:
         """Those of a whole utterance, and after them those of a later part only."""
         self._whole = range(sum(len(intent.sentences) for intent in intents))
         self._free = FreeText(grammar)
+        self._another = Another(grammar)
         self.values = SlotValues(grammar, locations, self._free)
         self._parts = SentenceNetworks(grammar, locations, self.networks, self._free)
         self._parts.add_sentences([sentence for _, sentence in self.sentences])
@@ -92,7 +94,7 @@ class Matcher:
             is_numeral=quantities.is_numeral,
             is_number_word=lambda word: is_number_word(word, language),
             closed_words=self.grammar.operators.closed,
-            sound_alikes=self.alikes,
+            sound_alikes=self.alikes if loose else self._another.meant,
         )
 
     def _later_of(self, intent: Intent) -> list[int]:
@@ -207,6 +209,7 @@ class Matcher:
             for trace in automaton.read(words)
             if not (
                 means_nothing(trace, words, language)
+                or self._another.is_no_article(trace, words, loose=loose)
                 or (loose and loses_a_number(trace, words, self.grammar, self.strict))
             )
         ]

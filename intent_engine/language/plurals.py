@@ -35,7 +35,7 @@ class Plurals:
         self._grammar = grammar
         self._first_words = first_words
 
-    def otherwise(self, said: Utterance, *, known: bool = False) -> Utterance | None:
+    def otherwise(self, said: Utterance, *, known: bool = False, owners: Collection[str] = ()) -> Utterance | None:
         """The same utterance with the words that the grammar has for one or more of the same; None: it is the same, or
         no English.
 
@@ -46,6 +46,7 @@ class Plurals:
             said: the utterance.
             known: whether one of something becomes more behind a number though the grammar has a word for one: "take
                 one more photo" of "take {n} more photos" and "take a photo". Never the other way, or there is no end.
+            owners: words that tell whose something is, and name no more than one: "tell *Anna's* son".
         """
         if self._grammar.language != "en":
             return None
@@ -53,7 +54,7 @@ class Plurals:
         for place, word in enumerate(words):
             behind = any(is_number(other, "en") for other in words[max(place - 2, 0) : place])  # "one fresh tip"
             before = any(is_number(other, "en") for other in words[place + 1 : place + 2])
-            if self._is_strange(word):
+            if self._is_strange(word) and (behind or word not in owners):
                 words[place] = next(self._ways(word, counted=behind or before), word)
             elif known and behind and word not in self._first_words():
                 words[place] = next(iter(self._more.get(word, ())), word)
@@ -61,14 +62,20 @@ class Plurals:
 
     def one_of_each(self, said: Utterance) -> Utterance | None:
         """The same utterance with every strange word for more of something as the word of the grammar for one: "the
-        *lamps* in the kitchen and the hall". Only where commands come of it that do it for each of several."""
-        words = [self._one_of(word) if self._is_strange(word) else word for word in said.words]
+        *lamps* in the kitchen and the hall", and any such word before a number: "tables 4 and 5" of a grammar that has
+        "all tables" too. Only where commands come of it that do it for each of several."""
+        language, closed = self._grammar.language, self._grammar.operators.closed
+        words = list(said.words)
+        for place, (before, word, after) in enumerate(zip(("", *words), said.words, (*words[1:], ""), strict=False)):
+            named = place > 0 and before not in closed and is_number(after, language)  # "and *lifts* 3 boxes" tells
+            if named or self._is_strange(word):
+                words[place] = self._one_of(word, named=named)
         return Utterance(words, list(said.breaks)) if words != said.words else None
 
-    def _one_of(self, word: str) -> str:
+    def _one_of(self, word: str, *, named: bool) -> str:
         endings = thing_words(self._grammar.language).plurals
         ones = (one for (one,) in singular((word,), endings) if one in self._words and len(one) >= LEAST_LETTERS)
-        return next((one for one in ones if one not in self._first_words()), word)
+        return next((one for one in ones if named or one not in self._first_words()), word)
 
     def changes_free_words(self, said: Utterance, other: Utterance, readings: Sequence[Reading]) -> bool:
         """Whether a name in free words would not be what was said: of "boxes" there are more than of "box"."""

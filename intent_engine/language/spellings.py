@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, permutations
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.homophones import LETTERS_BY_SOUND, homophones
+from intent_engine.language.homophones import LETTERS_BY_SOUND, homophones, spelled_otherwise
 from intent_engine.language.numbers.units import SIGNS, units
 from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word
 
@@ -62,6 +62,10 @@ def own_homophones(grammar: Grammar) -> dict[str, tuple[str, ...]]:
     own = own_words(grammar)
     said = {**homophones(grammar.language), **_SCALES, **_of_signs(grammar.language)}
     found = {word: tuple(filter(own.__contains__, same)) for word, same in said.items()}
+    for word in sorted(own) if grammar.language == "en" else ():
+        for other in spelled_otherwise(word):
+            if other not in own and word not in found.get(other, ()):
+                found[other] = (*found.get(other, ()), word)
     letters = _letters(grammar) if grammar.language == "en" else frozenset()
     for word, letter in LETTERS_BY_SOUND.items() if letters else ():
         if letter in letters:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 __all__ = ["Wording"]
 
@@ -99,3 +100,6 @@ class Wording:
     """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
     wished: tuple[tuple[str, ...], ...] = ()
     """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
+    particles: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """What a verb may have straight behind it, and behind what it is done to: "turn *on* the lamp", "turn the lamp
+    *on*"."""

@@ -160,3 +160,51 @@ def test_another_is_no_place(tmp_path) -> None:
     assert not engine.parse("go to another").actions
     assert not engine.parse("go to dock another").actions
     assert not engine.parse("go to another dock").actions
+
+
+KIOSK = """
+slots:
+  snack: [sandwich, slice of cake]
+  place: location
+  thing: {type: text, max_words: 3}
+  title: {type: text, max_words: 3}
+  n: {type: number, whole: true, max: 9}
+intents:
+  sell: {action: custom, sentences: ["bring [a|{n}] {snack} [to the {place}]", "bring a napkin to the {place}"]}
+  carry: {action: custom, sentences: ["bring [the] {thing} to the {place}", "take a {thing}"]}
+  go: {action: {type: navigate, location: "{place}"}, sentences: ["go to [(a|the)] {place}"]}
+  play: {action: custom, sentences: ["play [a] {title}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "intent", "slots"),
+    [
+        ("bring another sandwich", "sell", {"snack": "sandwich"}),
+        ("bring another sandwich to the desk", "sell", {"snack": "sandwich", "place": "desk"}),
+        ("could you bring another slice of cake to the desk", "sell", {"snack": "slice of cake", "place": "desk"}),
+        ("bring another napkin to the desk", "sell", {"place": "desk"}),
+        ("bring another sandwich and go to the dock", "sell", None),
+        ("bring another spoon to the desk", "carry", {"thing": "another spoon", "place": "desk"}),
+        ("take another spoon", "carry", {"thing": "spoon"}),
+        ("play another love", "play", {"title": "another love"}),
+        ("bring 2 more sandwiches", "sell", {"n": 2, "snack": "sandwich"}),
+        ("bring two more slices of cake", "sell", {"n": 2, "snack": "slice of cake"}),
+        ("bring a sandwich to another desk", None, None),
+        ("go to another desk", None, None),
+        ("go to the another desk", None, None),
+        ("don't bring another sandwich", None, None),
+        ("who wants another sandwich", None, None),
+        ("another sandwich was brought to the desk", None, None),
+    ],
+)
+def test_another_thing_where_there_are_places(tmp_path, said: str, intent: str | None, slots) -> None:
+    """A thing of a list is one more, and no free words; of a place there is but one."""
+    file = tmp_path / "grammar.yaml"
+    file.write_text(KIOSK, encoding="utf-8")
+    found = IntentEngine.from_files(file, locations={"desk": (0.0, 0.0, 0.0), "dock": (1.0, 0.0, 0.0)}).parse(said)
+    assert (found.intent if found.actions else None) == intent or slots is None
+    if intent is None:
+        assert not found.actions
+    elif slots is not None:
+        assert found.slots == slots

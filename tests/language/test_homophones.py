@@ -188,3 +188,32 @@ def test_a_letter_is_what_is_written_for_it(engine_of, said: str, slots: dict[st
 @pytest.mark.parametrize("said", ["show row you", "show row are", "show row why", "fill well dee one"])
 def test_letters_that_a_grammar_does_not_have_are_none(engine_of, said: str) -> None:
     assert not engine_of(WELLS).parse(said).actions
+
+
+BRITISH = """
+slots:
+  where: [harbour, theatre, filter]
+  text: {type: text, max_words: 2}
+intents:
+  tidy: {action: custom, sentences: ["sterilize the {where}", "visualise [the] labels", "label {text}"]}
+  motor: {action: custom, sentences: ["start the motor", "open the prize"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "slots"),
+    [
+        ("sterilise the harbor", {"where": "harbour"}),
+        ("Sterilize the theater!", {"where": "theatre"}),
+        ("sterilise the filter", {"where": "filter"}),
+        ("visualize labels", {}),
+        ("label flavor", {"text": "flavor"}),
+        ("sterilised the harbor", None),
+        ("sterile the harbour", None),
+        ("don't sterilise the harbor", None),
+        ("open the prise", None),
+    ],
+)
+def test_how_it_is_spelled_elsewhere(engine_of, said, slots) -> None:
+    found = engine_of(BRITISH).parse(said)
+    assert (found.slots if found.actions else None) == slots

@@ -33,7 +33,7 @@ from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.normalize import words_of
 from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
-from intent_engine.language.template_tree import Choice, Node, Word
+from intent_engine.language.template_tree import Node
 from intent_engine.language_tag import language_of
 
 __all__ = ["load_grammars", "schema"]
@@ -240,11 +240,7 @@ class _Builder:
         use for: where something can be lifted, "lift" is no "left"."""
         heard_for = default_heard(self.language)
         own = own_words(grammar) - heard_for.maybe_numbers
-        usual = dict(heard_for.meant)
-        another = default_another(self.language)  # nobody hears it for "a", but who says it wants the same
-        articles = {article for articles in another.values() for article in articles}
-        if not any(_may_be_called(slot, articles) for slot in self.slots.values()):  # "row another" is no row A
-            usual |= another
+        usual = {**heard_for.meant, **default_another(self.language)}
         return {**{heard: meant for heard, meant in usual.items() if heard not in own}, **self.alikes}
 
     def finish(self) -> tuple[Grammar, list[Problem]]:
@@ -314,9 +310,3 @@ def _where(place: Place | None, source: YamlSource) -> str:
 def _section(source: YamlSource, name: str) -> list[tuple[YamlPath, Any, Any]]:
     """The sound entries of a section of a file."""
     return [] if (name,) in source.broken else list(source.entries((name,), source.data.get(name)))
-
-
-def _may_be_called(slot: Slot, articles: Iterable[str]) -> bool:
-    """Whether "a" may be a value of a slot, and no article: of a list that has it, or on a map, which may have it."""
-    nodes = [item for _, node in slot.values for item in (node.items if isinstance(node, Choice) else (node,))]
-    return slot.type == "location" or any(Word(article) in nodes for article in articles)

@@ -33,9 +33,8 @@ _WORDING = (
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "parted",
-    "thanking",
-    "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
-    "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished",
+    "thanking", "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
+    "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished", "particles",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
@@ -181,4 +180,5 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         once_more=phrases("once_more"),
         wishing=phrases("wishing"),
         wished=tuple(tuple(pair.split()) for pair in lists.get("wished", ())),
+        particles={verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()},
     )

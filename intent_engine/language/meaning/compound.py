@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.language.action_builder import names_taken
-from intent_engine.language.grammar import MOTIONS
+from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.correction import Corrections
@@ -72,18 +72,22 @@ class Compounds:
 
     def _but_for_besides(self, part: Utterance, state: Collection[str]) -> Clause | None:
         """The command that a part is but for an "as well" at its end. None: it is none so, or a sentence may go on with
-        what that sounds like: "turn left too" may be the beginning of "turn left two degrees"."""
+        what that sounds like: "turn left too" may be the beginning of "turn left two degrees". Behind an
+        amount and a pause it is not: "forward two meters, too"."""
         words = part.words
         length = self._besides.ends(words)
         if not 0 < length < len(words):
             return None
-        matcher = self._commands.matcher
-        for other in matcher.alikes.get(words[-1], ()) if length == 1 else ():
-            if matcher.prefix([*words[:-1], other])[1] is not None:
-                return None
         before = part.part(0, len(part) - length)
         clause = self._commands.exact(before.words, state, breaks=before.breaks)
-        return clause if clause is not None and clause.accepted else None
+        if clause is None or not clause.accepted or clause.reading is None:
+            return None
+        matcher = self._commands.matcher
+        measured = any(one.end == len(before) and one.slot.type in QUANTITY_KINDS for one in clause.reading.slots)
+        for other in matcher.alikes.get(words[-1], ()) if length == 1 and not (measured and part.breaks[-1]) else ():
+            if matcher.prefix([*words[:-1], other])[1] is not None:
+                return None
+        return clause
 
     @step(Kind.COMPOUND)
     def split(self, core: Utterance, state: Collection[str], *, exactly: bool = False) -> list[Clause] | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 
-from intent_engine.actions import Action, Custom
+from intent_engine.actions import Action, Custom, Stop
 from intent_engine.language.grammar import MOTIONS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
@@ -15,6 +15,7 @@ from intent_engine.language.meaning.forbidden_verbs import as_told, verb_first
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.template_tree import first_words
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Negations"]
@@ -33,6 +34,7 @@ class Negations:
         self._before = frozenset(((), *wording.before_negations))
         self._excludes = wording.excludes
         self._behind_the_verb = bool(wording.behind_verbs)
+        self._articles = thing_words(commands.matcher.grammar.language).articles
 
     def stands_in(self, core: Utterance) -> bool:
         return self._negation.may_stand_in(core.words) and self._first(core) is not None
@@ -260,18 +262,21 @@ class Negations:
         refused = f"negated: {' '.join(words[position : position + length])!r}"
         start = position if tuple(words[:position]) in self._before else 0
         pauses = start == position or self._behind_the_verb
+        first = position in (0, self._phrases.correction.at(words, 0))
         for end in range(position + length + 1, len(words)):
             contrast = self._phrases.contrast.at(words, end)
-            if not contrast and not (core.breaks[end] and pauses):
+            if not contrast and not (core.breaks[end] and (pauses or first)):
                 continue
             told = core.part(start, end)
             wanted = core.part(end + contrast, len(core))
             if not wanted.words or self._negation.find(wanted.words) is not None:
                 continue
-            denied = self._denied(told, position - start, length, state)
+            denied = self._denied(told, position - start, length, state) if contrast or pauses else None
             if denied is None:
                 if contrast and (begun := self._instead_of_begun(told, position - start, length, wanted, state)):
                     return begun, ""
+                if first and self._is_another(core.part(position, end), length, wanted, state):
+                    return wanted, ""
                 continue
             if self._phrases.sequence.at(wanted.words, 0):
                 continue
@@ -280,6 +285,27 @@ class Negations:
             if contrast and (instead := self._corrections.instead(denied, wanted, state)) is not None:
                 return instead, ""
         return None, refused
+
+    def _is_another(self, denied: Utterance, begin: int, wanted: Utterance, state: Collection[str]) -> bool:
+        """Whether a whole command follows what is not meant by a part of it, "not the kitchen, go to the hall", or that
+        objects to what was done, "not there, go to the hall". A word that any command has room for names no part: "not
+        yet, pick up the cup"."""
+        clause = self._commands.exact(wanted.words, state, breaks=wanted.breaks)
+        if clause is None or not clause.accepted or clause.reading is None or isinstance(clause.action, Stop):
+            return False
+        if not self._commands.opens_with_a_verb(clause.reading):
+            return False
+        if self._phrases.objection.at(denied.words, 0) == len(denied):
+            return True
+        named = denied.part(begin, len(denied))
+        led = bool(named.words) and named.words[0] in self._articles
+        if (
+            not named.words
+            or tuple(denied.words[:begin]) not in self._excludes
+            or (clause.reading.free_words and not led)
+        ):
+            return False
+        return self._with_part(wanted, named, state) not in (None, clause.action)
 
     def _no_not_that(self, core: Utterance, state: Collection[str]) -> Utterance | None:
         """An utterance without what a correction says not to have been meant: "turn left, no, not left, right" is "turn

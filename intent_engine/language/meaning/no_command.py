@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from intent_engine.language.meaning.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.told import Understood, as_told, asked_back
+from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
@@ -34,7 +35,9 @@ class NoCommand:
         self, phrases: Phrases, commands: Commands, compounds: Compounds, corrections: Corrections, nearest: Nearest
     ) -> None:
         self._phrases = phrases
+        self._commands = commands
         self._matcher = commands.matcher
+        self._is_manner = thing_words(commands.matcher.grammar.language).is_manner
         self._compounds = compounds
         self._corrections = corrections
         self._nearest = nearest
@@ -55,6 +58,11 @@ class NoCommand:
             reason = f"one of them is meant; say which: {' or '.join(names)}"
             asked = Question(sentences)
             return Interpretation(text, Status.REJECTED, reason=reason, alternatives=names, question=asked), ()
+        manner = self._manner(words, state)
+        told = clause is not None and (clause.ambiguous or clause.reason.startswith(repr(manner)))
+        if manner and not told:
+            reason = f"{manner!r} says how it is done, and this command has no word for that; say it without"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
         if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
             automaton = self._matcher.spoken
@@ -86,6 +94,18 @@ class NoCommand:
     def _are_several(self, said: Utterance, state: Collection[str]) -> bool:
         parts = self._compounds.split(said, state)
         return parts is not None and parts[0].accepted
+
+    def _manner(self, words: Sequence[str], state: Collection[str]) -> str:
+        """The word that says how something is to be done that would be a command without it: "slowly drive to the
+        kitchen". Done as it always is it would not be what was said. Empty: there is none."""
+        return next(
+            (
+                word
+                for place, word in enumerate(words)
+                if self._is_manner(word) and self._commands.accepts([*words[:place], *words[place + 1 :]], state)
+            ),
+            "",
+        )
 
     def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
         """One part of what was said is no command, so nothing of it is done."""

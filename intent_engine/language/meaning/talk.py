@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from intent_engine.language.contractions import OTHER_WORDS
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.conditions import Conditions
@@ -17,6 +18,7 @@ from intent_engine.language.meaning.spoken_to import spoken_to
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.told_as_done import told_as_done
 from intent_engine.language.normalize import tokenize
+from intent_engine.language.owners import owners
 from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
 
@@ -60,6 +62,8 @@ class Talk:
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
         if not _APOSTROPHES.isdisjoint(text) and not found.stops and (told := self._of_somebody(text, parts)):
             return f"{told!r} tells of somebody; say the command alone"
+        if not _APOSTROPHES.isdisjoint(text) and not found.stops and (owned := self._of_an_owner(text, parts)):
+            return f"{owned!r} may tell whose something is; say the name alone"
         if (added := self._more_than_now.within(said.words, parts)) and not found.stops:
             return f"{added!r} adds to what it is now; say how much it shall be"
         if self._is_done_besides(said, parts):
@@ -80,13 +84,33 @@ class Talk:
                 return written
         return ""
 
+    def _of_an_owner(self, text: str, parts: Sequence[Clause]) -> str:
+        """A word that is only like a name, or a number, tells whose something is, and stands before free words, which
+        may be what that is: "tell Ben's *mother*" is nothing for Ben. Empty: there is none."""
+        known = owners(text) if self._language == "en" else frozenset()
+        for reading in (part.reading for part in parts if known and part.reading is not None):
+            words = reading.words
+            free = {slot.start for slot in reading.slots if slot.slot.type in FREE_KINDS}
+            for slot in reading.slots:
+                last = words[slot.end - 1]
+                if slot.status == "fuzzy" and slot.end in free and last in known:
+                    return last
+                if slot.end in free and words[slot.end] == "s" and f"{last}s" in known:
+                    return f"{last}'s"
+        return ""
+
     def _is_done_besides(self, said: Utterance, parts: Sequence[Clause]) -> bool:
         """Whether what ends a command was read as another word, without which it is one as well: "turn left too" may be
         no turn by two degrees."""
         if not self._besides.may_stand_in(said.words[-1:]):
             return False
         last = parts[-1].reading if parts else None
-        if last is None or self._besides.at(said.words, len(said) - 1) != 1 or last.words[-1] == said.words[-1]:
+        if (
+            last is None
+            or not last.alikes
+            or self._besides.at(said.words, len(said) - 1) != 1
+            or last.words[-1] == said.words[-1]
+        ):
             return False
         return len(last.words) > 1 and any(not one.problem for one in self._commands.readings([*last.words[:-1]]))
 

@@ -16,12 +16,14 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.forbidden_verbs import verb_first
 from intent_engine.language.meaning.formal import Formal
+from intent_engine.language.meaning.particles import Particles
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.placed_first import PlacedFirst
 from intent_engine.language.meaning.pronouns import NamesListed
 from intent_engine.language.meaning.said_first import SaidFirst
 from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
+from intent_engine.language.owners import owners
 from intent_engine.language.plurals import Plurals
 from intent_engine.language.reading import Reading
 from intent_engine.language.thing_words import thing_words
@@ -69,6 +71,7 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
+        self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
@@ -90,6 +93,8 @@ class WrittenOtherwise:
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
                 written = self._understood_as(text, core, other, state)
+        if written is None:
+            written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
@@ -194,7 +199,7 @@ class WrittenOtherwise:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
         begun = self._matcher.prefix(core.words)[1] is not None  # "sow three row": it may have broken off
         for known in (False, True)[: 1 if begun else 2]:
-            other = self._plurals.otherwise(core, known=known)
+            other = self._plurals.otherwise(core, known=known, owners=owners(text))
             found = self._understood_as(text, core, other, state)
             if found is not None and other is not None:
                 return None if self._plurals.changes_free_words(core, other, _readings(found)) else found

@@ -20,7 +20,7 @@ from intent_engine.language.thing_words import ARTICLES
 if TYPE_CHECKING:
     from intent_engine.language.grammar import Grammar
 
-__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "narrating", "told", "verbless"]
+__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "lets_another", "narrating", "told", "verbless"]
 
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
@@ -50,6 +50,8 @@ ASKING = frozenset(("who", "whose", "what", "which", "where", "when", "why", "ho
 heard."""
 OTHERS = frozenset(("he", "she", "they"))
 """Subjects that no command begins with, whoever is meant."""
+LET = frozenset(("me", "him", "her", "them"))
+"""Whom somebody lets do what is no command then: "let me open the door", where "let us" says nothing."""
 MOST_VERB = 2
 """Words of a verb, before the article of what something is done to: "pick up the ..."."""
 MISHEARD = 0.4
@@ -105,6 +107,22 @@ def told(words: Sequence[str], heard: Sequence[Sequence[str]], lead: int = 0) ->
         tells = word in TELLING or (place == lead and (word in SUBJECTS or word in OTHERS or asks))
         if tells and leaves_out(words, [word], known):
             return first[: place + 1]
+    return ()
+
+
+def lets_another(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequence[str], int]]) -> Sequence[str]:
+    """The first words that one of several models heard, where somebody else is let do what the verb of a sentence says:
+    "let me open the door" for "let us open the door". Empty: none heard such.
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard, and how many of these say nothing.
+    """
+    for one, nothing in heard:
+        first = one[nothing : nothing + 3]
+        if len(first) == 3 and first[0] == "let" and first[1] in LET and [first[2]] == [*words[lead : lead + 1]]:
+            return first[:2]
     return ()
 
 

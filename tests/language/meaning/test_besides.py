@@ -89,6 +89,39 @@ def test_it_may_be_a_number_that_was_heard(shed: IntentEngine, said: str) -> Non
     assert shed.parse(said.replace("too", "as well")).actions
 
 
+@pytest.mark.parametrize(
+    "said",
+    [
+        "ring for 20 minutes, too",
+        "tilt the shelf ten degrees, too!",
+        "please ring for two hours, too, and follow",
+        "bring 3 crates, too",
+    ],
+)
+def test_behind_an_amount_and_a_pause_it_is_none(shed: IntentEngine, said: str) -> None:
+    assert shed.parse(said).actions == shed.parse(said.replace(", too", "")).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "tilt the shelf, too",
+        "ring, too for hours",
+        "ring for 20 minutes, two",
+        "don't ring for 20 minutes, too",
+        "ring for 20 minutes, too long",
+    ],
+)
+def test_behind_another_word_or_with_more_it_may_be(shed: IntentEngine, said: str) -> None:
+    assert not shed.parse(said).actions
+
+
+def test_the_shipped_grammar_drives_so_far_besides() -> None:
+    for far in ("move forward 2 meters", "turn left 90 degrees"):
+        assert shipped().parse(f"{far}, too").actions == shipped().parse(far).actions != ()
+        assert not shipped().parse(f"{far} too").actions
+
+
 def test_a_number_is_one_where_nothing_is_whole_without_it(shed: IntentEngine) -> None:
     assert shed.parse("bring too crates", heard=True).slots == {"crates": 2}
 

@@ -170,3 +170,45 @@ def test_what_spoils_a_compound_is_told(whole, part, reason):
 @pytest.mark.parametrize("text", ["the bus and the car", "we met and talked", "yes, and it was late"])
 def test_what_joins_no_commands_is_told_as_a_whole(text):
     assert shipped().parse(text).reason == "not a command of this grammar"
+
+
+TOWER = """
+slots:
+  place: [kitchen, dock]
+  thing: {type: text, max_words: 2}
+  pace: {type: choice, values: {slow: [slowly]}}
+intents:
+  go: {action: custom, sentences: ["(go|drive) to [the] {place}"]}
+  take: {action: custom, sentences: ["pick up [the] {thing}"]}
+  lift: {action: custom, sentences: ["lift the hook [{pace}]"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "how"),
+    [
+        ("slowly drive to the kitchen", "slowly"),
+        ("please drive slowly to the kitchen", "slowly"),
+        ("quickly go to the dock", "quickly"),
+        ("carefully pick up the cup", "carefully"),
+        ("immediately and quickly go to the dock", ""),
+        ("slowly drive to the cellar", ""),
+        ("slowly", ""),
+        ("slowly, he went to the dock", ""),
+    ],
+)
+def test_how_it_is_done_is_told_where_a_command_has_no_word_for_it(engine_of, said: str, how: str) -> None:
+    """Nor is it done as it always is."""
+    found = engine_of(TOWER).parse(said)
+    assert not found.actions
+    assert found.reason.startswith(f"{how!r} says how it is done") == bool(how)
+
+
+def test_a_way_of_the_shipped_grammar_has_no_pace() -> None:
+    found = shipped().parse("slowly drive to the kitchen")
+    assert found.status is Status.REJECTED
+    assert "'slowly' says how it is done" in found.reason
+
+
+def test_how_it_is_done_is_done_where_a_command_has_it(engine_of) -> None:
+    assert engine_of(TOWER).parse("slowly lift the hook").slots == {"pace": "slow"}

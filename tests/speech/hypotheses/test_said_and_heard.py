@@ -41,6 +41,22 @@ def test_what_all_heard_told_before_any_word_of_a_command(engine, sentence, hear
     assert SaidAndHeard(SpokenGrammar(engine), sentence.split(), [one.split() for one in heard]).left_out() == left_out
 
 
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("let us turn left", ["let me turn left", "let us turn left"], ("let me",)),
+        ("lets turn left", ["lets turn left", "please let him turn left"], ("let him",)),
+        ("turn left", ["turn left", "let me turn left"], ("let me",)),
+        ("let us turn left", ["let us turn left", "lets turn left"], ()),
+        ("let us turn left", ["let my turn left", "let us turn left"], ()),
+        ("let us turn left", ["let me burn left", "let us turn left"], ()),
+    ],
+)
+def test_who_lets_somebody_do_it_says_what_he_does_himself(engine, sentence, heard, left_out):
+    """One model is enough: it is done only if none heard it."""
+    assert SaidAndHeard(SpokenGrammar(engine), sentence.split(), [one.split() for one in heard]).left_out() == left_out
+
+
 def test_a_stop_and_what_is_as_good_as_sure_is_what_it_is(engine):
     grammar, other = SpokenGrammar(engine), [["go", "to", "the", "mountains"]] * 2
     assert not SaidAndHeard(grammar, ["stop"], [["somebody"], ["somebody"]]).heard_otherwise(0.8)
