@@ -1,4 +1,4 @@
-"""The thread that keeps navigation goals, without a middleware: whoever waits for the end of a goal is told no sooner."""
+"""The thread that keeps navigation goals, without a middleware: nobody is told too soon that all have ended."""
 
 from __future__ import annotations
 
