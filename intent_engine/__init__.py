@@ -10,7 +10,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn, from_json, to_json
+    from intent_engine.actions import (
+        Action,
+        ChangeSpeed,
+        Custom,
+        Move,
+        Navigate,
+        Pick,
+        Place,
+        Stop,
+        Turn,
+        from_json,
+        to_json,
+    )
     from intent_engine.engine import IntentEngine
     from intent_engine.errors import IntentEngineError
     from intent_engine.execution.executor import Executor
