@@ -142,7 +142,7 @@ class Session:
             if self.journal is not None:
                 from intent_engine.execution.journal import Journal
 
-                options["journal"] = Journal(self.journal)
+                options["journal"] = stack.enter_context(Journal(self.journal))
             executor = stack.enter_context(
                 Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options)
             )
@@ -223,7 +223,8 @@ class Session:
         if self.in_process:
             return robot, None
         limits, rates = self.robot.limits, self.robot.rates
-        return robot, Guardian(JSONL_SINK, {"out": out}, limits=limits, rates=rates, pass_fds=(out,))
+        guardian = Guardian(JSONL_SINK, {"out": out}, limits=limits, rates=rates, pass_fds=(out,))
+        return robot, stack.enter_context(contextlib.closing(guardian))
 
     def _draw(self, robot: SimulatedRobot | None) -> None:
         if robot is None:
