@@ -296,7 +296,7 @@ class VoiceCommands:
 
     def _state(self) -> Collection[str]:
         """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
-        linear, angular = self.executor.snapshot().velocity
+        linear, angular = self.executor.loop.written
         return self._told() | ({MOVING} if linear or angular or not self.executor.idle else set())
 
     def _has_no_time(self) -> bool:
