@@ -254,22 +254,7 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
     for name, value in values.items():
         if name not in known:
             raise ValueError(f"{data['type']} has no field {name!r}; it has {', '.join(known) or 'none'}")
-        expected = known[name].type
-        if expected == "float":
-            if isinstance(value, bool) or not isinstance(value, (int, float)):
-                raise ValueError(f"{data['type']}.{name} must be a number, not {value!r}")
-            try:
-                values[name] = float(value)
-            except OverflowError:
-                raise ValueError(f"{data['type']}.{name} must be a finite number") from None
-        elif "Mapping" in str(expected):
-            if not isinstance(value, Mapping):
-                raise ValueError(f"{data['type']}.{name} must be an object, not {value!r}")
-            for key, slot in value.items():
-                if not (isinstance(key, str) and (slot is None or isinstance(slot, (str, int, float)))):
-                    raise ValueError(f"{data['type']}.{name}[{key!r}] must be a string, number, boolean or null")
-        elif not (isinstance(value, str) or (value is None and "None" in str(expected))):
-            raise ValueError(f"{data['type']}.{name} must be a string, not {value!r}")
+        values[name] = _field_value(f"{data['type']}.{name}", str(known[name].type), value)
     missing = [item.name for item in fields(kind) if item.name not in values and _required(item)]
     if missing:
         *first, last = missing
@@ -279,6 +264,35 @@ def from_json(data: Mapping[str, Any] | str) -> Action:
     except TypeError as error:
         raise ValueError(f"{data['type']}: {error}") from None
     return action
+
+
+def _field_value(name: str, expected: str, value: Any) -> Any:
+    """The value of a field, from JSON.
+
+    Args:
+        name: of the action's type and the field.
+        expected: the type of the field, as it is annotated.
+        value: from JSON.
+
+    Raises:
+        ValueError: it is of another kind.
+    """
+    if expected == "float":
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise ValueError(f"{name} must be a number, not {value!r}")
+        try:
+            return float(value)
+        except OverflowError:
+            raise ValueError(f"{name} must be a finite number") from None
+    if "Mapping" in expected:
+        if not isinstance(value, Mapping):
+            raise ValueError(f"{name} must be an object, not {value!r}")
+        for key, slot in value.items():
+            if not (isinstance(key, str) and (slot is None or isinstance(slot, (str, int, float)))):
+                raise ValueError(f"{name}[{key!r}] must be a string, number, boolean or null")
+    elif not (isinstance(value, str) or (value is None and "None" in expected)):
+        raise ValueError(f"{name} must be a string, not {value!r}")
+    return value
 
 
 def _required(item: Field[Any]) -> bool:

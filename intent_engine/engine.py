@@ -82,7 +82,7 @@ class IntentEngine:
         Raises:
             ConfigError: something is wrong, or the engine was not made from files; the old grammar stays in use.
         """
-        if not (self._files.grammars or self._files.missing):
+        if not self._files.grammars:
             hint = "IntentEngine.from_files(...) makes one that can be reloaded"
             raise ConfigError(Problem("there are no files to read again: the engine was made from grammars", hint=hint))
         with self._lock:

@@ -102,9 +102,7 @@ class EngineFiles:
         woken = tuple(words_of(text) for text in _wake_words(wake))
         maps: tuple[Path, ...] = ()
         places: LocationMap | None = None
-        if isinstance(locations, (str, os.PathLike)) or (
-            isinstance(locations, Sequence) and not isinstance(locations, Mapping)
-        ):
+        if isinstance(locations, os.PathLike | Sequence):  # a text is a sequence, too
             maps = _found("locations", locations, missing)
         elif locations is not None:
             from intent_engine.language.locations import LocationMap

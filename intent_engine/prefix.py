@@ -64,7 +64,7 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
         if reached is None and spoken and (as_understood := _as_understood(interpreter, text, words, count)):
             words = as_understood
             count, reached = matcher.prefix(words)
-    except ConfigError:  # see IntentEngine.parse
+    except ConfigError:  # the grammar is too ambiguous to be walked; parsing the text tells it
         count, reached = 0, None
     if reached is None:
         if interpreter.dictates(text):

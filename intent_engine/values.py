@@ -22,7 +22,7 @@ def is_number(value: object) -> bool:
 
 
 def check_number(name: str, value: object, unit: str = "s", *, positive: bool = False) -> None:
-    """See that a value is a number: not below zero; infinite where there is no limit.
+    """See that a value is a number that is not below zero. It may be infinite, where there is no limit.
 
     Args:
         name: what it was given as.
@@ -32,12 +32,14 @@ def check_number(name: str, value: object, unit: str = "s", *, positive: bool = 
 
     Raises:
         TypeError: it is no number.
-        ValueError: it is below zero, or not a number by name.
+        ValueError: it is below zero, or NaN.
     """
     if not is_number(value):
         raise TypeError(f"{name} is a number of {unit}, not {value!r:.80}")
     number = float(value)  # type: ignore[arg-type]
-    if math.isnan(number) or number < 0:
+    if math.isnan(number):
+        raise ValueError(f"{name} must be a number, not nan")
+    if number < 0:
         raise ValueError(f"{name} must not be below zero, as {value} is")
     if positive and number == 0:
         raise ValueError(f"{name} must be above zero")
@@ -48,7 +50,7 @@ def check_timeout(value: object) -> None:
 
     Raises:
         TypeError: it is no number.
-        ValueError: it is not a number by name, which no time ever reaches.
+        ValueError: it is NaN, which no time ever reaches.
     """
     if value is not None and not is_number(value):
         raise TypeError(f"timeout is a number of s, or None to wait as long as it takes, not {value!r:.80}")

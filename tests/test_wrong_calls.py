@@ -112,7 +112,7 @@ def test_what_an_executor_cannot_take_is_told(executor, call, says):
     ("given", "says"),
     [
         ({"hold_limit": None}, "hold_limit is a number of s, not None"),
-        ({"hold_limit": float("nan")}, "hold_limit must not be below zero, as nan"),
+        ({"hold_limit": float("nan")}, "hold_limit must be a number, not nan"),
         ({"expire_after": "5 s"}, "expire_after is a number of s, not '5 s'"),
         ({"queue_limit": True}, "queue_limit is a number of goals"),
         ({"journal": "log.jsonl"}, r"journal is Journal\(path\)"),
@@ -199,7 +199,7 @@ def test_guards_ask_for_the_states():
     [
         ({"wait_complete": "1"}, "wait_complete is a number of s, not '1'"),
         ({"wait_other": -1.0}, "wait_other must not be below zero"),
-        ({"max_speech": float("nan")}, "max_speech must not be below zero, as nan"),
+        ({"max_speech": float("nan")}, "max_speech must be a number, not nan"),
         ({"onset": 50}, "onset is a probability, at most 1, not 50"),
         ({"onset_frames": None}, "onset_frames is a number of frames"),
     ],

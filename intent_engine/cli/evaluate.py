@@ -151,17 +151,8 @@ def evaluate(
 
     snrs = _snrs(snr) if noise else []
     settings = waits(wait)
-    if snr and not noise:
-        raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
-    if at_least is not None and math.isnan(at_least):  # no accuracy is less than that
-        raise ConfigError(Problem("--at-least: nan is no share", hint="give a number from 0 to 100"))
-    if at_least is not None and 0 < at_least <= 1:
-        hint = f"for {at_least * 100:g} %: --at-least {at_least * 100:g}"
-        raise ConfigError(Problem(f"--at-least {at_least:g} is {at_least:g} % of the commands", hint=hint))
-    if no_clean and not noise:
-        raise ConfigError(
-            Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")
-        )
+    _check_noise(noise, snr, no_clean)
+    _check_share(at_least)
     if csv is not None:
         check_table(csv, "--csv")
     if plot is not None:
@@ -198,18 +189,10 @@ def evaluate(
             # What it was raised through holds models and resamplers, which complain when they outlive the interpreter.
             run.ended_by = ending.with_traceback(None)
     results = scores(run.outcomes)
-    _show(results, run, as_json, all_in=csv)
-    if csv is not None and run.outcomes:
-        from intent_engine.evaluation.report import write_csv
-
-        write_csv(csv, run.outcomes)
-        note(f"every recording{' that was heard' if run.interrupted else ''} is in {csv}")
     goal = at_least / 100 if at_least is not None else None
-    if plot is not None and run.outcomes:
-        from intent_engine.evaluation.plot import plot_scores
-
-        plot_scores(results, run.outcomes, plot, goal=goal, title=run.ended)
-        note(f"accuracy and latency are drawn in {plot}")
+    _show(results, run, as_json, all_in=csv)
+    if run.outcomes:
+        _keep(results, run, csv, plot, goal)
     if run.interrupted:
         error_block(run.ended)
         return run.code
@@ -223,6 +206,33 @@ def _needs_jiwer() -> None:
     except ImportError:
         hint = "pip install 'intent-engine[evaluate]'"
         raise ConfigError(Problem("evaluate needs jiwer, which is not installed", hint=hint)) from None
+
+
+def _check_noise(noise: list[Path] | None, snr: str | None, no_clean: bool) -> None:
+    """See that there is noise, where an option is about it.
+
+    Raises:
+        ConfigError: there is none.
+    """
+    if snr and not noise:
+        raise ConfigError(Problem("--snr without --noise", hint="name a recording of noise: --noise kitchen.wav"))
+    if no_clean and not noise:
+        raise ConfigError(
+            Problem("--no-clean without --noise leaves nothing to hear", hint="name a recording: --noise kitchen.wav")
+        )
+
+
+def _check_share(at_least: float | None) -> None:
+    """See that the share of commands that must be right is one in per cent.
+
+    Raises:
+        ConfigError: it is none, or probably one of 1.
+    """
+    if at_least is not None and math.isnan(at_least):  # no accuracy is less than that
+        raise ConfigError(Problem("--at-least: nan is no share", hint="give a number from 0 to 100"))
+    if at_least is not None and 0 < at_least <= 1:
+        hint = f"for {at_least * 100:g} %: --at-least {at_least * 100:g}"
+        raise ConfigError(Problem(f"--at-least {at_least:g} is {at_least:g} % of the commands", hint=hint))
 
 
 def _snrs(text: str | None) -> list[float]:
@@ -311,6 +321,20 @@ def _tell(outcomes: list[Outcome]) -> None:
 
     for outcome in outcomes:
         json_line({"event": "recording", **outcome_json(outcome)})
+
+
+def _keep(results: list[Score], run: _Run, csv: Path | None, plot: Path | None, goal: float | None) -> None:
+    """Write the table and the picture that were asked for, and say so."""
+    if csv is not None:
+        from intent_engine.evaluation.report import write_csv
+
+        write_csv(csv, run.outcomes)
+        note(f"every recording{' that was heard' if run.interrupted else ''} is in {csv}")
+    if plot is not None:
+        from intent_engine.evaluation.plot import plot_scores
+
+        plot_scores(results, run.outcomes, plot, goal=goal, title=run.ended)
+        note(f"accuracy and latency are drawn in {plot}")
 
 
 def _show(results: list[Score], run: _Run, as_json: bool, all_in: Path | None) -> None:

@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from types import TracebackType
 
-from intent_engine.cli.streams import OutputError, drop_output
+from intent_engine.cli.streams import drop_output
 
 __all__ = ["Outbox"]
 
@@ -35,7 +35,7 @@ class Outbox:
         self._waiting: deque[Callable[[], object]] = deque()
         self._changed = threading.Condition()
         self._writing = self._ending = False
-        self._error: BrokenPipeError | OutputError | None = None
+        self._error: Exception | None = None
         self._thread = threading.Thread(target=self._work, name="outbox", daemon=True)
         self.unread = 0
         """Lines that found no room, since nobody read."""
@@ -46,6 +46,7 @@ class Outbox:
         Raises:
             BrokenPipeError: what was put before found no reader.
             OutputError: it could not be written.
+            Exception: whatever else writing it raised.
         """
         with self._changed:
             if self._error is not None:
@@ -62,6 +63,7 @@ class Outbox:
         Raises:
             BrokenPipeError: it found no reader.
             OutputError: it could not be written.
+            Exception: whatever else writing it raised.
         """
         with self._changed:
             self._changed.wait_for(lambda: self._error is not None or not (self._waiting or self._writing), seconds)
@@ -87,7 +89,7 @@ class Outbox:
         while (write := self._next()) is not None:
             try:
                 write()
-            except (BrokenPipeError, OutputError) as error:
+            except Exception as error:  # nothing after it could be written: whoever tells next is to hear of it
                 with self._changed:
                     self._error = error
                     self._waiting.clear()

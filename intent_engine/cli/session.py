@@ -111,7 +111,6 @@ class Session:
         from intent_engine.cli.outbox import Outbox
         from intent_engine.cli.reporter import Reporter
         from intent_engine.execution.clock import SteppedClock
-        from intent_engine.execution.executor import Executor
         from intent_engine.execution.robots.robot import Pose
         from intent_engine.execution.showing import show_own_actions
         from intent_engine.runtime.runtime import Runtime
@@ -138,14 +137,7 @@ class Session:
             # Where time does not stand still, nobody who reads what is told may hold up what is done.
             outbox = None if isinstance(self.clock, SteppedClock) else stack.enter_context(Outbox())
             self.reporter = reporter = Reporter(robot, as_json=self.as_json, outbox=outbox)
-            options = self.robot.executor_options()
-            if self.journal is not None:
-                from intent_engine.execution.journal import Journal
-
-                options["journal"] = Journal(self.journal)
-            executor = stack.enter_context(
-                Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options)
-            )
+            executor = self._executor(stack, robot, loop, reporter)
             if simulated is not None:
                 show_own_actions(executor)
             runtime = Runtime(
@@ -189,18 +181,25 @@ class Session:
                 raise RobotError(f"{self.drive}: {loss.reason}\n    start what reads the commands again, and listen")
             reporter.end(summary, self.clock.now())
         self._draw(simulated)
-        if summary.errors and not summary.utterances:
-            raise WeightsError(
-                f"nothing of what was said could be recognised ({summary.errors} "
-                f"failure{'s' * (summary.errors != 1)}; the last: {reporter.error})\n"
-                "    look at this machine with intent-engine doctor, or take another model: --model base"
-            )
+        _check_heard(summary, reporter.error)
         return Ended(summary, reporter.failed)
 
     def report(self, report: Report) -> None:
         """What a source tells; for its ``on_report``."""
         if self.reporter is not None:
             self.reporter.source(report)
+
+    def _executor(
+        self, stack: contextlib.ExitStack, robot: Robot, loop: Guardian | None, reporter: Reporter
+    ) -> Executor:
+        """What drives the robot, within what its file says, and writes the journal."""
+        from intent_engine.execution.executor import Executor
+        from intent_engine.execution.journal import Journal
+
+        options = self.robot.executor_options()
+        if self.journal is not None:
+            options["journal"] = stack.enter_context(Journal(self.journal))
+        return stack.enter_context(Executor(robot, clock=self.clock, loop=loop, on_event=reporter.executed, **options))
 
     def _driven(self, stack: contextlib.ExitStack, target: Path) -> tuple[JsonLinesRobot, Guardian | None]:
         """A robot behind a file or pipe, and the process that writes its velocities.
@@ -223,7 +222,8 @@ class Session:
         if self.in_process:
             return robot, None
         limits, rates = self.robot.limits, self.robot.rates
-        return robot, Guardian(JSONL_SINK, {"out": out}, limits=limits, rates=rates, pass_fds=(out,))
+        guardian = Guardian(JSONL_SINK, {"out": out}, limits=limits, rates=rates, pass_fds=(out,))
+        return robot, stack.enter_context(contextlib.closing(guardian))
 
     def _draw(self, robot: SimulatedRobot | None) -> None:
         if robot is None:
@@ -265,3 +265,17 @@ class Session:
 
             return DenoisedRecognizer(recognizer)
         return recognizer
+
+
+def _check_heard(summary: Summary, last: str) -> None:
+    """See that the recogniser did not fail at everything.
+
+    Raises:
+        WeightsError: it did; ``last`` is why it did so last.
+    """
+    if summary.errors and not summary.utterances:
+        raise WeightsError(
+            f"nothing of what was said could be recognised ({summary.errors} "
+            f"failure{'s' * (summary.errors != 1)}; the last: {last})\n"
+            "    look at this machine with intent-engine doctor, or take another model: --model base"
+        )

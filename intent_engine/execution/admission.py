@@ -174,11 +174,11 @@ class Admission:
             return _no(Reason.NO_HANDLER, f"{why}; {near}" if near else why)
         if need not in self.robot.capabilities:
             return _no(Reason.CAPABILITY, f"this robot cannot {need.value}")
-        checked = self.limits.check(action)
-        if checked.refused:
-            return _no(Reason.LIMIT, checked.refused)
-        goal.action = checked.action
-        goal.detail = "; ".join(checked.clamped)
+        within = self.limits.check(action)
+        if within.refused:
+            return _no(Reason.LIMIT, within.refused)
+        goal.action = within.action
+        goal.detail = "; ".join(within.clamped)
         return None
 
 

@@ -229,7 +229,11 @@ class Executor:
         self._stop(Reason.ESTOP, EventKind.ESTOP)
 
     def reset(self) -> None:
-        """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit."""
+        """End an emergency stop, or start a velocity loop again that died. Nothing moves until the next submit.
+
+        Raises:
+            RobotError: the velocity loop could not be started; no motion is accepted until it can.
+        """
         with self._books.locked():
             self._intake.estopped = False
             if self._failsafe.fault and hasattr(self.loop, "restart"):

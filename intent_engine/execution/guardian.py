@@ -197,8 +197,12 @@ class Guardian:
         return None
 
     def restart(self) -> None:
-        """Start the process again, if it is gone."""
-        if not self._error:
+        """Start the process again, if it is gone and this is not closed.
+
+        Raises:
+            RobotError: it could not be started.
+        """
+        if self._closed or not self._error:
             return
         self._line.close()
         self._launch()

@@ -62,7 +62,8 @@ class Journal:
 
     def write(self, data: dict[str, Any]) -> None:
         """Write one line; for what else a program wants to keep beside the actions."""
-        at = time.strftime("%Y-%m-%dT%H:%M:%S", time.gmtime()) + f".{time.time_ns() // 1_000_000 % 1000:03d}Z"
+        seconds, milliseconds = divmod(time.time_ns() // 1_000_000, 1000)
+        at = time.strftime("%Y-%m-%dT%H:%M:%S", time.gmtime(seconds)) + f".{milliseconds:03d}Z"
         line = json.dumps({"at": at, **data}, default=str)
         self._file.emit(logging.LogRecord("journal", logging.INFO, "", 0, line, None, None))
 

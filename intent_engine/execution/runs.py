@@ -250,11 +250,14 @@ class TaskRun:
         return None if self._task is None or self._suspended else min(self._deadline, self._look_at)
 
     def suspend(self, now: float, at_once: bool) -> None:
-        if self._task is not None and not self._giving_up:
-            self._suspended = True
-            if not at_once:
-                self._robot.cancel(self._task)
-            self._task = None
+        task = self._task
+        ends = self._giving_up or self._timed_out
+        if task is None or ends or task.state == TaskState.SUCCEEDED:
+            return  # it is done, or is to end, and must not be given again
+        self._suspended = True
+        if not at_once:
+            self._robot.cancel(task)
+        self._task = None
 
     def resume(self, now: float) -> None:
         # Robots cannot hold a task: it is given again. Navigation goes on from where the robot stands.

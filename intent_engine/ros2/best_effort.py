@@ -11,6 +11,8 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
+from intent_engine.ros2.clock import sent_at
+
 __all__ = ["HearAll"]
 
 
@@ -41,7 +43,7 @@ class HearAll:
         node.create_timer(self.LOOK_PERIOD, self._look, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
     def _hear(self, message: Any, info: Any) -> None:
-        sent = int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0
+        sent = sent_at(info)
         if sent in self._before:
             return
         if sent:

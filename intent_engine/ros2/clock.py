@@ -1,4 +1,4 @@
-"""ROS time for the executor: with ``use_sim_time`` a second is a second of the simulator."""
+"""Time in ROS: for the executor, where with ``use_sim_time`` a second is one of the simulator, and of messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["RosClock"]
+__all__ = ["RosClock", "sent_at"]
 
 
 class RosClock:
@@ -64,3 +64,12 @@ class RosClock:
 
     def _jumped(self) -> None:
         self.on_reset()
+
+
+def sent_at(info: Any) -> int:
+    """When a message was published, in ns of the publisher's clock; 0: not known.
+
+    Args:
+        info: what the middleware says of the message.
+    """
+    return int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0

@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from intent_engine.ros2.clock import sent_at
+
 __all__ = ["HearLatched", "Newest"]
 
 
@@ -65,11 +67,11 @@ class HearLatched:
         node.create_timer(self.LOOK_PERIOD, self._look, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
     def _hear_live(self, message: Any, info: Any) -> None:
-        self._newest.live(_sent(info))
+        self._newest.live(sent_at(info))
         self._heard(message.data)
 
     def _hear_kept(self, message: Any, info: Any) -> None:
-        if self._newest.kept(_sent(info)):
+        if self._newest.kept(sent_at(info)):
             self._heard(message.data)
 
     def _look(self) -> None:
@@ -91,7 +93,3 @@ class HearLatched:
         elif not wanted and self._kept is not None:
             self._node.destroy_subscription(self._kept)
             self._kept = None
-
-
-def _sent(info: Any) -> int:
-    return int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0

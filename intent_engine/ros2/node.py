@@ -31,7 +31,7 @@ from intent_engine.language.answers import NONE_MEANT
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.best_effort import HearAll
-from intent_engine.ros2.clock import RosClock
+from intent_engine.ros2.clock import RosClock, sent_at
 from intent_engine.ros2.messages import action_text, command_texts, event_text, interpretation_text, status_text
 from intent_engine.ros2.parameters import NodeParameters, read_parameters
 from intent_engine.ros2.process import run_script
@@ -106,6 +106,8 @@ class VoiceCommands:
         """Zero velocity and the end of every goal. Idempotent."""
         self.executor.close()
         self.robot.close()
+        if self._journal is not None:
+            self._journal.close()
         acknowledge(self._actions)
 
     # -- in ------------------------------------------------------------------------------------------------------------
@@ -269,11 +271,12 @@ class VoiceCommands:
                 limits=robot_file.limits,
                 rates=robot_file.rates,
             )
+        self._journal = Journal(parameters.journal) if parameters.journal else None
         executor = Executor(
             self.robot,
             clock=clock,
             loop=guardian,
-            journal=Journal(parameters.journal) if parameters.journal else None,
+            journal=self._journal,
             on_event=self._executed,
             handle_sigterm=False,
             **robot_file.executor_options(),
@@ -293,7 +296,7 @@ class VoiceCommands:
 
     def _state(self) -> Collection[str]:
         """Of the robot, as grammars ask for it. That it moves is known here, whatever others say of it."""
-        linear, angular = self.executor.snapshot().velocity
+        linear, angular = self.executor.loop.written
         return self._told() | ({MOVING} if linear or angular or not self.executor.idle else set())
 
     def _has_no_time(self) -> bool:
@@ -322,7 +325,7 @@ def _age(info: Any) -> float:
     A String has no time of its own; the middleware sends the publisher's. Two computers whose clocks differ by more
     than ``expire_after`` therefore do not work together, and the status says why: on the safe side.
     """
-    sent = int(info.get("source_timestamp", 0)) if isinstance(info, dict) else 0
+    sent = sent_at(info)
     return max((time.time_ns() - sent) * 1e-9, 0.0) if sent > 0 else 0.0
 
 

@@ -11,7 +11,6 @@ import sys
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import FrameType
 from typing import Any, Protocol
 
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
@@ -72,71 +71,93 @@ def _run_node(
     if {"-h", "--help"} & set(words):
         print(f"{about}\nParameters: {Path(arguments[0]).name} --ros-args -p name:=value; all of them: docs/ros2.md")
         return 0
-    rclpy = import_rclpy()
-    from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+    import_rclpy()
+    end = _End()
+    signals = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.signal(number, lambda number, frame: end.ask()) for number in signals]
+    try:
+        node = _made(name, arguments)
+        try:
+            _live(node, make, end)
+        finally:
+            with contextlib.suppress(Exception):
+                node.destroy_node()
+                node.context.shutdown()
+    finally:
+        for number, handler in zip(signals, before, strict=True):
+            signal.signal(number, handler)
+    return end.code
+
+
+class _End:
+    """The end of a process: its main thread waits for it, and anybody may ask for it."""
+
+    def __init__(self) -> None:
+        self.code = 0
+        """Exit code."""
+        self.asked = threading.Event()
+
+    def ask(self, code: int | None = None) -> None:
+        """Let the process end; None: with the exit code that it has."""
+        if code is not None:
+            self.code = code
+        self.asked.set()
+
+
+def _made(name: str, arguments: Sequence[str]) -> Any:
+    """A node in a context of its own, which leaves signals alone.
+
+    Raises:
+        ConfigError: an argument is not understood.
+    """
+    import rclpy
     from rclpy.signals import SignalHandlerOptions
     from rclpy.utilities import remove_ros_args
 
-    ending = threading.Event()
-
-    def end(number: int, frame: FrameType | None) -> None:
-        ending.set()
-
-    signals = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, end) for number in signals]
     context = rclpy.Context()
-    code = 0
     try:
-        for word in remove_ros_args(list(arguments))[1:]:
-            raise ValueError(f"{word!r} is not understood")
+        if unknown := remove_ros_args(list(arguments))[1:]:
+            raise ValueError(f"{unknown[0]!r} is not understood")
         rclpy.init(args=list(arguments), context=context, signal_handler_options=SignalHandlerOptions.NO)
-        node = rclpy.create_node(name, context=context)
+        return rclpy.create_node(name, context=context)
     except Exception as error:  # rclpy has an exception for each mistake in a ROS argument, of no common kind
         raise ConfigError(
             Problem(f"arguments: {str(error).strip()}", hint="--ros-args -p parameter:=value -r name:=other")
         ) from None
 
-    def end_with(number: int) -> None:
-        nonlocal code
-        code = number
-        ending.set()
+
+def _live(node: Any, make: Callable[[Any, Callable[[int], None]], Room], end: _End) -> None:
+    """Make what a node does, and spin the node until the end is asked for."""
+    from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 
     try:
-        room = make(node, end_with)
+        room = make(node, end.ask)
     except IntentEngineError as error:
         node.get_logger().fatal(str(error))
-        code = error.exit_code
-    else:
-        executor = SingleThreadedExecutor(context=context)
-        executor.add_node(node)
+        end.code = error.exit_code
+        return
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
 
-        def spin() -> None:
-            nonlocal code
-            try:
-                executor.spin()
-            except ExternalShutdownException:
-                pass
-            except Exception as error:  # a callback of ours raised what it should have caught
-                code = EXIT_FAULT
-                node.get_logger().fatal(f"the node failed: {type(error).__name__}: {error}; the robot is stopped")
-            finally:
-                ending.set()
-
-        thread = threading.Thread(target=spin, name="ros", daemon=True)
-        thread.start()
+    def spin() -> None:
         try:
-            ending.wait()
+            executor.spin()
+        except ExternalShutdownException:
+            pass
+        except Exception as error:  # a callback of ours raised what it should have caught
+            end.code = EXIT_FAULT
+            node.get_logger().fatal(f"the node failed: {type(error).__name__}: {error}; the robot is stopped")
         finally:
-            room.close()
-            executor.shutdown(timeout_sec=1.0)
-            thread.join(1.0)
+            end.ask()
+
+    thread = threading.Thread(target=spin, name="ros", daemon=True)
+    thread.start()
+    try:
+        end.asked.wait()
     finally:
-        with contextlib.suppress(Exception):
-            node.destroy_node()
-            context.shutdown()
-        for number, handler in zip(signals, before, strict=True):
-            signal.signal(number, handler)
-    return code
+        room.close()
+        executor.shutdown(timeout_sec=1.0)
+        thread.join(1.0)
 
 
 def _leave(code: int) -> int:

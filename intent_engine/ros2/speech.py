@@ -21,6 +21,7 @@ from intent_engine.errors import ConfigError, IntentEngineError
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.robots.robot import Capability, Pose, Task
+from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.pauses import avoid_pauses
@@ -130,6 +131,7 @@ class SpeechParameters:
     file: str
     """A recording that is played instead; empty: none."""
     reflex: bool
+    """Hold the robot while a stop word is being said."""
     free: bool
     """Decode without the help of the grammar."""
 
@@ -216,9 +218,7 @@ class Speech:
         self._executor.close()
         if self._reflex is not None:
             self._reflex.close()
-        from rclpy.duration import Duration
-
-        self._publishers["stop"].wait_for_all_acked(Duration(seconds=0.3))
+        acknowledge(self._publishers["stop"])
 
     def _listen(self, source: AudioSource) -> None:
         try:

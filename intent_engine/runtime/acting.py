@@ -88,7 +88,7 @@ class Acting:
     def state(self) -> Collection[str]:
         """Of the robot, as grammars ask for it: "moving" while it moves, is about to, or is held, and what the program
         says."""
-        linear, angular = self._executor.snapshot().velocity
+        linear, angular = self._executor.loop.written
         moves = linear or angular or not self._executor.idle or self._holding.on
         return {*states_of(self._states()), *(("moving",) if moves else ())}
 

@@ -24,12 +24,10 @@ def other_way(
     engine: IntentEngine, transcript: Transcript, meaning: Interpretation, state: Collection[str]
 ) -> str | None:
     """What may have been said as well and drives or turns the other way; None: nothing."""
-    if meaning.status is not Status.ACCEPTED or transcript.word_by_word:
+    if meaning.status is not Status.ACCEPTED or transcript.word_by_word or not any(ways(meaning.actions)):
         return None
     language = language_of(engine, transcript)
     near = (one for one, nats in zip(transcript.alternatives, transcript.behind, strict=False) if nats < OTHER_WAY)
-    if not any(ways(meaning.actions)):
-        return None
     for other in near:
         if opposite_ways(meaning.actions, engine.parse(other, state=state, language=language, heard=True).actions):
             return other

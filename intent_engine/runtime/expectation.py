@@ -61,8 +61,9 @@ class Expectation:
             amended = amendable and can_be_amended(meaning)
             rests = prefix.resting or self._as_like_unfinished(transcript, language)
             if not prefix.settled or (rests and not amended):
-                waits = [Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL]
-                return meaning, waits[1 - amended + _hardly_heard(transcript)]
+                # What cannot be put right is waited for one step longer, and so is what was hardly heard.
+                longer = (not amended) + _hardly_heard(transcript)
+                return meaning, (Outlook.AMENDABLE, Outlook.EXTENDABLE, Outlook.DOUBTFUL)[longer]
             # "Take up", before a "picture", is like "take off", which nothing can follow.
             over = prefix.status is PrefixStatus.COMPLETE and transcript.word_by_word
             return meaning, Outlook.COMPLETE if over or amended else Outlook.SETTLED

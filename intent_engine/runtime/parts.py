@@ -28,7 +28,7 @@ def check_parts(settings: object, on_event: object, state: object, patience: obj
 
     Raises:
         TypeError: it cannot; says what can.
-        ValueError: ``patience`` is below zero, or not a number by name.
+        ValueError: ``patience`` is below zero, or NaN.
     """
     for name, part in parts.items():
         auto = name == "noise_filter" and part == "auto"

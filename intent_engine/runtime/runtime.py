@@ -8,7 +8,7 @@ end it is understood and carried out. Whatever fails on the way stops the robot 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Collection, Generator
+from collections.abc import Callable, Collection, Generator, Iterator
 from typing import Any, Literal
 
 from intent_engine.engine import IntentEngine
@@ -203,21 +203,13 @@ class Runtime:
 
     def _listen(self, source: AudioSource) -> Summary:
         """As :meth:`run`, which sees to it that it is done once at a time."""
-        self._source = source
-        self._base = self.executor.clock.now()
-        self._voice.reset()
-        self._endpoint.reset()
-        self._acting.begin(self._base)
-        self._deaf = False
-        self._onset.reset()
-        self._key.reset()
-        self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
-        self._taking_up.forget()
         utterance: SpokenUtterance | None = None
         finished = False
-        frames = source.frames()
+        frames: Iterator[Frame] | None = None
         unsubscribe = self.executor.subscribe(self._asked.happened)
         try:
+            self._begin(source)
+            frames = source.frames()
             for frame in frames:
                 if self._closing.is_set():
                     break
@@ -252,6 +244,19 @@ class Runtime:
             # A thread that is still inside the model when the interpreter ends would abort the process.
             self._decoding.settle(LAST_DECODE)
         return self._acting.summary
+
+    def _begin(self, source: AudioSource) -> None:
+        """Forget what an earlier source has left."""
+        self._source = source
+        self._base = self.executor.clock.now()
+        self._voice.reset()
+        self._endpoint.reset()
+        self._acting.begin(self._base)
+        self._deaf = False
+        self._onset.reset()
+        self._key.reset()
+        self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
+        self._taking_up.forget()
 
     def _move_clock(self, time: float) -> None:
         if self._stepped:

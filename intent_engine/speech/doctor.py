@@ -18,7 +18,7 @@ import numpy as np
 
 from intent_engine.errors import AudioError, ConfigError, DeviceError, IntentEngineError, WeightsError
 from intent_engine.resources import shipped
-from intent_engine.speech.audio import SAMPLE_RATE, Report, Samples
+from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, SAMPLE_RATE, Report, Samples
 
 __all__ = ["Check", "Verdict", "examine"]
 
@@ -167,7 +167,7 @@ def _level(device: int | str | None, seconds: float, on_level: OnLevel | None) -
                 sound.append(frame.samples)
                 if on_level is not None:
                     on_level(_dbfs(float(np.abs(frame.samples).max())))
-            if len(sound) * 512 >= seconds * SAMPLE_RATE or time.monotonic() - began > seconds + METER_PATIENCE:
+            if len(sound) * FRAME_SECONDS >= seconds or time.monotonic() - began > seconds + METER_PATIENCE:
                 microphone.close()
     except DeviceError as error:
         return _failed("level", error)
@@ -202,12 +202,12 @@ def _voice() -> Check:
         detector = SileroVoice()
     except (WeightsError, ImportError) as error:
         return _failed("voice detector", error)
-    silence = np.zeros(512, np.float32)
+    silence = np.zeros(FRAME_SAMPLES, np.float32)
     detector.probability(silence)
     began = time.perf_counter()
     for _ in range(50):
         detector.probability(silence)
-    share = (time.perf_counter() - began) / 50 / 0.032
+    share = (time.perf_counter() - began) / 50 / FRAME_SECONDS
     found = f"Silero, {100 * share:.1f} % of a core"
     if share > 0.5:
         return Check("voice detector", Verdict.WARNING, found, "end what keeps this machine busy")
@@ -217,7 +217,7 @@ def _voice() -> Check:
 def _noise_filter() -> Check:
     from intent_engine.speech.rnnoise import RNNoise
 
-    hiss = np.random.default_rng(0).normal(0.0, 0.01, (60, 512)).astype(np.float32)
+    hiss = np.random.default_rng(0).normal(0.0, 0.01, (60, FRAME_SAMPLES)).astype(np.float32)
     try:
         speech = RNNoise().begin(hiss[:10])
     except ConfigError as error:
@@ -227,7 +227,7 @@ def _noise_filter() -> Check:
     for frame in hiss[10:]:
         speech.add(frame)
     speech.sound()
-    share = (time.perf_counter() - began) / len(hiss) / 0.032
+    share = (time.perf_counter() - began) / len(hiss) / FRAME_SECONDS
     return Check("noise filter", Verdict.OK, f"RNNoise, {100 * share:.1f} % of a core while somebody speaks in noise")
 
 

@@ -77,6 +77,20 @@ def test_so_does_whoever_waits_for_the_end():
         tell()
 
 
+def test_a_fault_of_the_program_ends_it_as_well_and_nobody_waits_for_ever():
+    """A number that JSON has no word for, say: the lines after it would be written by nobody."""
+    ended = threading.Event()
+
+    def tell() -> None:
+        with Outbox(ended.set) as out:
+            out.put(lambda: json.dumps(float("nan"), allow_nan=False))
+            assert ended.wait(10)
+            out.settle(10)
+
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        tell()
+
+
 @pytest.fixture(scope="module")
 def commands() -> bytes:
     """The beginning of the demo, in which a robot is told to drive two meters; it stands again after seven seconds."""

@@ -15,11 +15,14 @@ from intent_engine.actions import Custom, Move
 from intent_engine.cli.listening_options import Hearing, Telling, session
 from intent_engine.cli.reporter import Reporter
 from intent_engine.cli.session import Session
+from intent_engine.errors import ConfigError
 from intent_engine.evaluation.sound import SamplesSource
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.execution.events import Event
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState
+from intent_engine.execution.guardian import Guardian
+from intent_engine.execution.journal import Journal
 from intent_engine.execution.robots.robot_file import load_robot
 from intent_engine.resources import default_grammar, default_robot
 
@@ -121,3 +124,22 @@ def test_a_doubtful_grammar_that_is_listened_to_is_told_of_once(capsys, tmp_path
     assert told.err == f"1 warning in grammar {path}: intent-engine check {path} shows it\n"
     session(Hearing(), Telling(as_json=as_json), VirtualClock())
     assert capsys.readouterr().err == ""
+
+
+def test_the_journal_is_closed_with_the_session(monkeypatch, tmp_path):
+    closed: list[Journal] = []
+    monkeypatch.setattr(Journal, "close", lambda self: closed.append(self))
+    _with_a_wave(monkeypatch, clock=VirtualClock(), journal=tmp_path / "journal.jsonl", as_json=True)
+    assert [one.path.name for one in closed] == ["journal.jsonl"]
+
+
+def test_a_session_that_cannot_begin_leaves_no_process_behind(monkeypatch, tmp_path):
+    """The process that writes velocities has been started when the journal is found to be no file."""
+    (tmp_path / "file").write_text("")
+    made: list[Guardian] = []
+    launch = Guardian._launch
+    monkeypatch.setattr(Guardian, "_launch", lambda self: (made.append(self), launch(self))[1])
+    with pytest.raises(ConfigError, match="the journal cannot be written"):
+        _with_a_wave(monkeypatch, clock=MonotonicClock(), drive=tmp_path / "out", journal=tmp_path / "file" / "journal")
+    (guardian,) = made
+    assert guardian._process.poll() is not None

@@ -52,7 +52,7 @@ def generator(_):
         ({"acceleration": -1.0}, "acceleration must not be below zero"),
         ({"acceleration": 0.0}, "acceleration must be above zero"),
         ({"delay": -1.0}, "delay must not be below zero"),
-        ({"slip": math.nan}, "slip must not be below zero, as nan"),
+        ({"slip": math.nan}, "slip must be a number, not nan"),
         ({"navigation_speed": 0.0}, "navigation_speed must be above zero"),
         ({"hand_time": "2"}, "hand_time is a number of s, not '2'"),
     ],

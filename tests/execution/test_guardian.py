@@ -427,3 +427,14 @@ def test_a_guardian_cannot_follow_a_virtual_clock(wire):
     with pytest.raises(ValueError, match="virtual clock"):
         Executor(SimulatedRobot(), clock=VirtualClock(), loop=guardian)
     guardian.close()
+
+
+def test_a_guardian_that_is_closed_is_not_started_again(guarded, wire):
+    guardian = guarded.loop
+    (goal,) = guarded.submit(LONG)
+    until(wire.moving)
+    os.kill(guardian.pid, signal.SIGKILL)
+    assert goal.result(30.0).reason is Reason.VELOCITY_LOOP
+    guarded.close()
+    guarded.reset()
+    assert guardian._process.poll() is not None

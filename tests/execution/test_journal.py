@@ -9,6 +9,7 @@ import pytest
 
 from intent_engine.actions import Move, Pick
 from intent_engine.errors import ConfigError
+from intent_engine.execution import journal as journal_module
 from intent_engine.execution.journal import Journal
 
 FORWARD = Move(0.5, 1.0, 2.0)
@@ -75,3 +76,11 @@ def test_a_full_disk_is_told_once_and_closing_is_quiet(stage, caplog):
         for _ in range(3):
             assert s.executor.submit(Move(0.5, 0.1, 0.2))[0].result().succeeded
     assert caplog.text.count("driving goes on") == 1
+
+
+def test_the_time_of_a_line_is_one_moment(tmp_path, monkeypatch):
+    """Not the second of one look at the clock and the milliseconds of the next."""
+    monkeypatch.setattr(journal_module.time, "time_ns", lambda: 5_007_000_000)
+    with Journal(tmp_path / "journal.jsonl") as journal:
+        journal.write({"event": "note"})
+    assert json.loads((tmp_path / "journal.jsonl").read_text())["at"] == "1970-01-01T00:00:05.007Z"

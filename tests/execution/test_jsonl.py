@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import threading
 
 import pytest
 
@@ -16,7 +17,7 @@ from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import GoalState, Reason
 from intent_engine.execution.robots import jsonl
 from intent_engine.execution.robots.jsonl import JsonLinesRobot
-from intent_engine.execution.robots.robot import TaskState
+from intent_engine.execution.robots.robot import Pose, TaskState
 
 
 @pytest.fixture
@@ -206,3 +207,61 @@ def test_a_reader_that_stands_still_is_lost_and_told_of_once(pipe, caplog):
         assert executor.submit(Move(0.5, 0.1, 0.2))[0].result().succeeded, "and it is there again when it reads"
         assert robot.lost == ""
     assert not [event for event in events if event.kind is EventKind.ERROR]
+
+
+@pytest.fixture
+def answering(pipe):
+    """A robot, and the end of the pipe into which the other process writes its replies."""
+    back_read, back_write = os.pipe()
+    with os.fdopen(back_read, encoding="utf-8") as replies, os.fdopen(back_write, "wb", buffering=0) as answer:
+        yield JsonLinesRobot(pipe[1], replies), answer
+        answer.close()
+
+
+def ended(task) -> TaskState:
+    """How a task ended, when it has."""
+    done = threading.Event()
+    task.add_done_callback(lambda task: done.set())
+    assert done.wait(30.0)
+    return task.state
+
+
+def test_whoever_does_not_answer_any_more_does_no_task(answering):
+    robot, answer = answering
+    before = robot.navigate(Pose(1.0, 2.0, 0.0))
+    answer.close()
+    assert ended(before) is TaskState.FAILED
+    after = robot.pick("cup")
+    assert (ended(after), after.reason) == (TaskState.FAILED, "the other process ended")
+
+
+def test_replies_that_are_no_text_end_the_tasks_and_are_told_of(answering, caplog):
+    robot, answer = answering
+    task = robot.navigate(Pose(1.0, 2.0, 0.0))
+    answer.write(b"\xff\xfe\n")
+    assert ended(task) is TaskState.FAILED
+    assert "replies cannot be read" in caplog.text
+
+
+def test_tasks_that_were_stopped_are_not_kept_and_may_be_answered_late(answering, caplog):
+    robot, answer = answering
+    for _ in range(3):
+        robot.navigate(Pose(1.0, 2.0, 0.0))
+        robot.stop()
+    assert not robot._tasks
+    last = robot.pick("cup")
+    answer.write(b'{"task": 1, "state": "canceled"}\n{"task": 4, "state": "succeeded"}\n')
+    assert ended(last) is TaskState.SUCCEEDED
+    assert not caplog.records
+    answer.write(b'{"task": 99, "state": "succeeded"}\n')
+    answer.close()
+    assert ended(robot.pick("cup")) is TaskState.FAILED
+    assert caplog.text.count("cannot be understood") == 1
+
+
+def test_a_task_that_could_not_be_written_is_not_kept(pipe, answering):
+    robot, _ = answering
+    os.close(pipe[0])
+    with pytest.raises(RobotError):
+        robot.navigate(Pose(1.0, 2.0, 0.0))
+    assert not robot._tasks

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 
 import pytest
 from hypothesis import given
@@ -182,3 +183,21 @@ def test_errors_are_told():
     robot.stop()
     with pytest.raises(RobotError, match="closed"):
         robot.velocity(0.1, 0.0, 0.3)
+
+
+def test_a_task_that_ends_as_somebody_asks_to_be_told_tells_it():
+    """In another thread, right after it was seen to run."""
+    robot = SimulatedRobot()
+    task, told = robot.navigate(Pose(5.0, 0.0, 0.0)), threading.Event()
+
+    class Late(list):
+        def append(self, callback) -> None:
+            self.other = threading.Thread(target=robot.stop)
+            self.other.start()
+            self.other.join(0.05)
+            super().append(callback)
+
+    task._callbacks = late = Late()
+    task.add_done_callback(lambda task: told.set())
+    late.other.join(10.0)
+    assert told.is_set()

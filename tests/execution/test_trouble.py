@@ -11,7 +11,7 @@ import threading
 
 import pytest
 
-from intent_engine.actions import Custom, Move, Navigate, Stop
+from intent_engine.actions import Custom, Move, Navigate, Place, Stop
 from intent_engine.errors import RobotError
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.execution.events import EventKind
@@ -21,6 +21,8 @@ from intent_engine.execution.limits import Limits
 from intent_engine.execution.motion import Motion, Travel
 from intent_engine.execution.robots.robot import Capability, TaskState
 from intent_engine.execution.robots.simulated import SimulatedRobot
+from intent_engine.execution.runs import TaskRun
+from intent_engine.testing import RecordingRobot
 
 FORWARD = Move(0.5, 1.0, 2.0)
 KITCHEN = Navigate("kitchen", 5.0, 2.0, 0.0)
@@ -369,3 +371,32 @@ def test_a_task_that_tells_nothing_of_itself_is_logged_once(stage, caplog):
     s.executor.submit(KITCHEN)
     s.clock.advance(1.0)
     assert len([record for record in caplog.records if "no feedback of goal" in record.getMessage()]) == 1
+
+
+@pytest.mark.parametrize("rest", ["hold", "pause"])
+def test_a_task_that_took_too_long_is_not_given_again_after_a_rest(stage, rest):
+    s = stage(Limits(task_duration=5.0))
+    s.robot.cancel = lambda task: None  # it confirms no cancellation
+    (goal,) = s.executor.submit(KITCHEN)
+    s.clock.advance(5.5)
+    getattr(s.executor, rest)()
+    s.clock.advance(0.5)
+    s.executor.release() if rest == "hold" else s.executor.resume()
+    s.executor.run_until_idle()
+    assert (goal.state, goal.reason) == (GoalState.ABORTED, Reason.TIMEOUT)
+    assert goal.times.ended <= 5.0 + TaskRun.CANCEL_TIMEOUT
+
+
+@pytest.mark.parametrize("rest", ["hold", "pause"])
+def test_a_task_that_is_done_as_a_rest_begins_is_not_done_again(rest):
+    """The robot has told of its end, and the executor has not looked yet."""
+    clock = VirtualClock()
+    robot = RecordingRobot(clock, finish_tasks=False)
+    with Executor(robot, clock=clock, handle_sigterm=False) as executor:
+        (goal,) = executor.submit(Place("cup", "table"))
+        robot.tasks[-1].succeed()
+        getattr(executor, rest)()
+        executor.release() if rest == "hold" else executor.resume()
+        executor.run_until_idle()
+        assert goal.succeeded, goal
+        assert robot.names.count("place") == 1

@@ -360,3 +360,21 @@ def test_the_end_of_one_command_does_not_spoil_the_next(engine):
     x, meant = keyed(engine, said, spans, [(0.3, 1.5), (1.8, 5.0)], sound)
     assert [one.status.value for one in meant] == ["accepted", "accepted"]
     assert x > 0.9
+
+
+def test_a_robot_is_not_asked_where_it_is_to_know_that_it_moves(engine):
+    """It may take its time to answer, and nothing is heard meanwhile."""
+
+    class Slow(SimulatedRobot):
+        asked = 0
+
+        def pose(self):
+            self.asked += 1
+            return super().pose()
+
+    clock = VirtualClock()
+    robot = Slow(clock)
+    with Executor(robot, clock=clock) as executor:
+        runtime = Runtime(engine, executor, Says("hello there"), voice=Voiced((0.5, 1.5)), noise_filter=None)
+        runtime.run(Frames(framed(np.zeros(3 * SAMPLE_RATE, np.float32))))
+        assert robot.asked == 0

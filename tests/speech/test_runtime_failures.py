@@ -13,6 +13,7 @@ from speech_stage import Frames, Jumpy, Says, Voiced, framed
 
 from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.actions import Move
+from intent_engine.errors import AudioError
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
 from intent_engine.runtime import HeardKind
 from intent_engine.speech.acoustic.whisper import WhisperRecognizer
@@ -392,3 +393,22 @@ def test_what_is_heard_along_and_is_no_transcript_is_left_alone(listen):
     sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
     found = listen(sound, Strange("go forward two meters"), voice=Voiced((0.5, 2.0)), noise_filter=None)
     assert found.robot.pose().x == pytest.approx(2.0)
+
+
+def test_a_source_that_cannot_be_opened_stops_the_robot(engine):
+    """Whether it is opened when it is asked for its frames, or when the first of them is."""
+
+    class Missing:
+        def frames(self):
+            raise AudioError("there is no such recording")
+
+        def close(self) -> None: ...
+
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        executor.submit(Move(0.5, 5.0, 10.0))
+        runtime = Runtime(engine, executor, Says(), voice=Voiced(), noise_filter=None)
+        with pytest.raises(AudioError, match="no such recording"):
+            runtime.run(Missing())
+        assert executor.idle
+        assert executor.snapshot().velocity == (0.0, 0.0)

@@ -61,11 +61,10 @@ def _guarded(file: RobotFile, write: int) -> Executor:
 
 
 def drive_until_killed(write: int, motion: list[Any], limits: dict[str, Any], rates: dict[str, Any]) -> None:
-    """What the process does that is going to be killed or frozen: drive, and tell the guardian's number."""
+    """What the process does that is going to be killed or frozen: drive."""
     file = RobotFile("drill", "", limits=Limits(**limits), rates=Rates(**rates))
     executor = _guarded(file, write)
     executor.submit([from_json(each) for each in motion])
-    print("driving", flush=True)
     time.sleep(600.0)
 
 
@@ -86,7 +85,7 @@ def program_lost(what: str, number: signal.Signals, file: RobotFile, runs: int) 
                 [sys.executable, "-c", code.replace("WRITE", str(wire.write))],
                 pass_fds=(wire.write,),
                 stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
             )
         try:
             if not until(wire.moving, 30.0):
@@ -105,8 +104,6 @@ def program_lost(what: str, number: signal.Signals, file: RobotFile, runs: int) 
         finally:
             process.kill()
             process.wait()
-            if process.stdout is not None:
-                process.stdout.close()
             wire.close()
     if what == "killed":
         limit, promise = 0.05, "the program is killed (SIGKILL): the guardian writes zero within 50 ms"

@@ -52,6 +52,7 @@ def _drive(robot: _Recorder, executor: Executor, file: RobotFile) -> Goal:
 
 
 def stop_under_load(file: RobotFile, runs: int) -> Trial:
+    """Stop while the robot drives, on a busy machine, and time the zero."""
     robot, executor = _make(file)
     times, faults = [], []
     with executor:
@@ -72,6 +73,7 @@ def stop_under_load(file: RobotFile, runs: int) -> Trial:
 
 
 def flood(file: RobotFile, commands: int) -> Trial:
+    """Submit commands from four threads at once, stop, and time the zero."""
     robot, executor = _make(file)
     goals: list[Goal] = []
     lock = threading.Lock()
@@ -108,6 +110,7 @@ def flood(file: RobotFile, commands: int) -> Trial:
 
 
 def robot_raises(file: RobotFile, runs: int) -> Trial:
+    """Let the robot raise while it drives, and time the zero that follows."""
     robot, executor = _make(file)
     times, faults = [], []
     with executor:
@@ -126,6 +129,7 @@ def robot_raises(file: RobotFile, runs: int) -> Trial:
 
 
 def robot_hangs(file: RobotFile, runs: int) -> Trial:
+    """Stop while a write hangs in the robot, and time the zero."""
     robot, executor = _make(file)
     times, faults = [], []
     with executor:
@@ -146,6 +150,7 @@ def robot_hangs(file: RobotFile, runs: int) -> Trial:
 
 
 def late_writes(file: RobotFile, runs: int) -> Trial:
+    """Stop as two threads submit, and look for velocities that are written after it has returned."""
     robot, executor = _make(file)
     faults = []
     chance = random.Random(5)

@@ -45,6 +45,7 @@ JSONL_SINK = "intent_engine.execution.robots.jsonl:JsonLinesRobot"
 """For ``Guardian(JSONL_SINK, {"out": file_descriptor}, pass_fds=(file_descriptor,))``."""
 
 _STALLED = "the process behind the pipe is there, but does not read"
+_ENDED = "the other process ended"
 
 
 class JsonLinesRobot:
@@ -74,9 +75,14 @@ class JsonLinesRobot:
         self._capabilities = frozenset(Capability(name) for name in capabilities)
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
+        self._given = 0
+        """Number of the last task."""
         self._tasks: dict[int, RemoteTask] = {}
+        """Those that are not known to have ended."""
         self._pose: Pose | None = None
         self._answers = replies is not None
+        self._silent = False
+        """No more replies come."""
         self._closed = False
         self._lost = ""
         if replies is not None:
@@ -132,12 +138,24 @@ class JsonLinesRobot:
 
     def _begin(self, kind: str, what: dict[str, Any]) -> Task:
         task = RemoteTask(next(self._numbers))
-        if self._answers:
-            self._tasks[task.number] = task
-        self._write({"task": task.number, kind: what})
+        self._given = max(self._given, task.number)
+        self._tasks[task.number] = task
+        task.add_done_callback(self._forget)
+        if self._silent:  # looked at after the task is kept: the replies may end at any time
+            task.end(TaskState.FAILED, _ENDED)
+            return task
+        try:
+            self._write({"task": task.number, kind: what})
+        except RobotError as error:
+            task.end(TaskState.FAILED, str(error))
+            raise
         if not self._answers:
             task.end(TaskState.SUCCEEDED, "handed over; the other process does not answer")
         return task
+
+    def _forget(self, task: Task) -> None:
+        if isinstance(task, RemoteTask):
+            self._tasks.pop(task.number, None)
 
     def _write(self, message: dict[str, Any]) -> None:
         line = (json.dumps({**message, "time": round(time.monotonic(), 6)}) + "\n").encode()
@@ -164,13 +182,17 @@ class JsonLinesRobot:
             self._lock.release()
 
     def _listen(self, replies: IO[str]) -> None:
-        for line in replies:
-            try:
-                self._hear(json.loads(line))
-            except (ValueError, TypeError, KeyError, AttributeError) as error:
-                log.warning("a reply that cannot be understood (%s): %.200r", error, line)
+        try:
+            for line in replies:
+                try:
+                    self._hear(json.loads(line))
+                except (ValueError, TypeError, KeyError, AttributeError) as error:
+                    log.warning("a reply that cannot be understood (%s): %.200r", error, line)
+        except (OSError, ValueError) as error:  # ValueError: it is no text, or was closed under us
+            log.warning("replies cannot be read: %s", error)
+        self._silent = True
         for task in list(self._tasks.values()):
-            task.end(TaskState.FAILED, "the other process ended")
+            task.end(TaskState.FAILED, _ENDED)
 
     def _hear(self, message: dict[str, Any]) -> None:
         if "pose" in message:
@@ -178,10 +200,14 @@ class JsonLinesRobot:
             self._pose = Pose(float(pose["x"]), float(pose["y"]), float(pose["yaw"]), str(pose.get("frame", "map")))
         if "task" not in message:
             return
-        task = self._tasks[int(message["task"])]
+        number = int(message["task"])
+        task = self._tasks.get(number)
+        if task is None:
+            if not 0 < number <= self._given:
+                raise ValueError(f"there is no task {number}")
+            return  # an answer that comes after a stop
         if "progress" in message:
             task.progress = float(message["progress"])
         state = TaskState(message.get("state", TaskState.RUNNING))
         if state is not TaskState.RUNNING:
-            self._tasks.pop(task.number, None)
             task.end(state, str(message.get("reason", "")))

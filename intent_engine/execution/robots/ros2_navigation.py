@@ -236,10 +236,10 @@ class Ros2Navigation:
             )
         self.way = NavigationWay.ACTION if found is not None else NavigationWay.GOAL_POSE
         # Re-entrant: a signal handler may stop the robot in the middle of a put.
-        self._inbox: queue.SimpleQueue[Callable[[GoalKeeper, float], None] | None] = queue.SimpleQueue()
+        self._inbox: queue.SimpleQueue[Callable[[GoalKeeper, float], None] | threading.Event | None]
+        self._inbox = queue.SimpleQueue()
         self._link = _Link(node, self._inbox.put, found, name, goal_topic)
         self._keeper = GoalKeeper(self._link)
-        self._quiet = threading.Event()
         self._numbers = 0
         self._thread = threading.Thread(target=self._run, name="navigation", daemon=True)
         self._thread.start()
@@ -252,7 +252,6 @@ class Ros2Navigation:
     def navigate(self, goal: Pose) -> RemoteTask:
         self._numbers += 1
         task = RemoteTask(self._numbers)
-        self._quiet.clear()
         self._inbox.put(lambda keeper, now: keeper.navigate(task, goal, now))
         return task
 
@@ -261,12 +260,19 @@ class Ros2Navigation:
 
     def stop(self) -> None:
         """End every goal of the server. Takes no lock."""
-        self._quiet.clear()
         self._inbox.put(lambda keeper, now: keeper.stop(now))
 
     def wait(self, timeout: float) -> bool:
-        """Wait until no goal has to be ended any more, and none is driven."""
-        return self._quiet.wait(timeout)
+        """Wait until no goal has to be ended any more, and none is driven, after all that was asked for until now.
+
+        Returns:
+            False if ``timeout`` s went by first.
+        """
+        quiet = threading.Event()
+        self._inbox.put(quiet)
+        if self._thread.is_alive():
+            return quiet.wait(timeout)
+        return self._keeper.quiet or not self._link.open
 
     def close(self) -> None:
         """End every goal, and the thread."""
@@ -283,21 +289,26 @@ class Ros2Navigation:
             self._thread.join(1.0)
 
     def _run(self) -> None:
+        waiting: list[threading.Event] = []
         while True:
             due = self._keeper.due(time.monotonic())
-            if due is None and self._inbox.empty():
-                self._quiet.set()
+            while waiting and due is None:
+                waiting.pop().set()
             try:
                 item = self._inbox.get(timeout=None if due is None else max(due - time.monotonic(), 0.0))
-                if item is None:
-                    return
             except queue.Empty:
                 item = GoalKeeper.step
+            if item is None:
+                return
+            if isinstance(item, threading.Event):
+                waiting.append(item)
+                continue
             try:
                 item(self._keeper, time.monotonic())
             except Exception:
                 if not self._link.open:
-                    self._quiet.set()
+                    for each in waiting:
+                        each.set()  # nothing can be asked of the server any more
                     return
                 # A callback raised: what must end is tried again at the next step.
                 log.exception("navigation")

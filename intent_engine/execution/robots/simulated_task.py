@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Protocol
@@ -52,6 +53,7 @@ class SimulatedTask:
         self._state = TaskState.RUNNING
         self._reason = ""
         self._callbacks: list[Callable[[Task], None]] = []
+        self._lock = threading.Lock()
 
     @property
     def state(self) -> TaskState:
@@ -72,15 +74,17 @@ class SimulatedTask:
         return min(max((self._robot.clock.now() - self.start) / (self.end - self.start), 0.0), 1.0)
 
     def add_done_callback(self, callback: Callable[[Task], None]) -> None:
-        if self._state is TaskState.RUNNING:
-            self._callbacks.append(callback)
-        else:
-            callback(self)
+        with self._lock:
+            if self._state is TaskState.RUNNING:
+                self._callbacks.append(callback)
+                return
+        callback(self)
 
     def end_as(self, state: TaskState, reason: str = "") -> list[Callable[[Task], None]]:
         """Leave RUNNING; returns who wants to know."""
-        self._state, self._reason = state, reason
-        callbacks, self._callbacks = self._callbacks, []
+        with self._lock:
+            self._state, self._reason = state, reason
+            callbacks, self._callbacks = self._callbacks, []
         return callbacks
 
 

@@ -25,13 +25,16 @@ STUTTERED = 3
 def fold_loop(text: str) -> str:
     """A sentence said over and over, as a speech model does with short input, once.
 
-    Three times or more is a loop (the last may be cut off). Twice is a loop of four words and more, and of whole
-    sentences ("Right. Right.", "Follow me Follow me"); of a few words with nothing between them that shows two
-    sentences it is something people say. A long
-    sentence that begins again is one as well, and so is one of three words and more that is followed by two that are
-    the same but for a word ("turn right 120 degrees, turn right 110 degrees, turn right 110 degrees"): then the first
-    is what was said. So it is where two and more follow that are the same, and like it ("turn right for 40 5 degrees
-    turn right for 45 degrees turn right for 45 degrees turn right"); or one of many words and the beginning of another.
+    These are loops, in which the first sentence is what was said; the last may be cut off:
+
+    - any sentence three times or more;
+    - twice, a sentence of four words and more, or one that is seen to be whole ("Right. Right.", "Follow me Follow
+      me"). People do say a few words twice, where nothing shows two sentences;
+    - a long sentence that begins again;
+    - one of three words and more, and then twice the same but for a word ("turn right 120 degrees, turn right 110
+      degrees, turn right 110 degrees");
+    - one, and then others that are like it and the same as each other ("turn right for 40 5 degrees turn right for 45
+      degrees turn right for 45 degrees turn right"); of many words one such and the beginning of another is enough.
     """
     words = text.split()
     plain = [word.strip(".,!?;:\u2026").lower() for word in words]

@@ -80,6 +80,35 @@ class _Block:
         return len(self.samples) / self.rate
 
 
+@dataclass(slots=True)
+class _Flow:
+    """How far frames have been given."""
+
+    last: float = 0.0
+    """s since the source began: end of the last of them."""
+    lost: float = 0.0
+    """s of sound that are missing before the next."""
+    away: bool = False
+    """Whether no sound came last, and that was told."""
+    resampler: Resampler | None = None
+    """None: there was no sound yet, or a gap since."""
+    rate: int = 0
+    """Hz, of what it resamples."""
+
+    def passed(self, frame: Frame) -> Frame:
+        """The next frame: never earlier than the one before it, and with what is missing."""
+        self.last = max(frame.time, self.last)
+        lost, self.lost = self.lost, 0.0
+        return replace(frame, time=self.last, lost=lost)
+
+    def silence(self, end: float) -> Iterator[Frame]:
+        """Silent frames up to a time."""
+        start = self.last
+        for count in range(1, round((end - start) / FRAME_SECONDS) + 1):
+            self.last = start + count * FRAME_SECONDS
+            yield Frame(np.zeros(FRAME_SAMPLES, np.float32), self.last)
+
+
 class Inbox:
     """Sound from another thread, bounded: where it is not taken, the oldest is dropped and this is told.
 
@@ -207,69 +236,72 @@ class Inbox:
             reopen: called again and again while no sound comes, to bring it back.
             counted: times are counts of samples, as of a recording, and it is waited for sound for ever.
         """
-        resampler: Resampler | None = None
-        rate = 0
-        away = False
-        last = lost = 0.0
+        flow = _Flow()
         self._began = self.clock.now()
         while True:
-            block = self._take(None if counted else self._limit(away))
+            block = self._take(None if counted else self._limit(flow.away))
             if block is not None:
-                if resampler is None or rate != block.rate:
-                    start = last if counted else self._start(block, last)
-                    if self._patience is None:
-                        for silent in _silence(last, start):
-                            last = silent.time
-                            yield silent
-                    resampler, rate = Resampler(block.rate, start), block.rate
-                elif not counted:
-                    self._keep_time(resampler, block)
-                lost += block.lost + block.early
-                if away:
-                    away = False
-                    self._tell(ReportKind.BACK, f"{self.name} is back")
-                if block.early:
-                    self._tell(
-                        ReportKind.EARLY,
-                        f"{block.early:.1f} s of sound from {self.name} came before it was listened to and are not "
-                        "heard; what was being said when listening began is not acted on",
-                    )
-                self._tell_lost(block.lost)
-                self._look_for_mute(block, told_at=np.inf if counted else MUTE_SECONDS)
-                for frame in resampler.push(block.samples):
-                    last = max(frame.time, last)
-                    yield replace(frame, time=last, lost=lost)
-                    lost = 0.0
-                continue
-            if self._closed:
+                yield from self._of_block(block, flow, counted)
+            elif self._closed:
                 return
-            if self._rouse():
-                yield Frame(np.zeros(0, np.float32), last)
-                continue
-            if self._ended:
-                if 0.0 < self._inaudible < np.inf and (not self._zeros or self._inaudible >= MUTE_SECONDS):
-                    self._tell_mute()
-                if resampler is not None:
-                    silence = np.zeros(int(TAIL_SECONDS * rate), np.float32)
-                    cut, lost = self._cut, lost + self._missing
-                    for frame in resampler.push(silence, last=True):
-                        last = max(frame.time, last)
-                        yield replace(frame, time=last, lost=lost, cut=cut)
-                        cut, lost = False, 0.0
+            elif self._rouse():
+                yield Frame(np.zeros(0, np.float32), flow.last)
+            elif self._ended:
+                yield from self._of_end(flow)
                 return
-            resampler = None
+            elif self._patience is None:
+                flow.resampler = None
+                yield from flow.silence(max(self.time(), flow.last + FRAME_SECONDS))
+            else:
+                flow.resampler = None
+                yield self._deaf(flow)
+                if reopen is not None and not self._closed:
+                    reopen()
+
+    def _of_block(self, block: _Block, flow: _Flow, counted: bool) -> Iterator[Frame]:
+        """The frames that are whole with a block; what happened to the source is told."""
+        if flow.resampler is None or flow.rate != block.rate:
+            start = flow.last if counted else self._start(block, flow.last)
             if self._patience is None:
-                for silent in _silence(last, max(self.time(), last + FRAME_SECONDS)):
-                    last = silent.time
-                    yield silent
-                continue
-            if not away:
-                away = True
-                self._tell(ReportKind.AWAY, f"no sound comes from {self.name}")
-            last = max(last, self.time())
-            yield Frame(np.zeros(FRAME_SAMPLES, np.float32), last, deaf=True)
-            if reopen is not None and not self._closed:
-                reopen()
+                yield from flow.silence(start)
+            flow.resampler, flow.rate = Resampler(block.rate, start), block.rate
+        elif not counted:
+            self._keep_time(flow.resampler, block)
+        flow.lost += block.lost + block.early
+        if flow.away:
+            flow.away = False
+            self._tell(ReportKind.BACK, f"{self.name} is back")
+        if block.early:
+            self._tell(
+                ReportKind.EARLY,
+                f"{block.early:.1f} s of sound from {self.name} came before it was listened to and are not "
+                "heard; what was being said when listening began is not acted on",
+            )
+        self._tell_lost(block.lost)
+        self._look_for_mute(block, told_at=np.inf if counted else MUTE_SECONDS)
+        for frame in flow.resampler.push(block.samples):
+            yield flow.passed(frame)
+
+    def _of_end(self, flow: _Flow) -> Iterator[Frame]:
+        """The frames after the last block: what is left of the sound, and silence."""
+        if 0.0 < self._inaudible < np.inf and (not self._zeros or self._inaudible >= MUTE_SECONDS):
+            self._tell_mute()
+        if flow.resampler is None:
+            return
+        silence = np.zeros(int(TAIL_SECONDS * flow.rate), np.float32)
+        cut = self._cut
+        flow.lost += self._missing
+        for frame in flow.resampler.push(silence, last=True):
+            yield replace(flow.passed(frame), cut=cut)
+            cut = False
+
+    def _deaf(self, flow: _Flow) -> Frame:
+        """A frame in place of the sound that does not come; that it does not is told once."""
+        if not flow.away:
+            flow.away = True
+            self._tell(ReportKind.AWAY, f"no sound comes from {self.name}")
+        flow.last = max(flow.last, self.time())
+        return Frame(np.zeros(FRAME_SAMPLES, np.float32), flow.last, deaf=True)
 
     def _limit(self, away: bool) -> float:
         """s to wait for the next block. Who brings a second at a time is not late after half a one."""
@@ -354,9 +386,3 @@ class Inbox:
                 "are called 32-bit ones (int32, s32le): say int16, s16le"
             )
         self._tell(ReportKind.MUTE, f"{self.name} {what}")
-
-
-def _silence(start: float, end: float) -> Iterator[Frame]:
-    """Silent frames from one time to another."""
-    for count in range(1, round((end - start) / FRAME_SECONDS) + 1):
-        yield Frame(np.zeros(FRAME_SAMPLES, np.float32), start + count * FRAME_SECONDS)
