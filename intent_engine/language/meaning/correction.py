@@ -128,6 +128,9 @@ class Corrections:
             if denies and meant == piece.words and self._is_said_again(said, meant, state):
                 reason = f"'{denies}' before what was said already may forbid it; say it once"
                 return Clause(reason=reason, alternatives=(" ".join(meant),), ambiguous=True)
+            if meant == piece.words and self._loses_a_number(said, meant, state):
+                reason = f"a number was said before {' '.join(meant)!r}; say the whole command again"
+                return Clause(reason=reason, alternatives=(" ".join(meant),), ambiguous=True)
             if denies in self._none_of and wanted_without:
                 either = (" ".join(meant), " ".join(said))
                 reason = f"'{denies} {' '.join(piece.words)}' may correct, or say that there shall be none"
@@ -248,6 +251,19 @@ class Corrections:
             return False
         same = one.action == other.action and one.reading.intent is other.reading.intent
         return other.accepted and same and self._commands.opens_with_a_verb(other.reading)
+
+    def _loses_a_number(self, said: list[str], meant: list[str], state: Collection[str]) -> bool:
+        """Whether a number was said that is in no command, or in one of the same intent, and ``meant`` is one without
+        its verb: "turn ninety, no, left". Turned as far as ever, it would not be what was said."""
+        number = self._matcher.is_number
+        if not any(map(number, said)) or any(map(number, meant)):
+            return False
+        before, after = (self._commands.exact(words, state) for words in (said, meant))
+        if after is None or after.reading is None or self._commands.opens_with_a_verb(after.reading):
+            return False
+        if before is None or not before.accepted or before.reading is None:
+            return True
+        return before.reading.intent is after.reading.intent
 
     def _is_a_free_thing(self, words: list[str], meant: list[str], before: str) -> bool:
         """Whether ``meant`` has become free words, or begins with them: "cook pasta, no cheese" is as likely without.
