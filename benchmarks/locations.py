@@ -24,8 +24,8 @@ from typing import Any
 from rapidfuzz import fuzz, process
 
 from intent_engine.language.locations import LocationMap, load
-from intent_engine.language.name_words import name_words
 from intent_engine.language.names import NameIndex
+from intent_engine.language.slots.name_words import name_words
 
 HERE = Path(__file__).resolve().parent
 COMMAND = "python -m benchmarks --only locations"

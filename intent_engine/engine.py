@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.engine_files import EngineFiles, Loaded, StrPath
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.interpretation import Interpretation
+from intent_engine.language.context.references import Before
+from intent_engine.language.context.understanding import Understanding
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
 from intent_engine.language.meaning.dictation import Dictated
-from intent_engine.language.references import Before
-from intent_engine.language.understanding import Understanding
 from intent_engine.language.utterance import plain
 from intent_engine.needs import MOVING, states_of
 from intent_engine.prefix import Prefix, PrefixStatus, prefix_of

@@ -15,7 +15,7 @@ from intent_engine.language.loading.grammar_file import load_grammars
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
-from intent_engine.language.nearest import Nearest
+from intent_engine.language.networks.nearest import Nearest
 from intent_engine.language.normalize import words_of
 from intent_engine.language_tag import code_of, language_of
 from intent_engine.resources import find

@@ -14,7 +14,7 @@ from intent_engine.language.meaning import Interpreter
 from intent_engine.language.utterance import Utterance
 
 if TYPE_CHECKING:
-    from intent_engine.language.word_state import WordState
+    from intent_engine.language.networks.word_state import WordState
 
 __all__ = ["Prefix", "PrefixStatus", "prefix_of"]
 

@@ -10,7 +10,7 @@ import pytest
 from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.execution.robots.robot import Pose
-from intent_engine.language.slot_values import NamesOf
+from intent_engine.language.slots.slot_values import NamesOf
 from intent_engine.resources import find
 
 

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from intent_engine.actions import Custom, Stop
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.done_again import said_by_itself
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.context.done_again import said_by_itself
 from intent_engine.language.quantities import is_number_word
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.testing import assert_means, moves, sentences
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -27,7 +27,7 @@ from intent_engine.evaluation.label_line import LabelLine
 from intent_engine.evaluation.label_values import SlotValues
 from intent_engine.evaluation.labels import Row
 from intent_engine.language.loading.yaml_source import not_utf8
-from intent_engine.language.template_tree import references
+from intent_engine.language.templates.template_tree import references
 
 __all__ = ["MOST_PROBLEMS", "find_labels", "read_labels"]
 

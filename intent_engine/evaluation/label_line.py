@@ -17,8 +17,8 @@ from intent_engine.evaluation.labels import COMPOUND, Expected, Row, Step, steps
 from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Status
 from intent_engine.language.grammar import ACTION_PARAMETERS
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["LabelLine"]
 

@@ -17,8 +17,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from intent_engine.errors import ConfigError
-from intent_engine.language.network import Edge, Networks, State
-from intent_engine.language.word_state import (
+from intent_engine.language.networks.network import Edge, Networks, State
+from intent_engine.language.networks.word_state import (
     Entry,
     Mark,
     Member,

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
 from intent_engine.interpretation import Status
-from intent_engine.language.exploration import Exploration, Meeting, explore
+from intent_engine.language.checking.grammar_figures import Size, grammar_size
+from intent_engine.language.checking.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
+from intent_engine.language.checking.slot_notes import slot_notes
 from intent_engine.language.grammar import FREE_KINDS, Grammar, Intent, Place, Sentence, problem_at
-from intent_engine.language.grammar_figures import Size, grammar_size
-from intent_engine.language.map_fit import name_or_command, named_like_commands, one_is_a_name, places_missing
 from intent_engine.language.meaning import Interpreter
-from intent_engine.language.name_words import is_identifier, name_words
 from intent_engine.language.names import MIN_SCORE
-from intent_engine.language.nearest import Nearest
+from intent_engine.language.networks.exploration import Exploration, Meeting, explore
+from intent_engine.language.networks.nearest import Nearest
 from intent_engine.language.pattern.pattern_checks import pattern_findings
 from intent_engine.language.reading import Reading
-from intent_engine.language.slot_notes import slot_notes
-from intent_engine.language.spellings import spellings
+from intent_engine.language.slots.name_words import is_identifier, name_words
+from intent_engine.language.templates.spellings import spellings
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap
@@ -297,7 +297,7 @@ def alike(names: Sequence[tuple[tuple[str, ...], str]]) -> Iterator[tuple[tuple[
     Yields:
         The words of both, and what they name.
     """
-    from intent_engine.language.likeness import compare, sound
+    from intent_engine.language.words.likeness import compare, sound
 
     groups: dict[tuple[str, ...], list[tuple[tuple[str, ...], str]]] = {}
     for words, name in names:

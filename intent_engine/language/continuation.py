@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from enum import IntEnum
 
 from intent_engine.language.grammar import QUANTITY_KINDS
-from intent_engine.language.network import Edge, Networks, State
+from intent_engine.language.networks.network import Edge, Networks, State
 
 __all__ = ["MANNER", "Continuation", "Continuations"]
 

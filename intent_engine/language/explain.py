@@ -18,10 +18,10 @@ from intent_engine.language.meaning.command import forbidden
 from intent_engine.language.meaning.dictation import Dictated
 from intent_engine.language.meaning.steps import Kind
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading
-from intent_engine.language.sources import candidate, sources
+from intent_engine.language.slots.sources import candidate, sources
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["Witness"]
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from intent_engine.errors import Problem
 from intent_engine.interpretation import BEYOND_LIMITS
-from intent_engine.language.template_tree import Node
+from intent_engine.language.templates.template_tree import Node
 from intent_engine.language.wording import Wording
 from intent_engine.needs import Needs
 

@@ -32,9 +32,9 @@ from intent_engine.language.maps.map_draft import (
 from intent_engine.language.maps.map_rows import read_map
 from intent_engine.language.maps.other_forms import other_form
 from intent_engine.language.maps.places import Places
-from intent_engine.language.name_words import compared_as_written, name_words, raw_words
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import words_of
+from intent_engine.language.slots.name_words import compared_as_written, name_words, raw_words
 from intent_engine.values import check_path, check_text
 
 __all__ = ["OTHER_MEANINGS", "Location", "LocationMap", "from_text", "load"]

@@ -8,26 +8,26 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language import quantities
-from intent_engine.language.adjacent_numbers import is_number, numbers_apart, parted_at_joint
-from intent_engine.language.alternative_slots import alternatives
-from intent_engine.language.another import Another
 from intent_engine.language.automaton import Automaton
+from intent_engine.language.checking.trace_checks import NUMBERS_BY_SOUND, loses_a_number, means_nothing
 from intent_engine.language.continuation import Continuation, Continuations
-from intent_engine.language.free_text import FreeText
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Intent, Sentence
-from intent_engine.language.keyboards import Keyboards
-from intent_engine.language.network import Call, Edge, Networks, State
+from intent_engine.language.networks.network import Call, Edge, Networks, State
+from intent_engine.language.networks.sentence_networks import SentenceNetworks, call_of
+from intent_engine.language.networks.utterance_network import UtteranceNetwork
+from intent_engine.language.networks.word_state import Trace, WordState
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.sentence_networks import SentenceNetworks, call_of
-from intent_engine.language.slot_values import SlotValues
-from intent_engine.language.spacing import Spacing
-from intent_engine.language.thing_words import thing_words
-from intent_engine.language.trace_checks import NUMBERS_BY_SOUND, loses_a_number, means_nothing
+from intent_engine.language.slots.adjacent_numbers import is_number, numbers_apart, parted_at_joint
+from intent_engine.language.slots.free_text import FreeText
+from intent_engine.language.slots.slot_values import SlotValues
+from intent_engine.language.templates.alternative_slots import alternatives
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.utterance_network import UtteranceNetwork
-from intent_engine.language.word_state import Trace, WordState
+from intent_engine.language.words.another import Another
+from intent_engine.language.words.keyboards import Keyboards
+from intent_engine.language.words.spacing import Spacing
+from intent_engine.language.words.thing_words import thing_words
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from intent_engine.language.name_words import (
+from intent_engine.language.slots.name_words import (
     ARTICLES,
     OWNERS,
     heard_otherwise,
@@ -89,7 +89,7 @@ class NameIndex:
 
     def prepare(self) -> None:
         """Make it ready now, so that the first question is as quick as the others."""
-        from intent_engine.language import likeness
+        from intent_engine.language.words import likeness
 
         self._ready().arrange(())
         likeness.sound("ready")
@@ -220,7 +220,7 @@ class _Tables:
 
     def near(self, said: Words) -> list[_Found]:
         """Names with the same identifiers whose words are alike."""
-        from intent_engine.language.likeness import compare, sound
+        from intent_engine.language.words.likeness import compare, sound
 
         said, owned = without_article(said), owner(said)
         identifiers, letters = _split(said)
@@ -329,7 +329,7 @@ def _stands_in(words: Words, said: Words) -> bool:
     """Whether a name was said as it is, together or apart, and words beside it: these were heard, and say something.
     "Straight ahead in", before "five minutes", is no way to say "straight ahead", nor "anti clockwise or"
     "anticlockwise"."""
-    from intent_engine.language.likeness import sound
+    from intent_engine.language.words.likeness import sound
 
     name, letters = [sound(word) for word in words], "".join(words)
     heard = [sound(word) for word in said]

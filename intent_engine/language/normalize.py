@@ -12,7 +12,7 @@ from functools import cache
 from typing import NamedTuple
 
 from intent_engine.language.numbers.units import units
-from intent_engine.language.thing_words import thing_words
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["ELISION", "UNCLEAR", "Token", "elided", "plain_words", "tokenize", "without_accents", "words_of"]
 

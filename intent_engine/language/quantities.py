@@ -24,7 +24,7 @@ from intent_engine.language.numbers.quantity_parser import MAX_WORDS, parser_of,
 from intent_engine.language.numbers.relative import Relative
 from intent_engine.language.numbers.templates import templates
 from intent_engine.language.numbers.units import Units, units
-from intent_engine.language.quantity_finder import Found, find
+from intent_engine.language.slots.quantity_finder import Found, find
 
 __all__ = [
     "MAX_WORDS",

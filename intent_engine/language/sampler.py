@@ -18,15 +18,15 @@ from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
-from intent_engine.language.action_builder import CannotActError, build_action, check_speeds, names_taken
-from intent_engine.language.drawing import Choices, Piece, RandomChoices, one, pick
 from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Intent, Sentence, Slot
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.quantities import Relative
-from intent_engine.language.spoken_slots import SpokenSlots, size
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
-from intent_engine.language.template_tree import Sequence as Parts
+from intent_engine.language.sampling.drawing import Choices, Piece, RandomChoices, one, pick
+from intent_engine.language.sampling.spoken_slots import SpokenSlots, size
+from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds, names_taken
+from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Reference, Word, WordClass
+from intent_engine.language.templates.template_tree import Sequence as Parts
 
 if TYPE_CHECKING:
     from intent_engine.actions import Action

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.language.normalize import words_of
-from intent_engine.language.template_reader import MAX_ANY_ORDER, read_template
-from intent_engine.language.template_tree import (
+from intent_engine.language.templates.template_reader import MAX_ANY_ORDER, read_template
+from intent_engine.language.templates.template_tree import (
     AnyOrder,
     Choice,
     Node,

@@ -10,9 +10,9 @@ from intent_engine.language.normalize import UNCLEAR, Token, plain_words, tokeni
 from intent_engine.language.numbers.english_words import DIGITS, NUMBER_WORDS, TEENS, TENS, ZERO
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.openers import Openers
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.thing_words import any_articles
+from intent_engine.language.words.openers import Openers
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import any_articles
 
 __all__ = ["Utterance", "plain", "without_enumeration"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from intent_engine.language.grammar import Grammar
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
+from intent_engine.language.templates.template_tree import AnyOrder, Choice, Node, Optional, Sequence, Word
 
 __all__ = ["vocabulary", "words_in"]
 

@@ -27,7 +27,7 @@ from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.answers import NONE_MEANT
+from intent_engine.language.context.answers import NONE_MEANT
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.best_effort import HearAll

@@ -12,7 +12,7 @@ from typing import Any
 from intent_engine.execution.executor import Executor
 from intent_engine.execution.goal import Goal
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.references import Before
+from intent_engine.language.context.references import Before
 from intent_engine.needs import states_of
 from intent_engine.runtime.amending import Step
 from intent_engine.runtime.answering import Answering

@@ -1,8 +1,8 @@
 """Whether what was said answers what was asked back, and was heard clearly: "bay 3 or bay 13?", and "the second one".
 
-What an answer means is known by the engine (:mod:`~intent_engine.language.answers`), and how long a question lasts by
-:mod:`~intent_engine.runtime.last_asked`. An answer is a word or two, and the grammar has no sentence with which its
-sound could be compared, so its words are only taken where they were heard clearly.
+What an answer means is known by the engine (:mod:`~intent_engine.language.context.answers`), and how long a question
+lasts by :mod:`~intent_engine.runtime.last_asked`. An answer is a word or two, and the grammar has no sentence with
+which its sound could be compared, so its words are only taken where they were heard clearly.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from rapidfuzz.distance import Levenshtein
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.answers import either
-from intent_engine.language.likeness import sound
+from intent_engine.language.context.answers import either
 from intent_engine.language.numbers.alike import alike
 from intent_engine.language.utterance import plain
+from intent_engine.language.words.likeness import sound
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, ENOUGH_FOR_AN_ANSWER

@@ -7,8 +7,8 @@ from itertools import pairwise
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.likeness import sound
 from intent_engine.language.utterance import plain
+from intent_engine.language.words.likeness import sound
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.ways import opposite_ways, ways

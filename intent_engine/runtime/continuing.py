@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from intent_engine.execution.goal import Goal
 from intent_engine.execution.policy import Policy
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.references import Before
+from intent_engine.language.context.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.runtime.amending import CarriedOut, Step, begun_alike, in_a_row
 from intent_engine.runtime.follow_up import FollowUp

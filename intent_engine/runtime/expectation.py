@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.references import Before
+from intent_engine.language.context.references import Before
 from intent_engine.language.utterance import plain
 from intent_engine.prefix import PrefixStatus
 from intent_engine.runtime.amending import can_be_amended

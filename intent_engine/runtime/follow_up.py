@@ -10,11 +10,11 @@ from collections.abc import Collection
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.going_on import is_a_list
+from intent_engine.language.context.going_on import is_a_list
+from intent_engine.language.context.references import Before
 from intent_engine.language.numbers.alike import alike
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.references import Before
 from intent_engine.language.utterance import plain
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.runtime.transcript_grammar import grammar_of, language_of
 from intent_engine.speech.hypotheses.corrections import as_meant
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar

@@ -12,8 +12,8 @@ from dataclasses import replace
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.language.context.references import Before
 from intent_engine.language.numbers.alike import alike
-from intent_engine.language.references import Before
 from intent_engine.needs import MOVING
 from intent_engine.runtime.asking_back import other_way, run_together
 from intent_engine.runtime.transcript_grammar import grammar_of, intents_of, language_of

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.references import Before
+from intent_engine.language.context.references import Before
 from intent_engine.speech.endpoint import Settings
 
 __all__ = ["QUESTION_LASTS", "LastAsked"]

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from intent_engine.actions import ChangeSpeed
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.meaning.pronouns import names_something
-from intent_engine.language.references import Before
+from intent_engine.language.context.references import Before
+from intent_engine.language.meaning.wordings.pronouns import names_something
 from intent_engine.needs import Needs
 
 __all__ = ["LastSaid"]

@@ -15,7 +15,7 @@ from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.grammar import Grammar, Intent, Place
 from intent_engine.language.meaning import Interpreter, Understood
 from intent_engine.language.reading import Reading
-from intent_engine.language.template_tree import Node, references
+from intent_engine.language.templates.template_tree import Node, references
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["Coverage", "Missed"]

@@ -24,7 +24,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.normalize import words_of
-from intent_engine.language.template_tree import references
+from intent_engine.language.templates.template_tree import references
 from intent_engine.resources import default_grammar, default_locations, find
 from intent_engine.testing.comparison import Difference, differences
 

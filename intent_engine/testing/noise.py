@@ -11,16 +11,16 @@ from dataclasses import replace
 from enum import StrEnum
 
 from intent_engine.actions import Stop
-from intent_engine.language.done_again import said_by_itself
+from intent_engine.language.context.done_again import said_by_itself
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.spelled import in_digits, in_words
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.sampler import Choices, Piece, Sample, Sampler
-from intent_engine.language.spellings import own_words, spellings
-from intent_engine.language.spoken_quantities import spoken_forms
-from intent_engine.language.thing_words import thing_words
-from intent_engine.language.verb_forms import told_forms_of
+from intent_engine.language.sampling.spoken_quantities import spoken_forms
+from intent_engine.language.templates.spellings import own_words, spellings
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.verb_forms import told_forms_of
 
 __all__ = ["Noise", "corrected", "misheard", "negated", "spelled", "with_fillers"]
 

@@ -13,8 +13,8 @@ from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.grammar_states import unknown_states
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.drawing import RandomChoices
 from intent_engine.language.sampler import Piece, Sample, Sampler
+from intent_engine.language.sampling.drawing import RandomChoices
 from intent_engine.needs import states_of
 from intent_engine.testing.noise import Noise, corrected, misheard, negated, spelled, with_fillers
 from intent_engine.testing.texts import texts_of

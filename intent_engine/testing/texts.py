@@ -6,8 +6,8 @@ from collections.abc import Collection, Mapping
 
 from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
-from intent_engine.language.free_text import FreeText
 from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.slots.free_text import FreeText
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["texts_of"]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from intent_engine.errors import ConfigError
 from intent_engine.language.locations import Location, load
-from intent_engine.language.name_words import name_words
+from intent_engine.language.slots.name_words import name_words
 
 metres = st.floats(-1e6, 1e6)
 words = st.text("abcdefghijklmnopqrstuvwxyz", min_size=2, max_size=8)

@@ -12,9 +12,18 @@ from itertools import islice, permutations, product
 from typing import Any
 
 from intent_engine.language.grammar import Grammar, Slot
-from intent_engine.language.network import MOST_ARTICLES
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
-from intent_engine.language.thing_words import ARTICLES, thing_words
+from intent_engine.language.networks.network import MOST_ARTICLES
+from intent_engine.language.templates.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+)
+from intent_engine.language.words.thing_words import ARTICLES, thing_words
 
 MOST = 3_000
 """Ways to say one sentence that are still looked through."""

@@ -18,7 +18,16 @@ from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operator
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.reading import Reading
 from intent_engine.language.template import parse_template
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.templates.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+)
 
 NAMED = ["ant", "bee", "cat", "the"]
 CLOSED = frozenset(("not", "if"))

@@ -13,12 +13,12 @@ from templates import trees
 
 from intent_engine.engine import IntentEngine
 from intent_engine.language.checker import Report, alike, check_grammar
-from intent_engine.language.exploration import explore
+from intent_engine.language.checking.grammar_figures import grammar_size
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence
-from intent_engine.language.grammar_figures import grammar_size
-from intent_engine.language.network import MOST_ARTICLES
-from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import template_text
+from intent_engine.language.networks.exploration import explore
+from intent_engine.language.networks.network import MOST_ARTICLES
+from intent_engine.language.templates.spellings import spellings
+from intent_engine.language.templates.template_tree import template_text
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.language.language_files import checked
 from intent_engine.language.loading import language_words
 from intent_engine.language.numbers import units
-from intent_engine.language.thing_words import ThingWords
+from intent_engine.language.words.thing_words import ThingWords
 
 ROOM = Path(language_room.__file__).parent
 LANGUAGES = ("de", "en", "es", "fr", "it")

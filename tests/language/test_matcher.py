@@ -11,7 +11,7 @@ import pytest
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Status
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.nearest import Nearest
+from intent_engine.language.networks.nearest import Nearest
 from intent_engine.language.reading import Reading
 
 GRAMMAR = """

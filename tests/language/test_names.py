@@ -10,9 +10,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from intent_engine.language.locations import load
-from intent_engine.language.name_words import is_identifier, name_words, without_article
 from intent_engine.language.names import Match, NameIndex
 from intent_engine.language.numbers import english, english_words
+from intent_engine.language.slots.name_words import is_identifier, name_words, without_article
 
 ROOT = Path(__file__).resolve().parents[2]
 MAPS = {name: load(ROOT / "locations" / f"{name}.yaml") for name in ("home", "warehouse")}

@@ -14,7 +14,7 @@ from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.language.numbers.units import FACTORS
 from intent_engine.language.quantities import Relative, evaluate
-from intent_engine.language.quantity_finder import find
+from intent_engine.language.slots.quantity_finder import find
 
 KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed", "angular_speed", "percent")
 GRAMMAR = "language: en\nslots:\n" + "".join(f"  {kind}: {{type: {kind}}}\n" for kind in KINDS) + "intents:\n"

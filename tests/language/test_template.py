@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from templates import trees
 
 from intent_engine.language.template import TemplateError, parse_template, parsed_by_lark
-from intent_engine.language.template_reader import read_template
-from intent_engine.language.template_tree import (
+from intent_engine.language.templates.template_reader import read_template
+from intent_engine.language.templates.template_tree import (
     AnyOrder,
     Choice,
     Node,

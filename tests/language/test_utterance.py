@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 words = st.sampled_from("abc")
 phrases = st.lists(st.lists(words, max_size=3), max_size=5)

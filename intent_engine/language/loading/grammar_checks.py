@@ -14,12 +14,12 @@ from intent_engine.language.loading.grammar_shapes import Shapes
 from intent_engine.language.loading.grammar_values import action_problems, example_problems, value_problems
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.english_words import SUFFIXES
-from intent_engine.language.own_units import MAX_NAMES
 from intent_engine.language.pattern.patterns import pattern_problems
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.quantities import evaluate
-from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import Choice, Node, Sequence, references
+from intent_engine.language.slots.own_units import MAX_NAMES
+from intent_engine.language.templates.spellings import spellings
+from intent_engine.language.templates.template_tree import Choice, Node, Sequence, references
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["check_meaning"]
 

@@ -13,9 +13,8 @@ from intent_engine.language.loading.grammar_parts import Draft, Places
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.patterns import unsaid_patterns
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import (
+from intent_engine.language.templates.spellings import spellings
+from intent_engine.language.templates.template_tree import (
     AnyOrder,
     Choice,
     Node,
@@ -26,6 +25,7 @@ from intent_engine.language.template_tree import (
     references,
 )
 from intent_engine.language.vocabulary import words_in
+from intent_engine.language.words.phrase_set import PhraseSet
 
 if TYPE_CHECKING:
     from intent_engine.language.meaning.phrases import Phrases

@@ -11,7 +11,6 @@ from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.as_written import as_written, texts_in
 from intent_engine.language.grammar import Grammar, Intent, Operators, Place, Slot
 from intent_engine.language.loading.contracted import with_contractions
 from intent_engine.language.loading.file_kind import given_for
@@ -32,8 +31,9 @@ from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.wake_stops import wake_that_stops
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.normalize import words_of
-from intent_engine.language.spellings import own_homophones, own_words, stops_by_sound
-from intent_engine.language.template_tree import Node
+from intent_engine.language.templates.spellings import own_homophones, own_words, stops_by_sound
+from intent_engine.language.templates.template_tree import Node
+from intent_engine.language.words.as_written import as_written, texts_in
 from intent_engine.language_tag import language_of
 
 __all__ = ["load_grammars", "schema"]

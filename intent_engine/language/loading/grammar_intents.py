@@ -22,7 +22,7 @@ from intent_engine.language.grammar import (
 from intent_engine.language.loading.grammar_parts import PartReader
 from intent_engine.language.loading.other_words import ACTIONS, meant
 from intent_engine.language.loading.yaml_source import YamlPath
-from intent_engine.language.template_tree import Node, references
+from intent_engine.language.templates.template_tree import Node, references
 
 __all__ = ["merged", "read_intent", "slot_of_parameter", "slots_by_label"]
 

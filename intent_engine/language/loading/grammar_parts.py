@@ -16,7 +16,7 @@ from intent_engine.language.loading.yaml_source import YamlPath, YamlSource
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
 from intent_engine.language.template import TemplateError, parse_template
-from intent_engine.language.template_tree import Choice, Node
+from intent_engine.language.templates.template_tree import Choice, Node
 
 __all__ = ["Draft", "PartReader", "Places", "Written"]
 

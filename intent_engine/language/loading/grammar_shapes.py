@@ -3,7 +3,16 @@
 from __future__ import annotations
 
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar
-from intent_engine.language.template_tree import AnyOrder, Choice, Node, Optional, Reference, Sequence, Word, WordClass
+from intent_engine.language.templates.template_tree import (
+    AnyOrder,
+    Choice,
+    Node,
+    Optional,
+    Reference,
+    Sequence,
+    Word,
+    WordClass,
+)
 
 __all__ = ["Shapes"]
 

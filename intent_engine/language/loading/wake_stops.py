@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from intent_engine.language.grammar import Operators
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["wake_that_stops"]
 

@@ -12,7 +12,7 @@ from typing import Any
 from intent_engine.errors import Problem
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.several_names import as_list, looks_like_several
-from intent_engine.language.name_words import name_words
+from intent_engine.language.slots.name_words import name_words
 
 __all__ = ["DEFAULT_FRAME", "Draft", "Location", "Row", "checked"]
 

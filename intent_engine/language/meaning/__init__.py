@@ -6,22 +6,21 @@ changes a sentence's sense; a compound is taken whole or not at all; two meaning
 Each rule has its module, and knows only those above it:
 
 - ``phrases``: fillers, wake words and operators, found in words;
-- ``numbers_in_pieces``: "nine, uh, forty five";
 - ``clause``: what is understood as one command, or why not;
 - ``command``: one command, exactly said or with misheard names;
 - ``dictation``: "write down ...", and then anything;
-- ``correction_places``: where what corrects may stand;
-- ``correction``: "turn left no right";
-- ``listed_numbers``: "unlock drawer 3 and 4";
+- ``corrections/``: "turn left no right", "drawer 3 and 4, no, 5";
+- ``several/``: "unlock drawer 3 and 4", "turn the fan on and the pump off";
 - ``compound``: "go forward and turn left";
 - ``cancelled``: "turn left, never mind, go back";
 - ``run_on``: "go forward turn left";
-- ``negation``: "don't turn left, turn right";
+- ``negations/``: "don't turn left, turn right";
 - ``stops``: "stop", wherever it is a command;
 - ``told``: how what was understood is told;
 - ``fillers_or_words``: "right then turn left";
+- ``wordings/``, ``written_otherwise``: "fahr dann in die Küche", "the lamp on", "photograph it";
 - ``taken_otherwise``: "t turn left", "would you mind turning left";
-- ``talk``: "left, right?", "turned left";
+- ``not_commands/``: "left, right?", "turned left", and what is told of words that no rule understood;
 - ``interpreter``: the order in which they are asked, and what comes of it.
 
 ``steps`` marks what they decide, for explanations.

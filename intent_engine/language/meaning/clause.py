@@ -10,7 +10,7 @@ from intent_engine.actions import Action
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.thing_words import any_articles
+from intent_engine.language.words.thing_words import any_articles
 
 __all__ = ["Clause", "described", "more_telling", "slot_values"]
 

@@ -6,20 +6,20 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Stop
-from intent_engine.language.action_builder import CannotActError, build_action, check_speeds
-from intent_engine.language.adjacent_numbers import number_said_apart
 from intent_engine.language.continuation import MANNER
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
-from intent_engine.language.meaning.share_of_a_turn import share_of_a_turn
+from intent_engine.language.meaning.not_commands.share_of_a_turn import share_of_a_turn
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.meaning.whose_place import WhosePlace
+from intent_engine.language.meaning.wordings.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading
-from intent_engine.language.thing_words import ARTICLES, thing_words
-from intent_engine.language.verb_forms import told_forms_of
+from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds
+from intent_engine.language.slots.adjacent_numbers import number_said_apart
+from intent_engine.language.words.thing_words import ARTICLES, thing_words
+from intent_engine.language.words.verb_forms import told_forms_of
 
 __all__ = ["LEAST_WORDS", "Commands", "forbidden"]
 

@@ -8,22 +8,22 @@ from functools import cached_property
 from itertools import pairwise
 
 from intent_engine.actions import Custom, Move, Navigate, Pick, Place, Stop, Turn
-from intent_engine.language.action_builder import names_taken
 from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
-from intent_engine.language.meaning.correction import Corrections
-from intent_engine.language.meaning.doing import verbs
+from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.negations.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.several_at_once import SeveralAtOnce
+from intent_engine.language.meaning.several.several_at_once import SeveralAtOnce
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.numbers.units import units
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.quantities import evaluate
-from intent_engine.language.template_tree import first_words
-from intent_engine.language.thing_words import thing_words
+from intent_engine.language.slots.action_builder import names_taken
+from intent_engine.language.templates.template_tree import first_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["MAX_PARTS", "Compounds"]
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
-from intent_engine.language.action_builder import CannotActError, build_action
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.reading import Reading, SlotReading
+from intent_engine.language.slots.action_builder import CannotActError, build_action
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["Dictated", "Dictation"]
 

@@ -13,31 +13,31 @@ from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.clause import Clause, more_telling
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
-from intent_engine.language.meaning.correction import Corrections
-from intent_engine.language.meaning.dash_or_sign import DashOrSign
+from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.corrections.hesitation import Hesitations
+from intent_engine.language.meaning.corrections.replacement import Replacements
 from intent_engine.language.meaning.dictation import Dictated, Dictation
 from intent_engine.language.meaning.fillers_or_words import FillersOrWords
-from intent_engine.language.meaning.hesitation import Hesitations
-from intent_engine.language.meaning.negation import Negations
-from intent_engine.language.meaning.no_command import NoCommand
-from intent_engine.language.meaning.numbers_in_pieces import NumbersInPieces
-from intent_engine.language.meaning.objecting import objects_to_what_is_done
+from intent_engine.language.meaning.negations.negation import Negations
+from intent_engine.language.meaning.negations.objecting import objects_to_what_is_done
+from intent_engine.language.meaning.not_commands.no_command import NoCommand
+from intent_engine.language.meaning.not_commands.talk import Talk
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, Watch, step, watched
 from intent_engine.language.meaning.stops import Stops
 from intent_engine.language.meaning.taken_otherwise import TakenOtherwise
-from intent_engine.language.meaning.talk import Talk
 from intent_engine.language.meaning.told import Understood, as_stop, as_told, as_told_together, which_number
+from intent_engine.language.meaning.wordings.dash_or_sign import DashOrSign
+from intent_engine.language.meaning.wordings.numbers_in_pieces import NumbersInPieces
 from intent_engine.language.meaning.written_otherwise import WrittenOtherwise
 from intent_engine.language.numbers.vague import said_exactly
-from intent_engine.language.text_places import TextPlaces
+from intent_engine.language.slots.text_places import TextPlaces
 from intent_engine.language.utterance import Utterance, without_enumeration
 from intent_engine.needs import MOVING
 
 if TYPE_CHECKING:
-    from intent_engine.language.nearest import Nearest
+    from intent_engine.language.networks.nearest import Nearest
 
 __all__ = ["MAX_CHARACTERS", "MAX_WORDS", "Interpreter", "Understood"]
 

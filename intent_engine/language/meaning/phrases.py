@@ -7,13 +7,13 @@ from dataclasses import replace
 from functools import cache
 
 from intent_engine.language.grammar import FREE_KINDS, Grammar
-from intent_engine.language.openers import Openers, TextPlace
-from intent_engine.language.phrase_set import PhraseSet, SomePhrases
 from intent_engine.language.reading import Reading
-from intent_engine.language.spacing import in_a_row
-from intent_engine.language.spellings import own_words
-from intent_engine.language.thing_words import thing_words
+from intent_engine.language.templates.spellings import own_words
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.openers import Openers, TextPlace
+from intent_engine.language.words.phrase_set import PhraseSet, SomePhrases
+from intent_engine.language.words.spacing import in_a_row
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Phrases"]
 

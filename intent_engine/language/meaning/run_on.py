@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from intent_engine.actions import Custom, Stop
-from intent_engine.language.done_again import AGAIN
+from intent_engine.language.context.done_again import AGAIN
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
@@ -19,8 +19,8 @@ from intent_engine.language.meaning.compound import MAX_PARTS
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.reading import Reading, SlotReading
-from intent_engine.language.thing_words import any_articles
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import any_articles
 
 __all__ = ["RunOns"]
 

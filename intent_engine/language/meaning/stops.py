@@ -7,12 +7,12 @@ from collections.abc import Collection, Iterator
 from intent_engine.actions import Action, Stop
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
-from intent_engine.language.meaning.doing import verbs
+from intent_engine.language.meaning.negations.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.run_on import RunOns
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.verb_forms import verbs_told
+from intent_engine.language.words.verb_forms import verbs_told
 from intent_engine.needs import MOVING
 
 __all__ = ["Stops"]

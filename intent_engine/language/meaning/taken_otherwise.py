@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 
 from intent_engine.interpretation import Status
-from intent_engine.language.meaning.asked_for_doing import AskedForDoing
 from intent_engine.language.meaning.command import Commands
-from intent_engine.language.meaning.no_command import REASON as NO_REASON
+from intent_engine.language.meaning.not_commands.no_command import REASON as NO_REASON
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood
+from intent_engine.language.meaning.wordings.asked_for_doing import AskedForDoing
 from intent_engine.language.utterance import Utterance
 
 __all__ = ["TakenOtherwise"]

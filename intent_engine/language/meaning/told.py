@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from intent_engine.actions import Stop
 from intent_engine.interpretation import Interpretation, Question, Status
-from intent_engine.language.answers import with_name
+from intent_engine.language.context.answers import with_name
 from intent_engine.language.meaning.clause import Clause, slot_values
 
 __all__ = ["Understood", "as_stop", "as_told", "as_told_together", "asked_back", "which_number"]

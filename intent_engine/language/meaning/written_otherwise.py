@@ -7,29 +7,29 @@ from dataclasses import replace
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
-from intent_engine.language.called_by_number import is_called_so, without_number
-from intent_engine.language.every_unit import every_one, is_every_one
-from intent_engine.language.figures_apart import are_apart, figures_apart, figures_joined
-from intent_engine.language.going_on import is_a_list
-from intent_engine.language.meaning.behind_the_verb import BehindTheVerb
+from intent_engine.language.context.going_on import is_a_list
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
-from intent_engine.language.meaning.forbidden_verbs import verb_first
-from intent_engine.language.meaning.formal import Formal
-from intent_engine.language.meaning.particles import Particles
+from intent_engine.language.meaning.corrections.said_twice import SaidTwice
+from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.placed_first import PlacedFirst
-from intent_engine.language.meaning.pronouns import NamesListed
-from intent_engine.language.meaning.said_first import SaidFirst
-from intent_engine.language.meaning.said_twice import SaidTwice
 from intent_engine.language.meaning.told import Understood, as_told
-from intent_engine.language.owners import owners
-from intent_engine.language.plurals import Plurals
+from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
+from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.particles import Particles
+from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.pronouns import NamesListed
+from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.reading import Reading
-from intent_engine.language.thing_words import thing_words
-from intent_engine.language.unit_symbols import UnitSymbols
+from intent_engine.language.slots.every_unit import every_one, is_every_one
+from intent_engine.language.templates.called_by_number import is_called_so, without_number
+from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.verb_forms import infinitives
+from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
+from intent_engine.language.words.owners import owners
+from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.unit_symbols import UnitSymbols
+from intent_engine.language.words.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
 

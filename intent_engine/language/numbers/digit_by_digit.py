@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from intent_engine.language.numbers import english_words, foreign
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.template_tree import Choice, Node, Optional, Word, WordClass
-from intent_engine.language.template_tree import Sequence as TemplateSequence
+from intent_engine.language.templates.template_tree import Choice, Node, Optional, Word, WordClass
+from intent_engine.language.templates.template_tree import Sequence as TemplateSequence
 
 __all__ = ["MOST_DIGITS", "digit_of", "digits_in_words", "said_together", "template_of"]
 

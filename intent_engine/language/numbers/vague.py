@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from functools import cache
 
 from intent_engine.language.numbers.units import units
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["said_exactly", "vague_length"]
 

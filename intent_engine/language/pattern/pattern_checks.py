@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from intent_engine.errors import Problem
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.drawing import RandomChoices
 from intent_engine.language.grammar import Grammar, Intent, Sentence, problem_at
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning import Interpreter
-from intent_engine.language.nearest import Nearest
+from intent_engine.language.networks.nearest import Nearest
 from intent_engine.language.pattern.pattern_sampler import PatternSampler
 from intent_engine.language.pattern.pattern_signs import unsaid_sign
 from intent_engine.language.sampler import Sampler
+from intent_engine.language.sampling.drawing import RandomChoices
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.language.drawing import Choices, Piece, one, pick
-from intent_engine.language.free_text import FreeText
 from intent_engine.language.grammar import Grammar, Intent, Sentence, Slot
 from intent_engine.language.pattern.pattern_tree import (
     Letters,
@@ -28,7 +26,9 @@ from intent_engine.language.pattern.pattern_tree import (
     leaves_open,
 )
 from intent_engine.language.pattern.patterns import Patterns, parts_of_patterns
-from intent_engine.language.slot_values import SlotValues
+from intent_engine.language.sampling.drawing import Choices, Piece, one, pick
+from intent_engine.language.slots.free_text import FreeText
+from intent_engine.language.slots.slot_values import SlotValues
 
 if TYPE_CHECKING:
     from intent_engine.language.locations import LocationMap

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from intent_engine.language.network import Call, Edge, Network, State
+from intent_engine.language.networks.network import Call, Edge, Network, State
 from intent_engine.language.numbers.spelled import number_otherwise
 from intent_engine.language.pattern.pattern_tree import (
     Letters,

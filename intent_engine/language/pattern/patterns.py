@@ -20,8 +20,8 @@ from intent_engine.language.loading.grammar_parts import Places
 from intent_engine.language.numbers import english
 from intent_engine.language.numbers.spelled import in_digits, in_words
 from intent_engine.language.pattern.pattern_tree import Part, UnsayableError
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.template_tree import Word
+from intent_engine.language.templates.template_tree import Word
+from intent_engine.language.words.phrase_set import PhraseSet
 
 if TYPE_CHECKING:
     from intent_engine.language.loading.yaml_source import YamlPath

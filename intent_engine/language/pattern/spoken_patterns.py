@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 
 from intent_engine.language.grammar import Grammar, Slot
-from intent_engine.language.network import Call, Network, Networks
+from intent_engine.language.networks.network import Call, Network, Networks
 from intent_engine.language.pattern.pattern_tree import Named, Number, Part, UnsayableError, Words, leaves_open, walk
 from intent_engine.language.pattern.pattern_words import pattern_network
 from intent_engine.language.pattern.patterns import said_by_patterns
 from intent_engine.language.template import parse_template
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.words.thing_words import ARTICLES
 
 __all__ = ["SpokenPatterns"]
 

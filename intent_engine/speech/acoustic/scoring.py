@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.acoustic.drafts import NOTHING_DRAFTED, Draft, Drafts
 from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.writing import Names, spellings, written

@@ -11,8 +11,8 @@ from intent_engine.language.normalize import TITLES, elided, without_accents
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.numbers.units import units
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import ARTICLES
 
 __all__ = ["Names", "Writer", "spellings", "written"]
 

@@ -10,12 +10,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.alike import alike
 from intent_engine.language.numbers.english_words import DIGITS
 from intent_engine.language.numbers.spelled import in_digits, number_end
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.acoustic.rows import Rows
 from intent_engine.speech.acoustic.scoring import Scoring
 from intent_engine.speech.acoustic.writing import spellings, written

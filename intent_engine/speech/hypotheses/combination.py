@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.clearness import RIVAL_MARGIN
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, dictated_to_both, hardly_begun
 from intent_engine.speech.hypotheses.evidence import letters_apart

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from intent_engine.language.adjacent_numbers import is_number
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.quantities import evaluate
+from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
 __all__ = ["as_meant", "corrected_like", "no_between"]

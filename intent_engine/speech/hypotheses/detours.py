@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from intent_engine.language.approximate import UtteranceSearch
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.networks.approximate import UtteranceSearch
+from intent_engine.language.words.thing_words import ARTICLES
 
 __all__ = ["Detours", "leads"]
 

@@ -11,8 +11,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from intent_engine.language.approximate import FreeWord
 from intent_engine.language.meaning.dictation import ANYTHING
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.evidence import letters_apart
 from intent_engine.speech.recognizer import Transcript
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.language.likeness import sound
+from intent_engine.language.words.likeness import sound
 
 __all__ = ["Evidence", "View", "letters_apart"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.speech.acoustic.scoring import Scoring
 from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.guided import GuidedSearch

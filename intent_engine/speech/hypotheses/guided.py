@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.numbers.spelled import in_words
 from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.frontier import Frontier, Path, value_of

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.grammar import FREE_KINDS
-from intent_engine.language.meaning.doing import verbs
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.meaning.negations.doing import verbs
+from intent_engine.language.networks.approximate import FreeWord, UtteranceSearch
 from intent_engine.language.reading import SlotReading
-from intent_engine.language.verb_forms import told_forms_of
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.verb_forms import told_forms_of
 from intent_engine.speech.hypotheses.narration import narrating
 from intent_engine.speech.hypotheses.usual import UsualNumbers
 from intent_engine.speech.hypotheses.vocabulary import known_in_slots, known_words, words_as_written

@@ -12,9 +12,9 @@ from difflib import SequenceMatcher
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.language.likeness import sound
-from intent_engine.language.thing_words import ARTICLES
-from intent_engine.language.verb_forms import IRREGULAR, NEARLY_THE_VERB
+from intent_engine.language.words.likeness import sound
+from intent_engine.language.words.thing_words import ARTICLES
+from intent_engine.language.words.verb_forms import IRREGULAR, NEARLY_THE_VERB
 from intent_engine.speech.hypotheses.evidence import letters_apart
 
 __all__ = [

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 
 from rapidfuzz.distance import Levenshtein
 
-from intent_engine.language.homophones import LETTERS_BY_SOUND
-from intent_engine.language.likeness import sound
 from intent_engine.language.numbers.english_words import NUMBER_WORDS
 from intent_engine.language.numbers.numerals import is_numeral
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.words.homophones import LETTERS_BY_SOUND
+from intent_engine.language.words.likeness import sound
+from intent_engine.language.words.thing_words import ARTICLES
 
 if TYPE_CHECKING:
     from intent_engine.language.grammar import Grammar

@@ -8,7 +8,7 @@ from threading import Event
 from typing import TYPE_CHECKING, Protocol
 
 from intent_engine.actions import Action
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.audio import Samples
 from intent_engine.speech.hypotheses.dictating import DICTATED, as_heard, as_written, begin_of, text_of
 from intent_engine.speech.hypotheses.evidence import Evidence, View, letters_apart

@@ -11,9 +11,9 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.numbers.spelled import number_words
-from intent_engine.language.opposites import opposed
+from intent_engine.language.words.opposites import opposed
 from intent_engine.speech.hypotheses.detours import leads
 from intent_engine.speech.hypotheses.evidence import letters_apart
 from intent_engine.speech.hypotheses.word_pieces import MANY_WORDS

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from statistics import fmean
 
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.evidence import FAR_AHEAD, Evidence, View
 from intent_engine.speech.hypotheses.opinion import Reading
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.numbers.spelled import in_digits, number_words
-from intent_engine.language.phrase_set import PhraseSet
-from intent_engine.language.thing_words import ARTICLES
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import ARTICLES
 from intent_engine.speech.acoustic.rows import Rows, total
 from intent_engine.speech.acoustic.writing import Writer, spellings
 from intent_engine.speech.hypotheses.detours import Detours, leads

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from intent_engine.actions import Action
-from intent_engine.language.opposites import opposed
+from intent_engine.language.words.opposites import opposed
 from intent_engine.speech.hypotheses.dictating import begin_of
 from intent_engine.speech.hypotheses.left_open import open_range, open_word
 from intent_engine.speech.hypotheses.left_out import (

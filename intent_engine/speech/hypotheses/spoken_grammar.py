@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 from intent_engine.grammar_states import meant_in_some_state
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.approximate import FREE, FreeWord, UtteranceSearch
+from intent_engine.language.networks.approximate import FREE, FreeWord, UtteranceSearch
 from intent_engine.language.numbers.numerals import is_numeral
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.phrase_set import PhraseSet
 from intent_engine.language.utterance import without_enumeration
 from intent_engine.language.wording import Wording
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.hypotheses.corrections import as_meant, corrected_like, no_between
 from intent_engine.speech.hypotheses.dictating import DICTATED, begin_of
 from intent_engine.speech.hypotheses.known_grammar import KnownGrammar

@@ -9,9 +9,9 @@ from typing import Any
 
 from intent_engine.actions import Turn
 from intent_engine.interpretation import Interpretation
-from intent_engine.language.adjacent_numbers import is_number
 from intent_engine.language.grammar import Grammar, Slot
 from intent_engine.language.loading.grammar_intents import slots_by_label
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import plain
 
 __all__ = ["UsualNumbers", "circles"]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from intent_engine.language.as_written import as_written
 from intent_engine.language.matcher import Matcher
+from intent_engine.language.networks.sentence_networks import spoken_trees
 from intent_engine.language.numbers.spelled import number_words
 from intent_engine.language.numbers.units import SIGNS, units
-from intent_engine.language.sentence_networks import spoken_trees
-from intent_engine.language.thing_words import thing_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary, words_in
+from intent_engine.language.words.as_written import as_written
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["known_in_slots", "known_words", "said_in_slots", "said_of_signs", "words_as_written"]
 

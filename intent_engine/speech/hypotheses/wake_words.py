@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from intent_engine.actions import Action
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.words.phrase_set import PhraseSet
 
 __all__ = ["UNADDRESSED", "WakeWords"]
 

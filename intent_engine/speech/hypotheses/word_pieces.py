@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.numbers.spelled import number_words
 from intent_engine.speech.acoustic.writing import Writer
 

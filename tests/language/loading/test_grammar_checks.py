@@ -12,7 +12,7 @@ from templates import trees
 from intent_engine.errors import ConfigError
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.loading.grammar_file import load_grammars
-from intent_engine.language.template_tree import template_text
+from intent_engine.language.templates.template_tree import template_text
 
 
 @pytest.fixture(autouse=True)

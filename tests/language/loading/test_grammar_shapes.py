@@ -11,11 +11,11 @@ from templates import trees
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine, PrefixStatus
 from intent_engine.interpretation import Status
-from intent_engine.language.exploration import explore
 from intent_engine.language.grammar import ActionSpec, Grammar, Intent, Operators, Sentence, Slot
 from intent_engine.language.loading.grammar_shapes import Shapes
-from intent_engine.language.spellings import spellings
-from intent_engine.language.template_tree import Choice, Node, Optional, Reference, Sequence, Word, references
+from intent_engine.language.networks.exploration import explore
+from intent_engine.language.templates.spellings import spellings
+from intent_engine.language.templates.template_tree import Choice, Node, Optional, Reference, Sequence, Word, references
 
 PHRASES: dict[str, Node] = {
     "p": Choice((Word("x"), Sequence((Word("y"), Optional(Word("z")))))),

@@ -8,8 +8,8 @@ from meanings import shipped
 from intent_engine.interpretation import Status
 from intent_engine.language.automaton import Automaton
 from intent_engine.language.meaning import MAX_WORDS
+from intent_engine.language.networks.word_state import WordState
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.word_state import WordState
 
 
 @pytest.fixture

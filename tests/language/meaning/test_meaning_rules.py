@@ -13,16 +13,16 @@ from intent_engine.language.grammar import Grammar, Operators
 from intent_engine.language.locations import load
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
-from intent_engine.language.meaning.correction import Corrections
-from intent_engine.language.meaning.hesitation import Hesitations
-from intent_engine.language.meaning.negation import Negations
-from intent_engine.language.meaning.numbers_in_pieces import NumbersInPieces
+from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.corrections.hesitation import Hesitations
+from intent_engine.language.meaning.corrections.replacement import Replacements
+from intent_engine.language.meaning.negations.negation import Negations
+from intent_engine.language.meaning.not_commands.sayings import Sayings
 from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.replacement import Replacements
 from intent_engine.language.meaning.run_on import RunOns
-from intent_engine.language.meaning.sayings import Sayings
 from intent_engine.language.meaning.stops import Stops
-from intent_engine.language.meaning.whose_place import WhosePlace
+from intent_engine.language.meaning.wordings.numbers_in_pieces import NumbersInPieces
+from intent_engine.language.meaning.wordings.whose_place import WhosePlace
 
 
 def engine_with(grammar: Grammar) -> IntentEngine:

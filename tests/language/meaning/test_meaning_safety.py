@@ -13,7 +13,7 @@ from safety_table import MOTION_FORBIDDEN, NOT_EVEN_MOVING, NOTHING, TABLE, WHIL
 from intent_engine.actions import Move, Navigate, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
-from intent_engine.language.meaning.said_twice import said_once
+from intent_engine.language.meaning.corrections.said_twice import said_once
 from intent_engine.language.numbers.english_words import NUMBER_WORDS, ZERO
 from intent_engine.language.utterance import Utterance
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from intent_engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.sampler import sample
-from intent_engine.language.thing_words import thing_words
+from intent_engine.language.words.thing_words import thing_words
 
 ROOT = Path(__file__).resolve().parents[3]
 GRAMMARS = ("grammars/en.yaml", "grammars/de.yaml", "examples/coffee/coffee.yaml")

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine import IntentEngine, Stop
-from intent_engine.language.meaning.doing import verbs
+from intent_engine.language.meaning.negations.doing import verbs
 
 GRAMMAR = """
 language: en

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from lark import Lark
 
 from intent_engine.engine import IntentEngine, PrefixStatus
-from intent_engine.language.network import Call, Network, State
+from intent_engine.language.networks.network import Call, Network, State
 from intent_engine.language.pattern.pattern_lark import lark_tree
 from intent_engine.language.pattern.pattern_regex import regex_tree
 from intent_engine.language.pattern.pattern_tree import Named, Number, UnsayableError, Words, leaves_open, walk

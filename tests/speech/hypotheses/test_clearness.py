@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.recognizer import Transcript
 

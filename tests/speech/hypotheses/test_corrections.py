@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 from intent_engine.language.numbers.spelled import in_words
-from intent_engine.language.phrase_set import PhraseSet
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.speech.acoustic.writing import Writer
 from intent_engine.speech.hypotheses.corrections import MOST, corrected_like, no_between
 from intent_engine.speech.hypotheses.rivals import Rivals

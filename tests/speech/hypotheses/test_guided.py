@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from intent_engine import IntentEngine
-from intent_engine.language.approximate import UtteranceSearch
+from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.utterance import plain
 from intent_engine.speech.acoustic.writing import Names, Writer
 from intent_engine.speech.audio import SAMPLE_RATE

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from intent_engine.engine import IntentEngine
-from intent_engine.language.opposites import opposed
+from intent_engine.language.words.opposites import opposed
 from intent_engine.speech.hypotheses.opposing import MOST_OPPOSED, opposing
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.ways import opposite_ways

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.evidence import View
 from intent_engine.speech.hypotheses.ranking import UNKNOWN_WORD, ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar

@@ -6,7 +6,7 @@ import pytest
 
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
-from intent_engine.language.approximate import FreeWord
+from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 

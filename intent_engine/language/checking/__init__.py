@@ -1,0 +1,1 @@
+"""What the checker counts and compares besides the sentences themselves."""

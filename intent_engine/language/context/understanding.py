@@ -1,0 +1,149 @@
+"""What a text means after what was said before it: what it points back to, answers, takes back or goes against."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Generic, Protocol, TypeVar
+
+from intent_engine.actions import Action, actions_of
+from intent_engine.errors import ConfigError
+from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.context.answers import Answers, answered
+from intent_engine.language.context.going_on import goes_on_from
+from intent_engine.language.context.references import Before, resolve
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.not_commands.no_command import REASON as NO_COMMAND
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
+from intent_engine.language.words.unreadable import as_read
+from intent_engine.needs import MOVING, Needs
+
+__all__ = ["Parses", "Understanding"]
+
+
+class Parses(Protocol):
+    """What understands the text of one language: an interpreter, or a witness of one."""
+
+    matcher: Matcher
+
+    def interpret(
+        self, text: str, state: Collection[str] = (), *, spoken: bool = False, heard: bool = False
+    ) -> Interpretation: ...
+
+    def denied_part(self, text: str, before: str, state: Collection[str] = ()) -> tuple[Action, ...]: ...
+
+    def objection(self, text: str, before: str, state: Collection[str] = ()) -> Interpretation | None: ...
+
+
+_Parser = TypeVar("_Parser", bound=Parses)
+
+
+class Understanding(Generic[_Parser]):
+    """Understands what is said next.
+
+    Args:
+        parsers: of the languages in which it may be said.
+        last, state, spoken, heard: as for :meth:`~intent_engine.engine.IntentEngine.parse`.
+    """
+
+    __slots__ = ("_before", "_by_voice", "_done", "_last", "_needs", "_parsers", "_spoken", "_state")
+
+    def __init__(
+        self,
+        parsers: Sequence[_Parser],
+        last: Before | None = None,
+        state: Collection[str] = (),
+        spoken: bool = False,
+        heard: bool = False,
+    ) -> None:
+        self._parsers, self._last, self._state, self._spoken = parsers, last, state, spoken
+        self._by_voice = spoken or heard
+        self._before: tuple[Action, ...] | None = None
+        self._needs: tuple[Needs, ...] = ()
+        self._done = ""
+        if last is not None:
+            self._before, self._needs, self._done = _done_before(last)
+
+    def of(self, text: str) -> tuple[Interpretation, _Parser]:
+        """What a text means, and the parser that says so."""
+        found, parser = self._by_itself(text)
+        answer = self._as_answer(text, found)
+        return as_read(text, found if answer is None else answer), parser
+
+    def answer(self, text: str) -> Interpretation | None:
+        """What a text means as the answer to what ``last`` asks back; None: it is none."""
+        answer = self._as_answer(text, self._by_itself(text)[0])
+        return answer if answer is None else as_read(text, answer)
+
+    def _as_answer(self, text: str, found: Interpretation) -> Interpretation | None:
+        """The same, where it is known what it means by itself."""
+        asked = self._last
+        if not isinstance(asked, Interpretation) or asked.question is None:
+            return None
+        # The first part was called for already.
+        called = Understanding(self._parsers, asked, self._state, heard=self._by_voice)
+        readers = [Answers(parser.matcher.grammar) for parser in self._parsers]
+        return answered(asked, text, found, readers, lambda whole: called._by_itself(whole)[0], called=self._spoken)
+
+    def _by_itself(self, text: str) -> tuple[Interpretation, _Parser]:
+        """What a text means whatever was asked, with what it points back to, and the parser that says so."""
+        before, done = self._before, self._done
+        try:
+            found, parser = self._first_accepted(text)
+        except ConfigError as error:  # a grammar too ambiguous to be walked; a text is never the cause
+            return Interpretation(text, Status.REJECTED, reason=str(error)), self._parsers[0]
+        by_part = parser.denied_part(text, done, self._state) if done and not (found.actions or found.denied) else ()
+        if by_part:  # "not the kitchen"
+            found = replace(found, denied=by_part)
+        does = found.actions or by_part
+        if done and not does and (more := self._going_on(text, done)) is not None:
+            return more
+        if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
+            return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
+        if before is not None or len(found.actions) > 1 or found.corrected:
+            found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
+        if self._by_voice and NO_COMMAND in found.reason:
+            found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
+        if found.question is not None and before:
+            found = replace(found, question=replace(found.question, before=before, needs=self._needs, said_before=done))
+        return found, parser
+
+    def _going_on(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
+        """What a text that is typed adds to what was done before, and the parser that says so; None: nothing. What is
+        spoken has its time, which is not known here: "and Ben", a minute later, is talk."""
+        asks = isinstance(self._last, Interpretation) and self._last.question is not None
+        if self._by_voice or asks or not self._before:
+            return None
+        for parser in self._parsers:
+            grammar = parser.matcher.grammar
+            if PhraseSet(grammar.operators.sequence).at(Utterance.of(text, grammar.language).words, 0):
+                meaning = partial(parser.interpret, state=self._state)
+                parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
+                if (more := goes_on_from(text, done, self._before, meaning, parted)) is not None:
+                    return more, parser
+        return None
+
+    def _first_accepted(self, text: str) -> tuple[Interpretation, _Parser]:
+        """The interpretation of the first language that accepts a text; else the one that says most about it."""
+        first: tuple[Interpretation, _Parser] | None = None
+        for parser in self._parsers:
+            found = parser.interpret(text, self._state, spoken=self._spoken, heard=self._by_voice)
+            if found.status is Status.ACCEPTED:
+                return found, parser
+            if first is None or (first[0].status is Status.REJECTED and found.status is not Status.REJECTED):
+                first = found, parser
+        assert first is not None
+        return first
+
+
+def _done_before(last: Before) -> tuple[tuple[Action, ...], tuple[Needs, ...], str]:
+    """What was done before: its actions, what each of them asks of the states of the robot, and its text; the last two
+    are empty if that is not known. A question leaves what was done before it."""
+    if not isinstance(last, Interpretation):
+        return actions_of("last", last), (), ""
+    if (asked := last.question) is not None:
+        return asked.before, asked.needs, asked.said_before
+    return last.actions, last.needs, last.text if last.actions else ""

@@ -1,0 +1,93 @@
+"""Words that were said twice, as people do who begin again: "go to the, to the kitchen"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from intent_engine.language.checking.trace_checks import LEADING
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import LEAST_WORDS, Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.slots.name_words import is_identifier
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["SaidTwice", "said_once"]
+
+MOST = 3
+"""Words that are begun again at once."""
+
+
+class SaidTwice:
+    """What one grammar lets people say twice who mean it once."""
+
+    def __init__(self, commands: Commands, phrases: Phrases) -> None:
+        self._commands = commands
+        self._phrases = phrases
+        things = thing_words(commands.matcher.grammar.language)
+        self._leading = things.articles | things.unfinished | things.joining | things.alone
+        """Words after which a name or the like goes on."""
+
+    def once(self, core: Utterance) -> Utterance | None:
+        """An utterance with what was said twice in it said once; None: there is nothing, or hardly anything is left."""
+        once = said_once(core, lambda start, end: self._may_be(core.words, start, end))
+        return once if once is not None and len(once) >= LEAST_WORDS else None
+
+    def means(self, parts: Sequence[Clause], core: Utterance, once: Utterance) -> bool:
+        """Whether these commands are what was meant by it: "left left" may be two, and so may what is several commands
+        where a verb was said twice."""
+        first = parts[0].reading if parts else None
+        if first is None or not self._commands.opens_with_a_verb(first):
+            return False
+        verbs, fewer = (sum(self._commands.may_begin_in([word]) for word in one.words) for one in (core, once))
+        return len(parts) == 1 or verbs == fewer
+
+    def _may_be(self, words: Sequence[str], start: int, end: int) -> bool:
+        """Whether words may be said twice by who means them once: with which the command begins, or which end with an
+        article or the like, or stand before a number ("bay bay seven").
+
+        None of them is a number, or changes what is meant. Nor are they a command ("back back"), but for its verb, or
+        may be a number before another: "to to thirty". "The cup the cup" may be two.
+        """
+        matcher = self._commands.matcher
+        twice, after = words[start:end], words[2 * end - start : 2 * end - start + 1]
+        if any(matcher.is_number(word) or (is_identifier(word) and word not in self._leading) for word in twice):
+            return False
+        counted = any(map(matcher.is_number, after))
+        if counted and twice[-1] in LEADING:
+            return False
+        if (start, end) == (0, 1):
+            return True
+        if start and twice[-1] not in self._leading and not counted:
+            return False
+        return not (self._phrases.operate_in(twice) or matcher.read(list(twice)))
+
+
+def said_once(said: Utterance, may_be: Callable[[int, int], bool]) -> Utterance | None:
+    """An utterance with what was said twice in it said once; None: there is nothing, or it was said more than twice.
+
+    Args:
+        said: the utterance.
+        may_be: whether the words from a place to another may be said twice by who means them once.
+    """
+    words = said.words
+    kept = list(range(len(words)))
+    place = 0
+    while place < len(words):
+        length = next((count for count in range(MOST, 0, -1) if _again(words, place, count)), 0)
+        if not length:
+            place += 1
+            continue
+        if _again(words, place + length, length) or not may_be(place, place + length):
+            return None
+        kept = [at for at in kept if not place <= at < place + length]
+        place += 2 * length
+    if len(kept) == len(words):
+        return None
+    return Utterance([words[at] for at in kept], [said.breaks[at] for at in kept])
+
+
+def _again(words: Sequence[str], place: int, count: int) -> bool:
+    """Whether so many words at a place are said again right after."""
+    after = words[place + count : place + 2 * count]
+    return len(after) == count and list(words[place : place + count]) == list(after)

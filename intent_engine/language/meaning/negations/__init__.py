@@ -1,0 +1,1 @@
+"""What shall not be done, and what is wanted instead."""

@@ -1,0 +1,1 @@
+"""Several things of which one verb is said, and several numbers of one thing."""

@@ -1,0 +1,54 @@
+"""One sentence that is several commands without saying each: lists of numbers, one verb for several things, and lists
+that were corrected."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from intent_engine.language.meaning.clause import Clause
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.corrections.corrected_lists import CorrectedLists
+from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.several.listed_numbers import ListedNumbers
+from intent_engine.language.meaning.several.shared_verb import SharedVerb
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["SeveralAtOnce"]
+
+
+class SeveralAtOnce:
+    """The commands of such a sentence."""
+
+    def __init__(self, phrases: Phrases, commands: Commands, corrections: Corrections) -> None:
+        self._lists = ListedNumbers(phrases, commands)
+        self._shared_verb = SharedVerb(phrases, commands, self._lists)
+        self._corrected = CorrectedLists(phrases, commands, corrections)
+
+    def verb_may_be_shared(self, core: Utterance) -> bool:
+        """A quick look: whether one verb may be said of several things."""
+        return self._shared_verb.may_stand_in(core)
+
+    def one_of(self, core: Utterance, state: Collection[str]) -> list[tuple[str, str]]:
+        """What is said of each thing of which one is meant, and the whole command with it: "unlock drawer 13 or 30".
+        Empty: there are none."""
+        return self._shared_verb.one_of(core, state)
+
+    def each(self, part: Utterance, state: Collection[str], after: str, *, shared: bool) -> list[Clause]:
+        """The commands; or the one clause that is not accepted, since one of them cannot be done or it is not clear
+        what is meant. Empty: there are none.
+
+        Args:
+            part: of an utterance, which is no command by itself.
+            state: of the robot.
+            after: the intent that it goes on from; empty: it is a command by itself.
+            shared: whether one verb may be said of several things.
+        """
+
+        def listed(words: Utterance) -> list[Clause]:
+            found = self._lists.each(words, state, after)
+            if found is None and shared:
+                found = self._shared_verb.each(words, state)
+            return found or []
+
+        return self._corrected.each(part, state, listed) or listed(part)

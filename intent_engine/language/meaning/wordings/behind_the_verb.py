@@ -1,0 +1,122 @@
+"""Words that stand behind a verb and are of the whole command: "fahr *dann* in die Küche", "hol *mir* die Zange"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from intent_engine.language.matcher import Matcher
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["BehindTheVerb"]
+
+_MOST_BETWEEN = 2
+"""Words of the verb itself before them: "drehen *Sie sich* dann"."""
+_LEAST_BEHIND = 2
+"""Words behind whom something is done for: "fahr mir vor" says where."""
+_NOTHING = Utterance([], [])
+
+
+class BehindTheVerb:
+    """Reads such words as they would stand in a language without them.
+
+    Args:
+        phrases: of the grammar.
+        matcher: of the grammar, whose language has such words.
+    """
+
+    def __init__(self, phrases: Phrases, matcher: Matcher) -> None:
+        wording = matcher.grammar.wording
+        self._phrases = phrases
+        self._matcher = matcher
+        self._adverbs = sorted(wording.adverbs, key=len, reverse=True)
+        self._for_whom = wording.for_whom
+        self._gives = wording.gives
+        self._language = matcher.grammar.language
+        self._once_more = wording.once_more
+        self._of_the_verb = wording.asked | wording.before_verbs
+
+    def ordered(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """An utterance whose adverbs stand before the verb ("dann fahr in die Küche"); None: there are none behind it.
+
+        What comes first is said of the first command only: "räum aber *zuerst* den Tisch ab" may turn their order.
+
+        Args:
+            core: what was said, without its fillers.
+            verbs: words with which a command may begin.
+        """
+        said = core
+        for start, verb in self._verbs(core, verbs):
+            said = self._moved(said, verb, first=not start)
+        return said if said.words != core.words else None
+
+    def for_nobody(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """An utterance that does not say for whom something is done; None: it never did, or the grammar tells it apart
+        ("hol mir die Tasse" may bring it, and "hol die Tasse" take it)."""
+        said = core
+        for _, verb in reversed(list(self._verbs(core, verbs))):
+            at = self._behind(core, verb, self._of_the_verb)
+            words, paused = core.words[at : at + 1], any(core.breaks[verb + 1 : at + 2])
+            if at + _LEAST_BEHIND >= len(core) or paused or self._for_whom.isdisjoint(words):
+                continue
+            if self._gives and not (core.words[at - 1] in self._gives and self._begins_thing(core.words[at + 1])):
+                continue
+            if self._matcher.prefix(core.words[verb : at + 1])[1] is None:
+                said = said.with_other(at, at + 1, _NOTHING)
+        return said if said.words != core.words else None
+
+    def _begins_thing(self, word: str) -> bool:
+        """Whether a thing begins with a word, its article or how many there are of it."""
+        return word in thing_words(self._language).articles or is_number(word, self._language)
+
+    def said_once(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
+        """An utterance without what says, behind a verb and once, that it was so before: "mach das Licht *wieder* an".
+        None: there is no such word, or there are several."""
+        found = [(at, one) for at in range(len(core)) for one in self._once_more if _is_at(core, at, one)]
+        if len(found) != 1:
+            return None
+        ((at, one),) = found
+        behind = any(word in verbs for word in core.words[:at]) and not core.breaks[at]
+        return core.with_other(at, at + len(one), _NOTHING) if behind else None
+
+    def _verbs(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[int, int]]:
+        """Where a command may begin, and where its verb stands."""
+        start = 0
+        while start < len(core):
+            rest = core.words[start:]
+            verb = start + max(self._phrases.goes_on(rest), self._phrases.opens(rest))
+            if verb < len(core) and core.words[verb] in verbs:
+                yield start, verb
+            places = range(max(verb, start) + 1, len(core))
+            begins = (at for at in places if core.breaks[at] or self._phrases.goes_on(core.words[at:]))
+            start = next(begins, len(core))
+
+    def _behind(self, said: Utterance, verb: int, between: Collection[str]) -> int:
+        """The place behind a verb and the words of its own."""
+        at = verb + 1
+        while at < len(said) and at - verb <= _MOST_BETWEEN and said.words[at] in between:
+            at += 1
+        return at
+
+    def _moved(self, said: Utterance, verb: int, *, first: bool) -> Utterance:
+        """The same with an adverb before the verb at a place that stood behind it, in one breath with it and what
+        follows. Two adverbs are one of their own: "fahr erst dann vor" says not before."""
+        at = self._behind(said, verb, self._of_the_verb | self._for_whom)
+        for length in self._adverb_at(said, at):
+            end = at + length
+            joins = first or self._phrases.says_later(said.words[at:end])
+            if end == len(said) or any(said.breaks[verb + 1 : end + 1]) or not joins or self._adverb_at(said, end):
+                return said
+            adverb = Utterance([*said.words[at:end], said.words[verb]], [False] * (length + 1))
+            return said.with_other(at, end, _NOTHING).with_other(verb, verb + 1, adverb)
+        return said
+
+    def _adverb_at(self, said: Utterance, at: int) -> list[int]:
+        """Lengths of the adverbs at a place, the longest first."""
+        return [len(one) for one in self._adverbs if _is_at(said, at, one)]
+
+
+def _is_at(said: Utterance, at: int, phrase: Sequence[str]) -> bool:
+    return tuple(said.words[at : at + len(phrase)]) == tuple(phrase)

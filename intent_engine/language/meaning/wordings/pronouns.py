@@ -1,0 +1,128 @@
+"""What "it", "them" and "that one" stand for: something that was named before them.
+
+Free words hold a pronoun as they hold any name, so it is put in when their action is known: what was named *last*, in
+the same utterance or the one before. One for several is refused where more than one thing was named. A slot that lists
+its names, or has them from a map, holds no pronoun: there the name is put in before the utterance is understood, the
+*only one* that fits of those that were said in it; where none or several fit, it is no command. Such a pronoun is one
+for one thing, and no article ("das"); a whole command stands before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from itertools import islice
+
+from intent_engine.actions import Action, Custom, Pick, Place
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.told import Understood
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["NamesListed", "ThingsNamed", "names_something"]
+
+_LISTED = ("choice", "location")
+
+
+class ThingsNamed:
+    """The things that free words named so far.
+
+    Args:
+        grammar: whose pronouns are put in.
+        done: what the utterance before does.
+    """
+
+    def __init__(self, grammar: Grammar, done: Iterable[Action]) -> None:
+        self._pronouns = {" ".join(words) for words in grammar.operators.pronoun}
+        self._several = grammar.wording.several
+        self._named: list[str] = []
+        for action in done:
+            self.add(action)
+
+    def add(self, action: Action) -> None:
+        """An action that is done next."""
+        thing = next(filter(None, _named(action).values()), None)
+        if isinstance(thing, str) and thing not in self._pronouns:
+            self._named.append(thing)
+
+    def put_in(self, action: Action) -> Action | str:
+        """An action with the thing that it points back to, or why it is not clear which; the same object if it points
+        to none."""
+        said = _named(action) if self._named else {}
+        pointing = [key for key, value in said.items() if value in self._pronouns]
+        if not pointing:
+            return action
+        if len(named := dict.fromkeys(self._named)) > 1 and not self._several.isdisjoint(said.values()):
+            return f"more than one thing was named: {', '.join(named)}; say what to do with each"
+        thing = self._named[-1]
+        if isinstance(action, Pick | Place):
+            return replace(action, object=thing)
+        assert isinstance(action, Custom)
+        return replace(action, slots={**action.slots, **dict.fromkeys(pointing, thing)})
+
+
+def names_something(action: Action) -> bool:
+    """Whether an action has to do with something that "it" can be."""
+    return any(_named(action).values())
+
+
+def _named(action: Action) -> dict[str, object]:
+    """What an action may have to do with, as it was said: of "look at the cup" its target, of "bring it to the door"
+    not."""
+    if isinstance(action, Pick | Place):
+        return {"object": action.object}
+    if not isinstance(action, Custom):
+        return {}
+    keys = ("thing", "object") if not action.slots.keys().isdisjoint(("thing", "object")) else ("target",)
+    return {key: action.slots.get(key) for key in keys}
+
+
+class NamesListed:
+    """The names of lists and the map that the commands of one utterance say.
+
+    Args:
+        grammar: whose pronouns are put in.
+        sequence: its words between commands.
+    """
+
+    def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
+        known, several = thing_words(grammar.language), grammar.wording.several
+        self._pronouns = PhraseSet(
+            words
+            for words in grammar.operators.pronoun
+            if known.articles.isdisjoint(words) and " ".join(words) not in several
+        )
+        self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
+        self._sequence = sequence
+
+    def put_in(self, core: Utterance, as_said: Callable[[Utterance], Understood | None]) -> Understood | None:
+        """The meaning of an utterance with the name that it points back to: "fly to tank 2 and photograph it"; None: it
+        points to none, or it is not clear to which.
+
+        Args:
+            core: what was said.
+            as_said: what an utterance means that takes its place; None: it is no command.
+        """
+        found = self._pronouns.find(core.words)
+        ends = range(found[0] - 1, 0, -1) if found is not None else ()
+        wholes = (core.part(0, end) for end in ends if core.breaks[end] or self._sequence.at(core.words, end))
+        _, before = next(filter(None, map(as_said, wholes)), (None, ()))
+        names: dict[object, Sequence[str]] = {}
+        for reading in (part.reading for part in before if part.reading is not None):
+            for slot in reading.slots:
+                if slot.slot.type in _LISTED:
+                    names.setdefault(slot.value, reading.words[slot.start : slot.end])
+        fits: list[Understood] = []
+        for name in names.values():
+            ways = (as_said(self._with_name(core, (*article, *name))) for article in self._articles)
+            fits += islice(filter(None, ways), 1)
+        return fits[0] if len(fits) == 1 else None
+
+    def _with_name(self, core: Utterance, name: Sequence[str]) -> Utterance:
+        said, place = core, 0
+        while (found := self._pronouns.find(said.words, place)) is not None:
+            at, length = found
+            said = said.with_other(at, at + length, Utterance([*name], [False] * len(name)))
+            place = at + len(name)
+        return said

@@ -1,0 +1,48 @@
+"""How something is to be done, said before it: "for ten minutes water the beds", "slowly move to mark C"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["SaidFirst"]
+
+_MOST = 7
+"""Words before the verb."""
+
+
+class SaidFirst:
+    """Reads such an utterance as a grammar has it, with its verb first.
+
+    What stands first begins with a preposition, or is one adverb. None that may say when it is to be done: "in ten
+    minutes water the beds" is no "water the beds in ten minutes".
+    """
+
+    def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+        self._leads = grammar.wording.leads
+        self._is_manner = thing_words(grammar.language).is_manner
+        self._phrases = phrases
+
+    def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, int]]:
+        """Ways to say one command with its verb first, each with the place where the words stand that came before."""
+        words = core.words
+        led = words[0] in self._leads
+        if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
+            return
+        for place in range(1 + led, min(len(words), _MOST + 1)):
+            told = core.part(place, len(core))
+            parted = any(core.breaks[1:place]) or any(told.breaks[1:])
+            if words[place] not in verbs or parted or self._phrases.sequence.may_stand_in(words):
+                continue
+            yield Utterance([*told.words, *words[:place]], [False] * len(core)), len(told)
+
+    def means(self, reading: Reading, place: int) -> bool:
+        """Whether what came first is a part of the sentence by itself, and no end of a name or of free words."""
+        return all(
+            slot.end <= place or (slot.start >= place and slot.slot.type not in FREE_KINDS) for slot in reading.slots
+        )

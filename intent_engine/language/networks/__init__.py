@@ -1,0 +1,1 @@
+"""What an automaton is built of, and the ways through it."""

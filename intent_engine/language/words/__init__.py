@@ -1,0 +1,1 @@
+"""Words as they are written and said: spelling, sound, forms, and what stands for what."""
