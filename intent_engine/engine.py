@@ -152,9 +152,9 @@ class IntentEngine:
                 every utterance that begins with a stop word a stop). A ``str`` counts as the one state of that name.
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one. What is spoken was heard.
-            heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Typed, it tells of something,
-                and nothing is done. For text that is no command, the nearest sentences are offered only if it was
-                typed: what is heard may be talk.
+            heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Typed, it tells of
+                something, and nothing is done. For text that is no command, the nearest sentences are offered only if
+                it was typed: what is heard may be talk.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
                 states in which that could not be said. If that asked something back ("bay 3 or bay 13?"), a text that
                 answers it ("the second one") is understood as the sentence that it stands for; how long a question
