@@ -149,17 +149,18 @@ class IntentEngine:
         Args:
             text: an utterance, as typed or as a recogniser wrote it.
             state: states that the robot is in, for intents that require or exclude some (``moving`` makes
-                every utterance that begins with a stop word a stop). A text is the one state of that name.
+                every utterance that begins with a stop word a stop). A ``str`` counts as the one state of that name.
             language: which grammar to use; None: the first that accepts it.
             spoken: whether the wake word is needed, where the grammar has one. What is spoken was heard.
-            heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Who types it tells of
-                something, and nothing is done. Of what is no command the nearest sentences are asked only who types:
-                what is heard may be talk.
+            heard: whether a recogniser wrote it, so that "turned left" may be "turn left". Typed, it tells of
+                something, and nothing is done. For text that is no command, the nearest sentences are offered only if
+                it was typed: what is heard may be talk.
             last: the interpretation of the utterance before, which "again" and "it" point to; "again" is refused in
                 states in which that could not be said. If that asked something back ("bay 3 or bay 13?"), a text that
                 answers it ("the second one") is understood as the sentence that it stands for; how long a question
-                lasts is for the caller to say. Or only its actions, or the one that it was: then nobody asks, of
-                states or back. Empty if there was none; None: not known, then such words are left as they are.
+                lasts is for the caller to say. Its actions alone, or its only action, may be given instead: then
+                "again" is not refused in any state, and no question is answered. Empty if there was none; None: not
+                known, then such words are left as they are.
                 After an interpretation "not the kitchen" has what it denies.
 
         Raises:
@@ -179,9 +180,9 @@ class IntentEngine:
         spoken: bool = False,
         heard: bool = False,
     ) -> Interpretation | None:
-        """What a text means as the answer to what an interpretation asks back; None: it is none, and :meth:`parse` says
-        what it means by itself. The other arguments are those of :meth:`parse`, which tells no difference between
-        answers and the rest if ``asked`` is its ``last``.
+        """What a text means as the answer to what an interpretation asks back; None: it is no answer, and :meth:`parse`
+        says what it means by itself. :meth:`parse` with ``asked`` as its ``last`` understands both, but does not tell
+        which of them a text was. The other arguments are those of :meth:`parse`.
 
         Returns:
             Accepted, if it tells one alternative: its ``text`` is the whole sentence that is meant. Else nothing is

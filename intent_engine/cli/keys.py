@@ -25,7 +25,7 @@ def keys(on_key: Callable[[str], object], on_gone: Callable[[], object] = bool) 
     Ctrl-C stays what it is. ``on_gone`` is called there when the terminal is no more, and no key will be pressed.
 
     Raises:
-        ConfigError: there is no terminal.
+        ConfigError: there is no terminal, or none that can be set.
     """
     with _windows(on_key) if sys.platform == "win32" else _unix(on_key, on_gone):
         yield
@@ -38,7 +38,12 @@ def _unix(on_key: Callable[[str], object], on_gone: Callable[[], object]) -> Ite
     import tty
 
     terminal = _terminal()
-    before = termios.tcgetattr(terminal)
+    try:
+        before = termios.tcgetattr(terminal)
+        tty.setcbreak(terminal)
+    except termios.error:  # as in the background, once the shell is gone
+        os.close(terminal)
+        raise ConfigError(_NO_TERMINAL) from None
     ending, end = os.pipe()
 
     def read() -> None:
@@ -58,7 +63,6 @@ def _unix(on_key: Callable[[str], object], on_gone: Callable[[], object]) -> Ite
 
     thread = threading.Thread(target=read, name="keys", daemon=True)
     try:
-        tty.setcbreak(terminal)
         thread.start()
         yield
     finally:

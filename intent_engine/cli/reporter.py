@@ -60,7 +60,7 @@ class Reporter:
         self.failed = 0
         """Goals that the robot could not do."""
         self.error = ""
-        """What failed last while it was listened."""
+        """What failed last while listening."""
         self._ended = False
 
     def mute_stops(self) -> None:

@@ -33,8 +33,11 @@ class Verb:
     module: str
     """In this package."""
     function: str
+    """In the module."""
     panel: str
+    """Of the help: the heading it is listed under."""
     examples: tuple[str, ...]
+    """Whole command lines, shown at the end of its own help."""
 
 
 VERBS = {

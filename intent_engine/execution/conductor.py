@@ -148,7 +148,8 @@ class Conductor:
         amends: Goal | None = None,
     ) -> None:
         """Accept the goals of one utterance, or reject them all. A stop that comes first has been done already.
-        ``since``: the last stop when they were asked for."""
+        ``since``: the last stop when they were asked for. ``amends``: the earlier goal that the first one puts
+        right; what that one has covered counts."""
         for goal in goals:
             self._events.tell(EventKind.GOAL, goal)
         if isinstance(goals[0].action, Stop):

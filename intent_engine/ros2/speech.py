@@ -83,9 +83,9 @@ def worth_saying(
 
 
 class _Elsewhere:
-    """The robot that hears itself be stopped: it is driven by another node.
+    """Stands for the robot that another node drives, and does nothing itself.
 
-    What was said is carried out on it too, to know what may still be put right.
+    The runtime carries out on it what was said, so as to know what may still be put right.
     """
 
     capabilities = frozenset({Capability.MOVE, Capability.TURN})

@@ -30,7 +30,7 @@ class TalkKey:
 
     def __init__(self) -> None:
         self.on = False
-        """Whether it is listened only while the key is down."""
+        """Whether what is said counts only while the key is down."""
         self._down = threading.Event()
         self._until = -1.0
         """s since the source began: until when what begins may be the rest of a sentence."""

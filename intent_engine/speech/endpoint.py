@@ -1,4 +1,4 @@
-"""When it is said: from the probability of speech and the grammar's own word on what was said so far.
+"""When an utterance is over: from the probability of speech, and from what the grammar says may still follow.
 
 A fixed pause after the words is either too short for some sentences or too long for all. The grammar knows more: a
 sentence that nothing can follow is over in the first silence; one that could go on is given a moment.

@@ -17,15 +17,15 @@ from intent_engine.speech.spoken_utterance import SpokenUtterance
 __all__ = ["UtteranceDecoder"]
 
 OFTEN = 0.35
-"""s of speech after which it is listened along again,"""
+"""s of speech after which the recogniser listens along again,"""
 REST = 3.0
-"""and how many times as long as that took: a third of a core at most, on any machine."""
+"""and at least so many times as long as it took the last time: a third of a core at most, on any machine."""
 SELDOM = 1.2
-"""s of speech after which it is listened along again, where what was said begins no command."""
+"""s of speech after which the recogniser listens along again, where what was said begins no command."""
 LONGEST = 6.0
-"""s of speech beyond which nobody says a command, and it is not listened along."""
+"""s of speech, longer than any command: beyond it the recogniser does not listen along."""
 GIVES_WAY = 0.035
-"""s in which nine of ten decodes that are left have ended, where time stands still and nothing can be left."""
+"""s within which nine of ten abandoned decodes end: added to a decode where time stands still, as none is abandoned."""
 
 
 class UtteranceDecoder(DecodeThread):
@@ -44,11 +44,11 @@ class UtteranceDecoder(DecodeThread):
         self._now = 0.0
         """s since the source began."""
         self._next = 0.0
-        """s since the source began: when it is listened along again."""
+        """s since the source began: when the recogniser listens along again."""
         self._closed: Future[None] = Future()
         """Done when nobody waits for anything any more."""
         self._along: tuple[float, Future[Transcript]] | None = None
-        """Since when it is listened along, and what will have been heard."""
+        """When the recogniser began to listen along, and what it will have heard; None: it does not."""
 
     def follow(self, utterance: SpokenUtterance) -> Transcript | None:
         """Listen along while somebody speaks, now and then. Returns what was heard so, when it is known."""
@@ -72,7 +72,7 @@ class UtteranceDecoder(DecodeThread):
         self._next = max(self._next, self._now + SELDOM)
 
     def _followed(self) -> Transcript | None:
-        """What was heard while it was listened along, if that is over."""
+        """What the recogniser heard as it listened along, once it has ended."""
         if self._along is None or not self._along[1].done():
             return None
         began, job = self._along

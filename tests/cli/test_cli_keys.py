@@ -61,6 +61,25 @@ def test_the_terminal_is_as_it_was_after_an_error(terminal):
     assert termios.tcgetattr(sys.stdin.fileno()) == before
 
 
+def still_open() -> int:
+    """How many descriptors this process has open, where Linux tells."""
+    return len(list(Path("/proc/self/fd").glob("*")))
+
+
+def test_a_terminal_that_lets_nobody_set_it_is_none(terminal, monkeypatch):
+    import termios
+    import tty
+
+    def refuse(descriptor: int) -> None:
+        raise termios.error(5, "Input/output error")  # a job in the background whose shell is gone
+
+    monkeypatch.setattr(tty, "setcbreak", refuse)
+    before = still_open()
+    with pytest.raises(ConfigError, match="needs a terminal"), keys(print):
+        pass
+    assert still_open() == before
+
+
 def test_a_terminal_that_goes_away_is_told_once_and_ends_in_peace(monkeypatch):
     typed, screen = pty.openpty()
     told: list[bool] = []

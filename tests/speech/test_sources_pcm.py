@@ -322,3 +322,16 @@ def test_a_pipe_that_fails_has_lost_sound_before_it_is_told():
         frames.extend(source.frames())
     assert [frame.lost > 0 for frame in frames].count(True) == 1
     assert not any(frame.samples[-1] for frame in frames if frame.lost), "at the end"
+
+
+class _Odd(io.RawIOBase):
+    """Fails as no file does."""
+
+    def read(self, size: int = -1) -> bytes:
+        raise RuntimeError("the decoder is lost")
+
+
+@pytest.mark.parametrize("file", [io.StringIO("no bytes"), _Odd()], ids=["text", "fails"])
+def test_a_file_that_is_no_file_of_bytes_is_told_and_does_not_just_end(file):
+    with pytest.raises(AudioError, match="the pipe cannot be read: "):
+        list(PcmSource(file, name="the pipe").frames())

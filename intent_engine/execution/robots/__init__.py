@@ -1,1 +1,1 @@
-
+"""The robots that come with Intent Engine, and what they share."""

@@ -251,7 +251,7 @@ class PcmSource:
             self._read()
         except AudioError as error:
             self._error, self._missing = error, BLOCK_SECONDS
-        except (OSError, ValueError) as error:  # ValueError: the file was closed under it
+        except Exception as error:  # of the file, which is the caller's; ValueError: it was closed under it
             if not self._inbox.closed:
                 self._missing = BLOCK_SECONDS
                 self._error = AudioError(f"{self._name} cannot be read: {error}")
