@@ -1,4 +1,18 @@
-"""The parent's side of the velocity process: starts it, gives it orders, and notices when it is gone."""
+"""The parent's side of the velocity process: starts it, gives it orders, and notices when it is gone.
+
+Each of the orders ``start``, ``brake`` and ``halt`` has a number of its own, higher than those before it:
+
+- ``start`` has no answer. What the process tells of the motion bears its number: ``alive`` (how far it is, and what is
+  written) every 25 ms, then ``ended``; or ``lost`` (it heard nothing from here, and stopped) or ``failed`` (the robot
+  raised).
+- ``brake`` and ``halt`` are answered by ``done`` with their own number, and how far the motion had come. From then on
+  the process tells under that number how the robot comes to rest; but a motion that is in its last ramp already is
+  left alone by ``brake``, and keeps its number.
+- ``silence``, ``alive`` (a sign of life from here) and ``close`` have neither number nor answer.
+
+A message and an order may cross on the way, so what bears an older number than the current one is old news and is
+dropped. One thing is not: that a motion ended, if its ``halt`` was on the way just then.
+"""
 
 from __future__ import annotations
 

@@ -93,7 +93,11 @@ class Acting:
         return {*states_of(self._states()), *(("moving",) if moves else ())}
 
     def carry_out(self, utterance: SpokenUtterance, time: float) -> None:
-        """Do what an utterance means, if anything; it was decoded, and its result is there."""
+        """Do what an utterance means, if anything; it was decoded, and its result is there.
+
+        First what stops the robot, or takes back what it does; then everybody is told; then a robot that was held goes
+        on, if this was no stop; and last what is to be done anew is submitted.
+        """
         understood = self._continuing.understood(utterance, self.state(), self.last)
         transcript, meaning = understood.transcript, understood.meaning
         if not transcript.text.strip():

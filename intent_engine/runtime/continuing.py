@@ -161,6 +161,14 @@ class Continuing:
         return found if accepted else replace(found, corrects=self._follow_up.corrects(found.transcript))
 
     def _meant(self, utterance: SpokenUtterance, state: Collection[str], last: Before) -> Understood:
+        """The first of these that fits:
+
+        1. the end of a sentence whose stop was done already: "stop" ... "going forward";
+        2. the second half of a sentence that was done already: "too loud" ... "turn it down";
+        3. by itself, if nothing was said right before it;
+        4. the rest of the last command, heard with it in one, or joined to its text: "turn left" ... "ninety degrees";
+        5. by itself, after a command; if that is nothing to do, it may still take the command back.
+        """
         heard, alone = utterance.result, utterance.alone
         assert heard is not None
         said = self._before(utterance)
