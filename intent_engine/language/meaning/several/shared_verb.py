@@ -100,7 +100,10 @@ class SharedVerb:
             else:
                 found.setdefault((asked.reason,), [asked])
         clear = [clauses for clauses in found.values() if clauses[0].accepted]
-        return next(iter(clear or found.values())) if len(clear) == 1 or found else None
+        if len(clear) > 1:
+            told = tuple(" and ".join(described(one.reading) for one in ways if one.reading) for ways in clear)
+            return [Clause(reason="it could mean two things", alternatives=told, ambiguous=True)]
+        return next(iter(clear or found.values()), None)
 
     def may_stand_in(self, part: Utterance) -> bool:
         """A quick look: whether words join, and none turns or stops what is said."""
