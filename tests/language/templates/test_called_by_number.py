@@ -44,3 +44,63 @@ def test_the_word_number_before_a_number(farm, said, slots) -> None:
 )  # fmt: skip
 def test_what_is_not_called_so(farm, said) -> None:
     assert not farm.parse(said).actions
+
+
+@pytest.mark.parametrize(
+    ("said", "meant", "told"),
+    [
+        ("water the seventh row", "water row 7", "'the seventh row'"),
+        ("please water the 7th row with three liters", "water row 7 with three liters", "'the 7th row'"),
+        ("water twenty first row", "water row 21", "'twenty first row'"),
+        ("knock on the door three times and water the second row", "knock three times and water row 2", "'the second"),
+    ],
+)
+def test_one_in_order_is_asked_about_where_it_has_a_number(farm, said, meant, told) -> None:
+    """The third in a row need not be row three: "yes" says that it is."""
+    asked = farm.parse(said)
+    assert not asked.actions
+    assert asked.reason.startswith(told)
+    done = farm.parse("yes", last=asked)
+    assert done.actions == farm.parse(meant).actions != ()
+    assert not farm.parse("no", last=asked).actions
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "water the hundredth row",  # there is none
+        "water a third row",
+        "water one third row",
+        "water the last row",
+        "water the third",
+        "don't water the third row",
+        "knock the third time",  # how often, and no name
+        "is the third row wet",
+        "the third row needs water",
+    ],
+)
+def test_what_is_in_order_and_names_nothing_is_not_asked_about(farm, said) -> None:
+    found = farm.parse(said)
+    assert not found.actions
+    assert "say the number" not in found.reason
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence", "said", "meant", "yes"),
+    [
+        ("de", "öffne die Schublade {n}", "öffne die dritte Schublade", "öffne die Schublade 3", "ja"),
+        ("fr", "ouvre le tiroir {n}", "ouvre le troisième tiroir", "ouvre le tiroir 3", "oui"),
+        ("es", "abre el cajón {n}", "abre el segundo cajón", "abre el cajón 2", "sí"),
+        ("it", "apri il cassetto {n}", "apri il terzo cassetto", "apri il cassetto 3", "sì"),
+    ],
+)
+def test_in_other_languages_too(engine_of, language, sentence, said, meant, yes) -> None:
+    engine = engine_of(
+        f"language: {language}\nslots: {{n: {{type: number, whole: true, max: 9}}}}\n"
+        f'intents: {{open: {{action: custom, sentences: ["{sentence}"]}}}}'
+    )
+    asked = engine.parse(said)
+    assert not asked.actions
+    assert asked.alternatives == (meant.lower(),)
+    assert asked.reason.endswith("say the number")
+    assert engine.parse(yes, last=asked).actions == engine.parse(meant).actions != ()

@@ -14,6 +14,7 @@ from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.told import Understood, as_told, asked_back
+from intent_engine.language.templates.called_by_number import in_order
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -58,6 +59,8 @@ class NoCommand:
             reason = f"one of them is meant; say which: {' or '.join(names)}"
             asked = Question(sentences)
             return Interpretation(text, Status.REJECTED, reason=reason, alternatives=names, question=asked), ()
+        if "?" not in text and (asked_of_one := self._by_number(text, core, state)) is not None:
+            return asked_of_one, ()
         manner = self._manner(words, state)
         told = clause is not None and (clause.ambiguous or clause.reason.startswith(repr(manner)))
         if manner and not told:
@@ -94,6 +97,24 @@ class NoCommand:
     def _are_several(self, said: Utterance, state: Collection[str]) -> bool:
         parts = self._compounds.split(said, state)
         return parts is not None and parts[0].accepted
+
+    def _by_number(self, text: str, core: Utterance, state: Collection[str]) -> Interpretation | None:
+        """What asks about "the third drawer", where drawers are told apart by their numbers: the third in a row need
+        not be drawer 3. None: there is nothing to ask."""
+        language = self._matcher.grammar.language
+        one = in_order(core, language)
+        if one is None:
+            return None
+        for meant in one.meant:
+            clause = self._commands.exact(meant.words, state, breaks=meant.breaks)
+            parts = [clause] if clause is not None and clause.accepted else self._compounds.split(meant, state) or []
+            readings = [part.reading for part in parts if part.accepted and part.reading is not None]
+            if len(readings) == len(parts) and one.is_named(readings, language):
+                text_meant = " ".join(meant.words)
+                reason = f"{one.said!r} may be '{one.noun} {one.number}', or not; say the number"
+                asked = Question((text_meant,))
+                return Interpretation(text, Status.REJECTED, reason=reason, alternatives=(text_meant,), question=asked)
+        return None
 
     def _manner(self, words: Sequence[str], state: Collection[str]) -> str:
         """The word that says how something is to be done that would be a command without it: "slowly drive to the
