@@ -176,6 +176,8 @@ class Dispatcher:
             self._outbox.put(event)
         for lane in lanes:
             lane.put(event)
+        if lanes and not self._lanes:  # closed just now: it may lie behind the ends of the lanes, and who waits is woken
+            self._outbox.put(event)
 
     def launch(self, work: Callable[[], None]) -> None:
         """Do the work of a handler: in a thread of its own, so that a slow one holds up no listener."""

@@ -120,3 +120,23 @@ def test_what_breaks_a_robots_stop_off_in_the_main_thread_leaves_no_goal_behind(
     executor.close()
     assert robot.at_rest
     Executor(robot, clock=clock, handle_sigterm=False).close()  # nobody drives it any more
+
+
+def test_what_ends_in_the_instant_of_closing_can_be_waited_for():
+    """Its end lies behind the end of the thread that would tell of it."""
+    executor = Executor(RecordingRobot(), handle_sigterm=False)
+    events = executor._events
+    (goal,) = executor.submit(LONG)
+    (results,) = events._lanes
+    put = results.put
+
+    def closing_first(event):
+        results.put = put
+        events.close()
+        put(event)
+
+    results.put = closing_first
+    executor.stop()
+    executor.close()
+    assert goal.state is GoalState.CANCELED
+    assert goal.future().result(30.0) is goal
