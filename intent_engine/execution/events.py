@@ -176,7 +176,7 @@ class Dispatcher:
             self._outbox.put(event)
         for lane in lanes:
             lane.put(event)
-        if lanes and not self._lanes:  # closed just now: it may lie behind the ends of the lanes, and who waits is woken
+        if lanes and not self._lanes:  # closed just now: it may lie behind the ends of the lanes
             self._outbox.put(event)
 
     def launch(self, work: Callable[[], None]) -> None:
