@@ -11,22 +11,23 @@ It prints::
       *waves at sister, 5 times*
       succeeded
     wave at the ghost
-      aborted: RuntimeError: ghosts cannot see it
+      aborted: ghosts cannot see it
     don't wave
       rejected
 """
 
 from pathlib import Path
 
-from intent_engine import Custom, Executor, IntentEngine, SimulatedRobot
+from intent_engine import Custom, Executor, IntentEngine, RobotError, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 
 
 def wave(action: Custom) -> None:
-    """Called with the slots of the sentence. What it raises ends this goal and nothing else."""
+    """Called with the slots of the sentence. What it raises ends this goal and nothing else: a ``RobotError`` says why
+    it cannot be done, and anything else is a fault, which is logged."""
     person = action.slots.get("person") or "everybody"
     if person == "ghost":
-        raise RuntimeError("ghosts cannot see it")
+        raise RobotError("ghosts cannot see it")
     print(f"  *waves at {person}, {action.slots['times']:.0f} times*")
 
 

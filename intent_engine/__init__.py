@@ -24,7 +24,7 @@ if TYPE_CHECKING:
         to_json,
     )
     from intent_engine.engine import IntentEngine
-    from intent_engine.errors import IntentEngineError
+    from intent_engine.errors import IntentEngineError, RobotError
     from intent_engine.execution.executor import Executor
     from intent_engine.execution.goal import Goal, GoalState, Reason
     from intent_engine.execution.policy import Policy
@@ -56,6 +56,7 @@ __all__ = [
     "Question",
     "Reason",
     "Robot",
+    "RobotError",
     "Runtime",
     "SimulatedRobot",
     "Status",
@@ -74,7 +75,7 @@ _HOMES = {
         "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "ChangeSpeed", "Custom", "from_json",
         "to_json",
     ),
-    "errors": ("IntentEngineError",),
+    "errors": ("IntentEngineError", "RobotError"),
     "execution.executor": ("Executor",),
     "execution.policy": ("Policy",),
     "execution.goal": ("Goal", "GoalState", "Reason"),
