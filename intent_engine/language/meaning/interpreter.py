@@ -344,6 +344,8 @@ class Interpreter:
         written = self._otherwise.understood(text, core, state)
         if written is not None:
             return written
+        if not negated and self._stops_beside_what_is_understood(core, state):
+            return self._stopped(text)
         if self.phrases.only_hold(words) and self.matcher.prefix(words)[1] is None:
             return self._held_at_rest(text, words)
         vague = self._vague(text, core, state)
@@ -371,6 +373,17 @@ class Interpreter:
         return self._stops.in_a_sentence(core) or (
             self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
         )
+
+    def _stops_beside_what_is_understood(self, core: Utterance, state: Collection[str]) -> bool:
+        """Whether an utterance begins or ends with a stop, and the rest is understood in any way: "stop lift up the
+        cup the cup"."""
+        begins, ends = self.phrases.stop.at(core.words, 0), self.phrases.stop.ends(core.words)
+        for start, end in ((begins, len(core)), (0, len(core) - ends)):
+            if 0 < end - start < len(core):
+                rest = core.part(start, end)
+                if self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED:
+                    return True
+        return False
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:

@@ -165,6 +165,8 @@ stop_words = st.sampled_from([" ".join(words) for words in shipped().grammar.ope
 @given(commands(), stop_words, st.sampled_from(STOPPING))
 @example("go forward", "stop", "{0} {1}")
 @example("go forward one meter and eight oh eight centimeters", "stop", "{1}, {0}")
+@example("lift up cup off of cup off of cup", "stop", "{1} {0}")
+@example("lift up cup off of cup off of cup", "stop", "{0} {1}")
 def test_a_stop_word_before_or_after_a_command_stops(command: str, stop: str, form: str) -> None:
     text = form.format(command, stop)
     assert does(text) == "stop", text

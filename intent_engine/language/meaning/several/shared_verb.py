@@ -23,6 +23,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import words_in
+from intent_engine.language.words.opposites import opposed
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
@@ -69,6 +70,7 @@ class SharedVerb:
         self._lists = lists
         self._sequence, self._stop, self._correction = phrases.sequence, phrases.stop, phrases.correction
         grammar = commands.matcher.grammar
+        self._language = grammar.language
         known, operators, wording = thing_words(grammar.language), grammar.operators, grammar.wording
         self._articles = known.articles | set(known.contracted)
         self._joining = known.joining | known.binding | known.within
@@ -145,7 +147,7 @@ class SharedVerb:
         for end in range(len(words), last_start, -1):
             after = part.part(end, len(part))
             first = self._said(part.part(0, first_end), after, 0, state)
-            if first is None or not self._commands.opens_with_a_verb(first.reading):
+            if first is None or not self._begins_with_a_verb(first.reading, words):
                 continue
             for start in range(first_end - 1, 0, -1):
                 said = [_Said(first.clause, first.reading, start, first_end)]
@@ -157,6 +159,14 @@ class SharedVerb:
                 else:
                     if self._are_alike(said, one=one):
                         yield said
+
+    def _begins_with_a_verb(self, reading: Reading, words: Sequence[str]) -> bool:
+        """Whether all share a verb, which may be a value of a list before an article: "{does} the {thing}"."""
+        begun = [slot for slot in reading.slots if slot.start == 0]
+        if not begun:
+            return self._commands.opens_with_a_verb(reading)
+        listed = reading.words[0] not in self._commands.not_verbs and begun[0].slot.type == "choice"
+        return listed and begun[0].end < len(words) and words[begun[0].end] in self._articles
 
     def _said(self, before: Utterance, after: Utterance, start: int, state: Collection[str]) -> _Said | None:
         whole = _joined(before, after)
@@ -246,13 +256,18 @@ class SharedVerb:
     def _is_one_thing(self, said: _Said) -> bool:
         """Whether a thing is named before that goes or is done only once: "bring *coffee* to the lab and to the hall".
         Of the lamp "im Flur und im Bad" there is one in each."""
-        before = [slot.end for slot in said.shared if slot.end <= said.start and slot.slot.type == "choice"]
+        words = said.reading.words
+        listed = [slot for slot in said.shared if slot.end <= said.start and slot.slot.type == "choice"]
+        before = [slot.end for slot in listed if not self._is_no_thing(words[slot.start : slot.end])]
         if not before:
             return False
-        words = said.reading.words
         between = words[max(before) : said.own[0].start]
         placed = self._placed.at(words, said.start) > 0 and max(before) == said.start
         return not self._joining.isdisjoint(between) and not placed
+
+    def _is_no_thing(self, words: Sequence[str]) -> bool:
+        """Whether words of a list say which of two is done: "on" and "off", "open" and "close"."""
+        return all(opposed(word, self._language) for word in words)
 
     def _is_level(self, slot: SlotReading, said: _Said) -> bool:
         """Whether a number says how much each has of something: "to 20 *degrees*", but not "for 20 minutes"."""

@@ -291,3 +291,54 @@ def test_no_other_joint_makes_several_of_it(engines, language: str, joint: str, 
     before, name, behind, _, names = SAID[language]
     one, other = data.draw(st.permutations(names))[:2]
     assert not engines[language].parse(f"{before}{name.format(one)}{joint}{name.format(other)}{behind}").actions
+
+
+LISTED = """
+language: en
+slots:
+  room: [kitchen, hall, bedroom]
+  way: ["on", "off"]
+  does: [open, close]
+  what: [door, window, gate]
+  color: [red, blue]
+  toy: [box, ball]
+intents:
+  lamp: {action: custom, sentences: ["turn {way} the lamp in the {room}"]}
+  door: {action: custom, sentences: ["{does} the {what}"]}
+  toy: {action: custom, sentences: ["{color} the {toy}"]}
+  bring: {action: custom, sentences: ["bring the {toy} to the {room}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "each"),
+    [
+        ("open the door and the window", [{"does": "open", "what": "door"}, {"does": "open", "what": "window"}]),
+        (
+            "close the gate, the door and the window",
+            [{"does": "close", "what": one} for one in ("gate", "door", "window")],
+        ),
+        (
+            "turn on the lamp in the hall and in the kitchen",
+            [{"way": "on", "room": one} for one in ("hall", "kitchen")],
+        ),
+    ],
+)
+def test_a_verb_may_be_a_value_of_a_list(engine_of, said, each) -> None:
+    assert [dict(action.slots) for action in engine_of(LISTED).parse(said).actions] == each
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "open door and window",
+        "open and close the door",
+        "don't open the door and the window",
+        "open the door or the window",
+        "bring the box to the hall and to the kitchen",
+        "did you open the door and the window",
+        "open the door and the",
+    ],
+)
+def test_what_is_not_clear_of_listed_verbs_does_nothing(engine_of, said) -> None:
+    assert not engine_of(LISTED).parse(said).actions
