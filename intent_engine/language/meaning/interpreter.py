@@ -377,13 +377,14 @@ class Interpreter:
     def _stops_beside_what_is_understood(self, core: Utterance, state: Collection[str]) -> bool:
         """Whether an utterance begins or ends with a stop, and the rest is understood in any way: "stop lift up the
         cup the cup"."""
-        begins, ends = self.phrases.stop.at(core.words, 0), self.phrases.stop.ends(core.words)
-        for start, end in ((begins, len(core)), (0, len(core) - ends)):
-            if 0 < end - start < len(core):
-                rest = core.part(start, end)
-                if self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED:
-                    return True
-        return False
+        stop, words = self.phrases.stop, core.words
+        start, end = stop.after(words, 0), len(core)
+        while length := stop.ends(words[start:end]):
+            end -= length
+        rest = core.part(start, end)
+        if not 0 < len(rest) < len(core):
+            return False
+        return self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:
