@@ -202,7 +202,6 @@ def test_the_name_of_a_file_is_no_sentence(intent_engine, tmp_path):
     assert f"{path} is a file; for the sentences in it, one a line: intent-engine parse - < '{path}'" in done.stderr
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="other systems know the encoding of an argument")
 def test_an_argument_is_utf_8_whatever_the_locale_says(intent_engine):
     locale = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     done = intent_engine("parse", "--json", "--language", "de", "fahr zurück", **locale)
