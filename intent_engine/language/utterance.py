@@ -52,6 +52,11 @@ class Utterance:
     that a stop is found beside it; nothing else may be done with them."""
 
     @classmethod
+    def in_one_breath(cls, words: Sequence[str]) -> Utterance:
+        """Words without a pause between them."""
+        return cls([*words], [False] * len(words))
+
+    @classmethod
     def of(cls, text: str, language: str = "en", *, letters: bool = False) -> Utterance:
         """What was said.
 
@@ -62,7 +67,7 @@ class Utterance:
         """
         plain = plain_words(text)
         if plain is not None and _STUTTER.search(text) is None:
-            return cls(plain, [False] * len(plain))
+            return cls.in_one_breath(plain)
         if any(bracket in text for bracket in "[(<*"):
             text = _ANNOTATION.sub(" , ", text)
         tokens = tokenize(text, language)

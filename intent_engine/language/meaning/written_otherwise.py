@@ -21,8 +21,8 @@ from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.called_by_number import is_called_so, without_number
 from intent_engine.language.slots.every_unit import every_one, is_every_one
-from intent_engine.language.templates.called_by_number import is_called_so, without_number
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined

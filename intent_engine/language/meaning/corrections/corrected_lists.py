@@ -72,7 +72,7 @@ class CorrectedLists:
                 return [self._corrections.told(first, list(first.reading.words if first.reading else ())), *others]
         if len(said) == 1:
             return []
-        replaced = self._corrections.in_place(Utterance([*last.words], [False] * len(last.words)), meant, state)
+        replaced = self._corrections.in_place(Utterance.in_one_breath(last.words), meant, state)
         clause = self._commands.exact(replaced.words, state, breaks=replaced.breaks) if replaced is not None else None
         if replaced is None or clause is None or not self._is_of_the_last(said, clause):
             return []
@@ -81,7 +81,7 @@ class CorrectedLists:
     def _as_list(self, last: Reading, meant: Utterance, listed: Each) -> Iterator[list[Clause]]:
         """The commands if ``meant`` is a list of what the one slot of a command names."""
         (slot,) = last.slots
-        said = Utterance([*last.words], [False] * len(last.words))
+        said = Utterance.in_one_breath(last.words)
         for at in beginnings(said.words, meant.words, slot.start, self._articles):
             clauses = listed(said.with_other(at, slot.end, meant))
             if clauses and all(clause.accepted and _names_only(clause, slot.label) for clause in clauses):

@@ -55,4 +55,4 @@ def verb_first(denied: Utterance, grammar: Grammar) -> Iterator[Utterance]:
         for _, verb in verbs_told([infinitive], grammar):
             for itself in ((), *((word,) for word in sorted(wording.before_verbs))):
                 told = [verb, *itself, *before, *filter(None, [behind])]
-                yield Utterance(told, [False] * len(told))
+                yield Utterance.in_one_breath(told)

@@ -14,7 +14,7 @@ from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.told import Understood, as_told, asked_back
-from intent_engine.language.templates.called_by_number import in_order
+from intent_engine.language.slots.called_by_number import in_order
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 

@@ -30,7 +30,7 @@ class Formal:
         """Whether the grammar has such a form itself, and so says of which verbs: "finden Sie" may only ask."""
         verbs, strict = self._commands.first_words, self._commands.matcher.strict
         for verb in verbs:
-            said = (Utterance([verb, *form[1:]], [False] * len(form)) for form, _ in self._forms)
+            said = (Utterance.in_one_breath([verb, *form[1:]]) for form, _ in self._forms)
             if any(self._told(one, 0, verbs) and strict.walk(one.words)[1] is not None for one in said):
                 return True
         return False
@@ -48,7 +48,7 @@ class Formal:
             told = self._told(said, place, verbs)
             if told is not None:
                 length, verb = told
-                said = said.with_other(place, place + length, Utterance([*verb], [False] * len(verb)))
+                said = said.with_other(place, place + length, Utterance.in_one_breath(verb))
             later = range(place + 1, len(said))
             place = next((at for at in later if said.breaks[at] or self._phrases.goes_on(said.words[at:])), len(said))
         return said if said.words != core.words else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from itertools import chain
 
 from intent_engine.language.grammar import FREE_KINDS
@@ -77,7 +77,7 @@ class Particles:
             return
         for at in range(2, len(words)):
             if words[at] in own and (at + 1 == len(words) or words[at + 1] not in self._articles):
-                yield _said([words[0], words[at], *words[1:at], *words[at + 1 :]]), at + 1
+                yield Utterance.in_one_breath([words[0], words[at], *words[1:at], *words[at + 1 :]]), at + 1
 
     def _parted(self, clause: Utterance) -> Iterator[tuple[Utterance, int]]:
         """A command with the particle farther behind, and 0: no free words stand between, which may say where something
@@ -86,11 +86,7 @@ class Particles:
         if words[1] not in self._particles[words[0]]:
             return
         for at in range(3, len(words) + 1):
-            yield _said([words[0], *words[2:at], words[1], *words[at:]]), 0
-
-
-def _said(words: Sequence[str]) -> Utterance:
-    return Utterance(list(words), [False] * len(words))
+            yield Utterance.in_one_breath([words[0], *words[2:at], words[1], *words[at:]]), 0
 
 
 def _means(told: Clause, place: int) -> bool:

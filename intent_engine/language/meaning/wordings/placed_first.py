@@ -36,7 +36,7 @@ class PlacedFirst:
             for place in range(end + 1, len(words) + 1):
                 told = [words[0], *words[end:place], *words[1:end], *words[place:]]
                 start = 1 + place - end
-                yield Utterance(told, [False] * len(told)), start, start + end - 1
+                yield Utterance.in_one_breath(told), start, start + end - 1
 
     def means(self, reading: Reading, start: int, end: int) -> bool:
         """Whether the words of the place name one that the grammar lists, and nothing else."""

@@ -123,6 +123,6 @@ class NamesListed:
         said, place = core, 0
         while (found := self._pronouns.find(said.words, place)) is not None:
             at, length = found
-            said = said.with_other(at, at + length, Utterance([*name], [False] * len(name)))
+            said = said.with_other(at, at + length, Utterance.in_one_breath(name))
             place = at + len(name)
         return said

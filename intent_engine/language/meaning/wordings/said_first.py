@@ -39,7 +39,7 @@ class SaidFirst:
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
             if words[place] not in verbs or parted or self._phrases.sequence.may_stand_in(words):
                 continue
-            yield Utterance([*told.words, *words[:place]], [False] * len(core)), len(told)
+            yield Utterance.in_one_breath([*told.words, *words[:place]]), len(told)
 
     def means(self, reading: Reading, place: int) -> bool:
         """Whether what came first is a part of the sentence by itself, and no end of a name or of free words."""
