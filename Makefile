@@ -24,12 +24,14 @@ demo: $(STAMP) ## play a spoken session on the simulated robot and draw its way 
 
 # A file of tests stays in one process, so that a model is loaded once for all of them.
 TOGETHER := -n auto --dist loadfile
+# The slow ones are few and unequal: who has done their own takes some of the others.
+BALANCED := -n auto --dist worksteal
 
 test: $(STAMP) ## run the test suite, a process on each core
 	$(BIN)/python -m pytest $(TOGETHER)
 
 test-slow: $(STAMP) ## run the tests that take minutes: hours of sound, the drill, long random runs
-	$(BIN)/python -m pytest $(TOGETHER) -m "slow and not ros2"
+	$(BIN)/python -m pytest $(BALANCED) -m "slow and not ros2"
 
 test-ros2: ## the tests that need ROS 2, in an environment of their own; skipped with the reason where there is none
 	@PYTHON=$(PYTHON) scripts/test_ros2.sh

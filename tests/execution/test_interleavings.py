@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import logging
 import random
 import sys
 import threading
+from collections.abc import Iterator
 
 import pytest
 from execution_stage import Stage
@@ -21,6 +23,14 @@ COMMANDS = [
     Custom("wave"),
     Custom("broken"),
 ]
+
+
+@pytest.fixture(autouse=True)
+def unlogged() -> Iterator[None]:
+    """Tens of thousands of tracebacks of ``broken``, kept for the report of a test, are most of its time."""
+    logging.disable(logging.ERROR)
+    yield
+    logging.disable(logging.NOTSET)
 
 
 def broken(action: Custom) -> None:

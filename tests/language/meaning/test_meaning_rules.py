@@ -29,8 +29,13 @@ def engine_with(grammar: Grammar) -> IntentEngine:
     return IntentEngine([grammar], load(ROOT / "locations" / "home.yaml"))
 
 
-def failures(engine: IntentEngine, rows: dict[str, str]) -> list[str]:
-    return [text for text, meant in rows.items() if not matches(meant, done(engine.parse(text)))]
+def failure(engine: IntentEngine, rows: dict[str, str]) -> str | None:
+    """The first text that is done wrongly."""
+    return next((text for text, meant in rows.items() if not matches(meant, done(engine.parse(text)))), None)
+
+
+def test_the_table_holds() -> None:
+    assert failure(shipped(), TABLE) is None
 
 
 ELSEWHERE = {("rather", "than"), ("in", "place", "of")}
@@ -49,7 +54,7 @@ def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> N
     )
     engine = engine_with(replace(grammar, operators=broken))
     moving = [text for text in MOTION_FORBIDDEN if done(engine.parse(text, state=["moving"])) != "stop"]
-    assert moving or failures(engine, {**NEGATED, **STOP}), f"nothing needs {words}"
+    assert moving or failure(engine, {**NEGATED, **STOP}), f"nothing needs {words}"
 
 
 @pytest.mark.slow
@@ -57,7 +62,7 @@ def test_the_table_fails_without_a_word_of_negation(words: tuple[str, ...]) -> N
 def test_the_table_fails_without_a_list_of_operators(name: str) -> None:
     grammar = shipped().grammar
     broken = replace(grammar.operators, **{name: ()})
-    assert failures(engine_with(replace(grammar, operators=broken)), TABLE)
+    assert failure(engine_with(replace(grammar, operators=broken)), TABLE)
 
 
 def test_an_english_grammar_has_its_operators_whatever_its_author_writes() -> None:
@@ -103,10 +108,9 @@ RULES = {
 @pytest.mark.parametrize(("rule", "name"), RULES, ids=[f"{rule.__name__}.{name}" for rule, name in RULES])
 def test_the_table_fails_without_a_rule(rule: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     assert hasattr(rule, name)
-    assert not failures(shipped(), TABLE)
     monkeypatch.setattr(rule, name, RULES[rule, name])
     moving = [text for text in WHILE_MOVING if does(text, "moving") != "stop"]
-    assert moving or failures(shipped(), TABLE), f"no sentence of the table needs {rule.__name__}.{name}"
+    assert moving or failure(shipped(), TABLE), f"no sentence of the table needs {rule.__name__}.{name}"
 
 
 FILLER_WORDS = {words[0] for words in shipped().grammar.fillers if len(words) == 1}
