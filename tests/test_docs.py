@@ -123,3 +123,14 @@ def test_links_between_pages_lead_somewhere(page):
     for target in re.findall(r"\]\(([^)#\s]+)", text):
         if not target.startswith(("http://", "https://", "mailto:")):
             assert (page.parent / target).exists(), f"{page.name} links to {target}"
+
+
+OF_TODAY = [page for page in PAGES if "decisions" not in page.parts]  # those tell of their day as well
+
+
+@pytest.mark.parametrize("page", OF_TODAY, ids=lambda path: str(path.relative_to(ROOT)))
+def test_modules_that_a_page_names_exist(page):
+    """``language/matcher.py`` is one of the package."""
+    rooms = [path.name for path in (ROOT / "intent_engine").iterdir() if path.is_dir()]
+    for named in re.findall(rf"`((?:{'|'.join(rooms)})/[\w/]*(?:\.py)?)`", page.read_text("utf-8")):
+        assert (ROOT / "intent_engine" / named).exists(), f"{page.name} names {named}"
