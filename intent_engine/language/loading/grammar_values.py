@@ -22,7 +22,7 @@ from intent_engine.language.loading.grammar_intents import slot_of_parameter, sl
 from intent_engine.language.loading.grammar_parts import Places, hardly_meant
 from intent_engine.language.loading.yaml_source import YamlPath
 
-__all__ = ["action_problems", "example_problems", "value_problems"]
+__all__ = ["action_problems", "doubtful_numbers", "example_problems", "value_problems"]
 
 REQUIRED: Mapping[str, tuple[str, ...]] = {
     "navigate": ("location",),
@@ -268,9 +268,17 @@ def example_problems(grammar: Grammar, intent: Intent, labels: set[str]) -> Iter
                 message = f"the example has slot {label!r}, which no sentence of {intent.name!r} has"
                 hint = _near(str(label), labels) if labels else "{} stands for no slots"
                 yield problem_at(example.place, message, hint)
-        for label, value in _numbers(example.expected):
-            if label in slots and (doubt := hardly_meant(slots[label].type, value)) is not None:
-                yield problem_at(example.place, f"{label} of the example: {doubt[0]}", doubt[1])
+        kinds = {label: slot.type for label, slot in slots.items()}
+        for message, hint in doubtful_numbers(example.expected, kinds):
+            yield problem_at(example.place, message, hint)
+
+
+def doubtful_numbers(expected: Mapping[str, Any], kinds: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """What is wrong with numbers that somebody expects of slots, by the kinds of these, and what to write: 90 for an
+    angle would be fourteen turns."""
+    for label, value in _numbers(expected):
+        if label in kinds and (doubt := hardly_meant(kinds[label], value)) is not None:
+            yield f"slot {label!r}: {doubt[0]}", doubt[1]
 
 
 def _numbers(expected: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
