@@ -162,6 +162,19 @@ def test_what_is_doubtful_is_told_and_loads(text):
     assert warnings(text) == [DOUBTFUL[text]]
 
 
+@pytest.mark.parametrize(
+    ("regex", "hint"),
+    [
+        ('''r"hop (left|right)"''', "YAML has no r before a quote: write it in single quotes"),
+        ('''"\\bhop\\b"''', "write it in single quotes: between double ones YAML reads \\b as the sign backspace"),
+        ("'/hop now/i'", "write it without the / at both ends"),
+    ],
+)
+def test_a_regex_copied_from_a_program_is_told_what_to_leave_out(regex, hint):
+    (problem,) = load(f"intents:\n  x: {{action: custom, regex: [bow, {regex}]}}\n").warnings
+    assert problem.hint == hint
+
+
 @settings(max_examples=100, deadline=None)
 @given(st.lists(trees(("a", "b", "c"), names=("s", "p")), min_size=1, max_size=4))
 def test_any_sentences_load_or_are_told_what_is_wrong(templates):
