@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, ClassVar, TypeAlias
 
-from intent_engine.values import check_text, is_number
+from intent_engine.values import WHOLE_TURN, check_text, is_number
 
 __all__ = [
     "ACTION_TYPES",
@@ -43,6 +43,12 @@ def _finite(owner: object, **values: float) -> None:
             object.__setattr__(owner, name, float(value))  # of NumPy, say, which JSON has no word for
         if not math.isfinite(value):
             raise ValueError(f"{type(owner).__name__}.{name} must be a finite number, not {value}")
+
+
+def _in_degrees(name: str, value: float) -> str:
+    """What is wrong with an angle that was probably meant in degrees."""
+    turns = f"{value:g} rad are {abs(value) / math.tau:.1f} turns"
+    return f"{name} is in rad, and {turns}: {value:g} degrees are math.radians({value:g})"
 
 
 def _text(owner: object, empty: bool = True, **values: str) -> None:
@@ -82,6 +88,8 @@ class Turn:
 
     def __post_init__(self) -> None:
         _finite(self, angle=self.angle, angular_velocity=self.angular_velocity, duration=self.duration)
+        if type(self.angle) is int and abs(self.angle) > WHOLE_TURN:  # that is how degrees are written
+            raise ValueError(f"{_in_degrees('Turn.angle', self.angle)}, or {float(self.angle)} if you mean it")
         if self.duration < 0:
             raise ValueError("Turn.duration must not be negative")
         if self.angle * self.angular_velocity < 0:
@@ -114,6 +122,8 @@ class Navigate:
         if type(self.location) is not str or type(self.frame) is not str:  # a quick look: every sentence makes actions
             _text(self, location=self.location, frame=self.frame)
         _finite(self, x=self.x, y=self.y, yaw=self.yaw)
+        if not -WHOLE_TURN <= self.yaw <= WHOLE_TURN:
+            raise ValueError(_in_degrees("Navigate.yaw", self.yaw))
 
 
 @dataclass(frozen=True, slots=True)

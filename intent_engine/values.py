@@ -11,9 +11,12 @@ import os
 from numbers import Real
 from typing import TypeVar
 
-__all__ = ["check_number", "check_path", "check_text", "check_timeout", "is_number", "named"]
+__all__ = ["WHOLE_TURN", "check_number", "check_path", "check_text", "check_timeout", "is_number", "named"]
 
 E = TypeVar("E")
+
+WHOLE_TURN = math.tau + 1e-3
+"""rad; nobody writes more for the way a robot looks, but many write degrees."""
 
 
 def is_number(value: object) -> bool:

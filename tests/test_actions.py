@@ -30,6 +30,8 @@ positive = st.floats(min_value=0, max_value=1e6, allow_nan=False)
 names = st.text(min_size=1, max_size=20)
 slot_values = st.one_of(names, finite, st.booleans(), st.none())
 
+yaws = st.floats(-math.tau, math.tau)
+
 turns = st.builds(
     lambda size, speed, left: Turn(size if left else -size, speed if left else -speed, size / speed),
     st.floats(0, 100),
@@ -40,7 +42,7 @@ actions = st.one_of(
     st.builds(Move, finite, positive, positive),
     turns,
     st.just(Stop()),
-    st.builds(Navigate, names, finite, finite, finite, names),
+    st.builds(Navigate, names, finite, finite, yaws, names),
     st.builds(Pick, names),
     st.builds(Place, st.none() | names, st.none() | names),
     st.builds(ChangeSpeed, st.floats(min_value=0, max_value=1e6, exclude_min=True)),
@@ -208,3 +210,24 @@ def test_what_is_no_action_is_not_written(given):
 def test_equal_custom_actions_have_one_hash_whatever_their_slots_hold():
     assert len({Custom("wave", {"times": 2}), Custom("wave", {"times": 2.0})}) == 1
     assert len({Custom("wave", {"place": (1, object), "who": {1, 2}})}) == 1
+
+
+@pytest.mark.parametrize("degrees", [90, -90, 45, 360, 7, -7])
+def test_a_turn_by_a_whole_number_beyond_a_turn_is_one_in_degrees(degrees):
+    with pytest.raises(
+        ValueError, match=rf"Turn.angle is in rad.* math.radians\({degrees}\), or {degrees}\.0 if you mean"
+    ):
+        Turn(degrees, math.copysign(0.5, degrees), abs(degrees) / 0.5)
+    meant = Turn(float(degrees), math.copysign(0.5, degrees), abs(degrees) / 0.5)
+    assert from_json({**to_json(meant), "angle": degrees}) == meant  # other programs write whole numbers for any
+
+
+@given(st.integers(-6, 6))
+def test_a_turn_by_a_few_radians_may_be_a_whole_number(angle):
+    assert Turn(angle, math.copysign(1, angle), abs(angle)).angle == angle
+
+
+@given(st.floats(math.tau + 0.01, 1e6), st.sampled_from([1, -1]))
+def test_no_way_to_look_is_more_than_a_turn(yaw, side):
+    with pytest.raises(ValueError, match=r"Navigate\.yaw is in rad"):
+        Navigate("kitchen", 1.0, 2.0, side * yaw)

@@ -14,7 +14,10 @@ from typing import Any, NamedTuple
 from intent_engine.actions import Action, Move, Navigate, Turn
 from intent_engine.values import is_number, named
 
-__all__ = ["Checked", "Limits", "OverLimit"]
+__all__ = ["IN_DEGREES", "Checked", "Limits", "OverLimit"]
+
+IN_DEGREES = 20.0
+"""rad/s; who writes more for how fast a robot may turn wrote degrees, and it would turn as fast as it was told."""
 
 
 class OverLimit(StrEnum):
@@ -86,6 +89,10 @@ class Limits:
                 raise TypeError(f"the limit {name} is a number in SI units, not {value!r}")
             if not value > 0:
                 raise ValueError(f"the limit {name} must be positive, not {value}")
+        if IN_DEGREES <= self.angular_velocity < math.inf:
+            fast, turns = f"{self.angular_velocity:g}", f"{self.angular_velocity / math.tau:.1f}"
+            message = f"the limit angular_velocity is in rad/s, and {fast} are {turns} turns a second"
+            raise ValueError(f"{message}: {fast} degrees a second are math.radians({fast}); math.inf is no limit")
         # By name a choice reads as well, and compared as a text it would be the other one: to clamp, not to refuse.
         object.__setattr__(self, "over", named(OverLimit, "over", self.over))
         if not isinstance(self.over_each, Mapping):

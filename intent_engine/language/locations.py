@@ -22,7 +22,6 @@ from intent_engine.language.loading.yaml_source import MAX_BYTES, YamlPath, Yaml
 from intent_engine.language.maps.map_draft import (
     DEFAULT_FRAME,
     FIELDS,
-    WHOLE_TURN,
     Draft,
     Location,
     Row,
@@ -35,7 +34,7 @@ from intent_engine.language.maps.places import Places
 from intent_engine.language.names import NameIndex
 from intent_engine.language.normalize import words_of
 from intent_engine.language.slots.name_words import compared_as_written, name_words, raw_words
-from intent_engine.values import check_path, check_text
+from intent_engine.values import WHOLE_TURN, check_path, check_text
 
 __all__ = ["OTHER_MEANINGS", "Location", "LocationMap", "from_text", "load"]
 

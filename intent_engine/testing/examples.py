@@ -20,7 +20,9 @@ from intent_engine.errors import ConfigError
 from intent_engine.hints import did_you_mean
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language import quantities
-from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place
+from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place, problem_at
+from intent_engine.language.loading.grammar_intents import all_slots_by_label
+from intent_engine.language.loading.grammar_values import doubtful_numbers
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
 from intent_engine.language.normalize import words_of
@@ -218,9 +220,27 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
     _check_states(source, ("state",), data.get("state", ()), engine)
     cases = tuple(_test_cases(source, engine, common))
+    kinds = _kinds(engine)
+    doubts = (
+        problem_at(case.place, *doubt)
+        for case in cases
+        if case.slots is not None
+        for doubt in doubtful_numbers(case.slots, kinds)
+    )
+    source.problems.extend(dict.fromkeys(doubts))  # each once, however many sentences have the meaning
     if source.problems:
         raise ConfigError(source.problems)
     return Examples(path, engine, cases)
+
+
+def _kinds(engine: IntentEngine) -> dict[str, str]:
+    """Label -> type of slot, where all slots of this label have the same."""
+    found: dict[str, set[str]] = {}
+    for grammar in engine.grammars:
+        nodes = [sentence.template for intent in grammar.intents.values() for sentence in intent.all_sentences]
+        for label, slots in all_slots_by_label(nodes, grammar).items():
+            found.setdefault(label, set()).update(slot.type for slot in slots)
+    return {label: next(iter(types)) for label, types in found.items() if len(types) == 1}
 
 
 def _texts(value: Any) -> tuple[str, ...]:

@@ -82,6 +82,11 @@ def test_a_line_for_each_example(intent_engine, folder):
         ("tests: [{say: wave, slot: {}}]", "did you mean 'slots'?"),
         ("", "bad.intents.yaml: is empty\n    the shortest test file: tests: [stop]\n"),
         ("tests:\n  - wave: 3", "is no meaning"),
+        ("tests:\n  - turn left ninety degrees: {side: left, angle: 90}", "write 90 deg, or 90 rad if you mean it"),
+        (
+            "tests:\n  - {say: [a, b], intent: turn, slots: {angle: 90}}",
+            "bad.intents.yaml:2:5: slot 'angle': 90 is 90 rad",
+        ),
         ("grammar: nowhere.yaml\ntests: [wave]", "nowhere.yaml"),
         ("tests:\n  - {say: wave, actions: [{type: fly}]}", "unknown action type 'fly'"),
         ("tests:\n  wav: [wave]", "there is no intent 'wav'"),

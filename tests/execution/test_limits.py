@@ -126,3 +126,10 @@ def test_a_duration_that_was_rounded_is_reckoned_again(asked, done):
     checked = Limits().check(asked)
     assert not checked.refused
     assert checked.action.duration == pytest.approx(done, abs=1e-4)  # type: ignore[union-attr]
+
+
+def test_a_turning_speed_in_degrees_is_no_limit():
+    with pytest.raises(ValueError, match=r"90 are 14.3 turns a second: 90 degrees a second are math.radians\(90\)"):
+        Limits(angular_velocity=90)
+    assert Limits(angular_velocity=math.inf) == Limits()
+    assert Limits(angular_velocity=19.9).angular_velocity == 19.9

@@ -44,6 +44,27 @@ MISTAKES: dict[str, str | bytes] = {
         "language: en\nintents:\n  spin:\n    action: {type: turn, direction: left, speed: 90}\n    sentences: [spin]\n"
     ),
     "a file that holds nothing": "null\n",
+    "quotes of a word processor": says("wave", "").replace("'wave'", "[\u201cwave [at {it}]\u201d]"),
+    "a quote that a word processor closes": says("wave").replace("'wave'", '"wave\u201d'),
+    "a sentence with a colon before a slot": wave("sentences:", "  - look: {side}"),
+    "a sentence in braces that are YAML's": wave("sentences: {side: up}"),
+    "a sentence that is a slot alone, unquoted": wave("sentences: {side}"),
+    "sections of an INI file": "; of another engine\n[Light]\nlight = on | off\nturn <light> the lamp\n",
+    "sentences of an INI file": "[Light]\nturn (on | off){state} the lamp\n",
+    "a context of Rhino": "context:\n  expressions:\n    order:\n      - make me a $drink:drink\n",
+    "training data of Rasa": "version: '3.1'\nnlu:\n- intent: greet\n  examples: |\n    - hey\n",
+    "the keys of Home Assistant": (
+        "language: en\nintents:\n  HassTurnOn:\n    data:\n      - sentences: [turn on <name>]\n"
+        "lists: {name: {values: [lamp]}}\nexpansion_rules: {turn: (turn|switch)}\nskip_words: [please]\n"
+    ),
+    "a shipped grammar by the path of the repository": says("wave", "include: [grammars/en.yaml]\n"),
+    "degrees and percent in examples": (
+        "language: en\nslots: {side: [left, right], far: angle, share: percent}\nintents:\n  spin:\n"
+        "    action: custom\n    sentences: ['spin [{side}] {far} [at {share}]']\n    examples:\n"
+        "      - spin left ninety degrees: {side: left, far: 90}\n"
+        "      - spin ninety degrees at ten percent and left five degrees:\n"
+        "          {steps: [{far: 90 deg, share: 10}, {side: left, far: 5 deg}]}\n"
+    ),
     "an alternative without brackets that is empty": says("|wave"),
     "an empty optional": says("wave []"),
     "empty braces": says("wave {}"),

@@ -12,17 +12,13 @@ from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
 from intent_engine.execution.clock import Clock
-from intent_engine.execution.limits import Limits, OverLimit
+from intent_engine.execution.limits import IN_DEGREES, Limits, OverLimit
 from intent_engine.execution.motion import Rates
 from intent_engine.execution.robots.robot import Capability, Pose
 from intent_engine.execution.robots.simulated import SimulatedRobot
 from intent_engine.resources import find
 
 __all__ = ["Footprint", "RobotFile", "load_robot", "robot_schema"]
-
-
-IN_DEGREES = 20.0
-"""rad/s; who writes more for how fast a robot may turn wrote degrees, and it would turn as fast as it was told."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,11 @@ _MARKS = {
     "robot file": (frozenset({"limits", "rates", "capabilities", "simulation", "footprint"}), "give it as robot"),
 }
 """Kind -> keys that no later kind has, and where such a file belongs."""
+_OF_OTHERS = {
+    "context of Rhino": frozenset({"context"}),
+    "file of Rasa": frozenset({"nlu", "stories"}),
+}
+"""What other engines write in YAML -> keys that a grammar has not."""
 
 
 def given_for(kind: str, data: Any, file: str) -> Problem | None:
@@ -30,4 +35,7 @@ def given_for(kind: str, data: Any, file: str) -> Problem | None:
     for other, (marks, hint) in _MARKS.items():
         if not marks.isdisjoint(data):
             return Problem(f"is a {other}, not a {kind}", file, hint=hint)
+    for other, marks in _OF_OTHERS.items():
+        if kind == "grammar" and not marks.isdisjoint(data):
+            return Problem(f"is a {other}, not a grammar", file, hint="docs/migrating.md shows what its parts are here")
     return None

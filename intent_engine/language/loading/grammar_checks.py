@@ -60,7 +60,7 @@ def check_meaning(grammar: Grammar, places: Places, draft: Draft) -> tuple[list[
             if whole and not labels & draft.broken:
                 problems += value_problems(grammar, intent, labels, places)
                 problems += action_problems(grammar, intent, given, places)
-                problems += example_problems(intent, labels, places)
+                problems += example_problems(grammar, intent, labels)
     problems += pattern_problems(grammar, places, draft.broken if not draft.blind else None)
     if not problems and not draft.blind:
         warnings += grammar_doubts(grammar, draft, places)

@@ -37,6 +37,35 @@ MAX_SPELLINGS = 256
 _OPTIONAL = re.compile(r"([^\W\d_]+)\?(?=\s+[\w({\[])")
 """A word with a "?" in the midst of a sentence."""
 _STROKE = re.compile(r"([^\W\d_]+)/([^\W\d_]+)")
+_OTHER_TEMPLATES = (
+    (
+        re.compile(r"[^\W\d_]+(?:\[[^\[\]()]+\]|\([^\[\]()]+\))|(?:\[[^\[\]()]+\]|\([^\[\]()]+\))[^\W\d_]+"),
+        "{0!r} is said in two words: a bracket ends one",
+        "write words in full, (lamp|lamps) for lamp[s]; or a blank between them",
+    ),
+    (
+        re.compile(r"[\[(][^\[\]()|;]*,[^\[\]()|;]*[\])]"),
+        "a ',' parts nothing: all of {0!r} is said, one after the other",
+        "alternatives are parted by |: (make|brew)",
+    ),
+    (
+        re.compile(r"\([^\[\]()|;{}<,:]*\)"),
+        "the brackets of {0!r} change nothing: it must be said",
+        "what may be left out stands in []: [please]",
+    ),
+    (
+        re.compile(r"\b\d+\.\.\d+\b"),
+        "{0!r} is no range, but two numbers that are said",
+        "for any number give it a slot: n: {type: number, min: 0, max: 10, whole: true}",
+    ),
+    (
+        re.compile(r"(?<![{\w])[^\W\d_]+:[^\W\d_]+"),
+        "{0!r} puts nothing in the place of a word: both are said",
+        "a value that is called otherwise than it is said: slots: {name: {values: {value: words}}}",
+    ),
+)
+"""What templates of hassil, Rhasspy and Rhino have and ours read as words, without a mistake: what stands in the text,
+what it is here, and what to write."""
 
 
 def grammar_doubts(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
@@ -136,12 +165,15 @@ def _strokes(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
 
 
 def _foreign_signs(draft: Draft) -> Iterator[Problem]:
-    """Signs that are read otherwise than their author means who knows them from regular expressions: "the? lab" is said
-    with its "the", and "go|drive to {place}" is "go", or "drive to {place}"."""
+    """Signs that are read otherwise than their author means who knows them from regular expressions or other templates:
+    "the? lab" is said with its "the", "go|drive to {place}" is "go", or "drive to {place}", and "lamp[s]" two words."""
     for written in draft.written:
         if (match := _OPTIONAL.search(written.text)) is not None:
             message = f"the '?' of {match.group()!r} says nothing: the word must be said"
             yield written.problem(message, f"for a word that may be left out write [{match[1]}]", match.start())
+        for sign, message, hint in _OTHER_TEMPLATES:
+            if (match := sign.search(written.text)) is not None:
+                yield written.problem(message.format(match.group().strip()), hint, match.start())
         if written.kind == "sentence" and isinstance(written.node, Choice):
             ways = [bool(list(references(way))) for way in written.node.items]
             bar = _bare_bar(written.text)

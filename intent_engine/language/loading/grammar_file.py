@@ -129,6 +129,18 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
     return list(done.values()), blind
 
 
+def _shipped(path: Path) -> str | None:
+    """The name of the grammar that comes with the engine and that ``grammars/en.yaml`` means; None for other files."""
+    from intent_engine.resources import find
+
+    if path.parent.name != "grammars" or path.suffix != ".yaml":
+        return None
+    try:
+        return path.stem if find("grammars", path.stem).is_file() else None
+    except ConfigError:
+        return None
+
+
 def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
     """The file that an ``include`` names: beside the file that names it, or a shipped grammar by its bare name."""
     path = Path(source.file).parent / name
@@ -142,6 +154,9 @@ def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
         except ConfigError as error:
             source.problem(at, f"there is no grammar {name!r} to include", error.problems[0].hint)
             return None
+    if (shipped := _shipped(path)) is not None:
+        source.problem(at, f"there is no file {path} to include", f"the one that comes with the engine is {shipped!r}")
+        return None
     near = (
         did_you_mean(path.name, [other.name for other in path.parent.glob("*.y*ml")]) if path.parent.is_dir() else None
     )

@@ -18,7 +18,7 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.template import TemplateError, parse_template
 from intent_engine.language.templates.template_tree import Choice, Node
 
-__all__ = ["Draft", "PartReader", "Places", "Written"]
+__all__ = ["Draft", "PartReader", "Places", "Written", "hardly_meant"]
 
 _KEYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(QUANTITY_KINDS, ("unit", "units", "min", "max", "least", "usual_step", "usual_max", "digits")),
@@ -115,6 +115,22 @@ class Places:
         if line and place.source.rstrip()[-1:] in "|>+-" and place.line + line <= len(lines):
             return Problem(message, place.file, place.line + line, None, lines[place.line + line - 1], hint)
         return problem_at(place, message, hint)
+
+
+def hardly_meant(kind: str, raw: float) -> tuple[str, str] | None:
+    """What is wrong with a plain number in SI units that is hardly meant as it is written, and what to write."""
+    if abs(raw) < MANY:
+        return None
+    if kind == "percent":
+        return f"{raw} is {raw * 100:,.0f} percent: a plain number is a part of one", f"write {raw} %"
+    if kind == "angle":
+        message = f"{raw} is {raw} rad, which is {abs(raw) / math.tau:.1f} turns: a plain number is in rad"
+        return message, f"write {raw} deg, or {raw} rad if you mean it"
+    if kind in _SPEEDS:
+        unit_of, too_much, other = _SPEEDS[kind]
+        message = f"{raw} is {raw} {unit_of}, which is {abs(raw) * too_much[0]:.4g} {too_much[1]}"
+        return f"{message}: a plain number is in {unit_of}", f"write {raw} {other}, or {raw} {unit_of} if you mean it"
+    return None
 
 
 class PartReader:
@@ -298,19 +314,8 @@ class PartReader:
         if not self.finite(path, raw):
             return None
         if isinstance(raw, (int, float)) and not isinstance(raw, bool) and unit is None:
-            if kind == "percent" and abs(raw) >= MANY:
-                message = f"{raw} is {raw * 100:,.0f} percent: a plain number is a part of one"
-                self.source.problem(path, message, f"write {raw} %", key=key)
-                return None
-            if kind == "angle" and abs(raw) >= MANY:
-                message = f"{raw} is {raw} rad, which is {abs(raw) / math.tau:.1f} turns: a plain number is in rad"
-                self.source.problem(path, message, f"write {raw} deg, or {raw} rad if you mean it", key=key)
-                return None
-            if kind in _SPEEDS and abs(raw) >= MANY:
-                unit_of, too_much, other = _SPEEDS[kind]
-                message = f"{raw} is {raw} {unit_of}, which is {abs(raw) * too_much[0]:.4g} {too_much[1]}"
-                hint = f"write {raw} {other}, or {raw} {unit_of} if you mean it"
-                self.source.problem(path, f"{message}: a plain number is in {unit_of}", hint, key=key)
+            if (doubt := hardly_meant(kind, raw)) is not None:
+                self.source.problem(path, *doubt, key=key)
                 return None
             return float(raw)
         value = self.si(str(raw), kind, unit) if kind in QUANTITY_KINDS else None

@@ -19,10 +19,10 @@ from intent_engine.language.grammar import (
     problem_at,
 )
 from intent_engine.language.loading.grammar_intents import slot_of_parameter, slots_by_label
-from intent_engine.language.loading.grammar_parts import Places
+from intent_engine.language.loading.grammar_parts import Places, hardly_meant
 from intent_engine.language.loading.yaml_source import YamlPath
 
-__all__ = ["action_problems", "example_problems", "value_problems"]
+__all__ = ["action_problems", "doubtful_numbers", "example_problems", "value_problems"]
 
 REQUIRED: Mapping[str, tuple[str, ...]] = {
     "navigate": ("location",),
@@ -254,15 +254,38 @@ def _fixed_amiss(action: ActionSpec, sentence: Sentence) -> bool:
 # -- examples -------------------------------------------------------------------------------------------------
 
 
-def example_problems(intent: Intent, labels: set[str], places: Places) -> Iterator[Problem]:
-    """Examples whose slots no sentence has. Whether they are understood so is a question for ``check`` and ``test``."""
+def example_problems(grammar: Grammar, intent: Intent, labels: set[str]) -> Iterator[Problem]:
+    """Examples whose slots no sentence has, and plain numbers in them that are hardly meant: degrees, say. Whether they
+    are understood so is a question for ``check`` and ``test``."""
     if _patterns(intent):
         return
+    slots = _slots_of(grammar, intent)
     for example in intent.examples:
-        if isinstance(example.expected, Mapping) and example.place is not None:
-            for label in example.expected:
-                if label not in labels and label != "steps":
-                    place = example.place
-                    message = f"the example has slot {label!r}, which no sentence of {intent.name!r} has"
-                    hint = _near(str(label), labels) if labels else "{} stands for no slots"
-                    yield problem_at(place, message, hint)
+        if not isinstance(example.expected, Mapping) or example.place is None:
+            continue
+        for label in example.expected:
+            if label not in labels and label != "steps":
+                message = f"the example has slot {label!r}, which no sentence of {intent.name!r} has"
+                hint = _near(str(label), labels) if labels else "{} stands for no slots"
+                yield problem_at(example.place, message, hint)
+        kinds = {label: slot.type for label, slot in slots.items()}
+        for message, hint in doubtful_numbers(example.expected, kinds):
+            yield problem_at(example.place, message, hint)
+
+
+def doubtful_numbers(expected: Mapping[str, Any], kinds: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """What is wrong with numbers that somebody expects of slots, by the kinds of these, and what to write: 90 for an
+    angle would be fourteen turns."""
+    for label, value in _numbers(expected):
+        if label in kinds and (doubt := hardly_meant(kinds[label], value)) is not None:
+            yield f"slot {label!r}: {doubt[0]}", doubt[1]
+
+
+def _numbers(expected: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
+    """The plain numbers of an example, by slot; those of its steps too."""
+    for label, value in expected.items():
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            yield label, value
+        elif label == "steps" and isinstance(value, list):
+            for step in value:
+                yield from _numbers(step) if isinstance(step, Mapping) else ()

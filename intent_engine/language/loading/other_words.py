@@ -1,4 +1,5 @@
-"""What other programs call the types and keys of slots, the actions and the fields of a place, and their names here."""
+"""What other programs call the keys of a grammar, of an intent, the types and keys of slots, the actions and the
+fields of a place, and their names here."""
 
 from __future__ import annotations
 
@@ -6,7 +7,15 @@ from collections.abc import Iterable, Mapping
 
 from intent_engine.hints import did_you_mean
 
-__all__ = ["ACTIONS", "FIELDS_OF_A_PLACE", "KEYS_OF_A_SLOT", "TYPES", "meant"]
+__all__ = [
+    "ACTIONS",
+    "FIELDS_OF_A_PLACE",
+    "KEYS_OF_AN_INTENT",
+    "KEYS_OF_A_GRAMMAR",
+    "KEYS_OF_A_SLOT",
+    "TYPES",
+    "meant",
+]
 
 TYPES: Mapping[str, str] = {
     **dict.fromkeys(("int", "integer", "count"), "number, with whole: true"),
@@ -21,6 +30,21 @@ TYPES: Mapping[str, str] = {
     **dict.fromkeys(("degrees", "yaw", "rotation"), "angle"),
     **dict.fromkeys(("percentage", "fraction"), "percent"),
     **dict.fromkeys(("bool", "onoff", "switch"), "boolean"),
+}
+KEYS_OF_A_GRAMMAR: Mapping[str, str] = {
+    **dict.fromkeys(("lists", "entities", "types"), "slots: {name: [one, another]}"),
+    **dict.fromkeys(("expansion_rules", "macros", "rules", "aliases"), "phrases: {name: template}"),
+    **dict.fromkeys(("skip_words", "stopwords", "ignore"), "fillers: [please, uh]"),
+    **dict.fromkeys(("imports", "extends"), "include: [file.yaml]"),
+    **dict.fromkeys(("lang", "locale"), "language"),
+}
+KEYS_OF_AN_INTENT: Mapping[str, str] = {
+    **dict.fromkeys(
+        ("data", "utterances", "expressions", "patterns", "phrases", "samples", "templates"), "sentences: [template]"
+    ),
+    **dict.fromkeys(("requires_context", "context"), "requires: [state]"),
+    **dict.fromkeys(("excludes_context",), "excludes: [state]"),
+    **dict.fromkeys(("tests",), "examples"),
 }
 KEYS_OF_A_SLOT: Mapping[str, str] = {
     **dict.fromkeys(("options", "choices", "enum", "items", "synonyms"), "values"),

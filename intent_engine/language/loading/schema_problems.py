@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.errors import Problem
 from intent_engine.hints import did_you_mean
-from intent_engine.language.loading.other_words import ACTIONS, FIELDS_OF_A_PLACE, KEYS_OF_A_SLOT, TYPES, meant
+from intent_engine.language.loading.other_words import (
+    ACTIONS,
+    FIELDS_OF_A_PLACE,
+    KEYS_OF_A_GRAMMAR,
+    KEYS_OF_A_SLOT,
+    KEYS_OF_AN_INTENT,
+    TYPES,
+    meant,
+)
 from intent_engine.language.loading.schema_check import surely_valid
 from intent_engine.language.loading.several_names import as_list
 from intent_engine.language.loading.yaml_source import YamlSource
@@ -157,7 +165,7 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
             return _at(source, path, f"unknown key {key!r}", "a place lies on the floor: leave it out", key=True)
         near = meant(key, FIELDS_OF_A_PLACE, known)
     else:
-        near = meant(key, KEYS_OF_A_SLOT if path[:1] == ("slots",) and len(path) == 3 else {}, known)
+        near = meant(key, _other_keys(path, known), known)
     if near is None and len(instance) == 1 and known[:1] == ["say"]:
         value = source.raw.get(path, instance[key])
         if value == "":
@@ -165,8 +173,30 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
             return _at(
                 source, path, "YAML reads this sentence as a key without a value", f'quote it: "{sentence}"', True
             )
-        return _at(source, path, "YAML reads this sentence as a key and its value", f'quote it: "{key}: {value}"', True)
+        return _at(
+            source,
+            path,
+            "YAML reads this sentence as a key and its value",
+            f'quote it: "{key}: {_as_written(value)}"',
+            True,
+        )
     return _at(source, path, f"unknown key {key!r}", near or f"known here: {', '.join(known)}", key=True)
+
+
+def _other_keys(path: tuple[Any, ...], known: list[str]) -> Mapping[str, str]:
+    """What other programs call the keys that may stand at a path."""
+    if len(path) == 1 and "intents" in known:
+        return KEYS_OF_A_GRAMMAR
+    if len(path) == 3:
+        return {"slots": KEYS_OF_A_SLOT, "intents": KEYS_OF_AN_INTENT}.get(str(path[0]), {})
+    return {}
+
+
+def _as_written(value: Any) -> str:
+    """A value as it was written by somebody to whom braces are no YAML: ``{side}`` is a key without a value."""
+    if not isinstance(value, dict):
+        return str(value)
+    return "{" + ", ".join(f"{key}: {one}" if one not in (None, "") else str(key) for key, one in value.items()) + "}"
 
 
 def _after_a_comma(source: YamlSource, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
@@ -243,7 +273,7 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     elif "string" in wanted and _begins(source, path, "[") and isinstance(path[-1], int):
         hint = f'quote it: "[{", ".join(map(str, instance))}]"'
     elif "string" in wanted and isinstance(instance, dict) and len(instance) == 1 and _begins(source, path, "{"):
-        hint = f'quote it: "{{{next(iter(instance))}}}"'
+        hint = f'quote it: "{_as_written(instance)}"'
     elif "object" in wanted and isinstance(instance, list) and path:
         hint = "write each as a line  name: ...  without a '-' or brackets"
     elif "number" in wanted and "string" not in wanted and isinstance(instance, str):

@@ -15,6 +15,7 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 from intent_engine.language.loading.json_mistakes import json_problem
 from intent_engine.language.loading.lost_words import lost_words
+from intent_engine.language.loading.spoilt_lines import after_a_quote, section_of_ini, spoilt_before, typographic_quote
 
 __all__ = ["YamlSource", "not_utf8", "read_yaml"]
 
@@ -27,6 +28,8 @@ MAX_BRACKETS = 100
 MAX_INDENT = 400
 """Brackets in brackets, and characters before the first word of a line. Nobody writes more, and the YAML library in C
 overflows its stack, and ends the process, on some ten thousand."""
+
+SHORTEST = "the shortest grammar: intents: {wave: {action: custom, sentences: [wave]}}"
 
 _BARE_IN_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$")
 """Words without quotes within brackets on one line, up to another: "[go {place}", "{1: degrees [celsius"."""
@@ -93,7 +96,7 @@ class YamlSource:
         self.problems.append(Problem(message, self.file, place.line, place.column, place.source, hint))
 
 
-def read_yaml(path: str | Path, *, shortest: str = "see docs/grammar.md for the shortest file") -> YamlSource:
+def read_yaml(path: str | Path, *, shortest: str = SHORTEST) -> YamlSource:
     """Read a file; what is wrong with it as YAML is in ``problems``, and then ``data`` is None.
 
     Args:
@@ -152,6 +155,10 @@ def not_utf8(name: str, error: UnicodeDecodeError, otherwise: str = "is this the
 def parse_yaml(text: str, source: YamlSource, shortest: str = "") -> YamlSource:
     """Fill ``source`` from text."""
     source.lines = text.splitlines()
+    if (section := section_of_ini(source.lines)) is not None:
+        place, hint = (section + 1, 1, source.lines[section]), "it is written otherwise here: docs/migrating.md"
+        source.problems.append(Problem("is an INI file, as of Rhasspy, and no YAML", source.file, *place, hint))
+        return source
     if (deep := _too_deep(text)) is not None:
         hint = f"at most {MAX_BRACKETS} brackets in brackets; is this the right file?"
         source.problems.append(Problem("is nested too deeply", source.file, deep + 1, hint=hint))
@@ -206,6 +213,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         message = "is not valid YAML: a quote that is opened here is never closed"
         hint = "close it, or write the quote of a word as '' inside single quotes"
         shown = source.lines[opened.line]
+        hint = typographic_quote(shown[opened.column + 1 :]) or hint
         return Problem(message, source.file, opened.line + 1, opened.column + 1, shown, hint)
     line, column = (mark.line, mark.column) if mark else (0, 0)
     while line > 0 and (line >= len(source.lines) or not source.lines[line].strip()):
@@ -215,7 +223,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     what = str(error.problem or error.context)
     message = f"is not valid YAML: {what}"
     indent = shown[: len(shown) - len(shown.lstrip())]
-    if (other := _spoilt_before(source.lines, line)) is not None:
+    if (other := spoilt_before(source.lines, line)) is not None:
         return Problem(other[1], source.file, other[0] + 1, None, source.lines[other[0]], other[2])
     if "\t" in indent:
         message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"
@@ -225,7 +233,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
     elif "unknown escape" in what:
         hint = "write it in single quotes: between double ones YAML reads \\ as the beginning of a sign"
-    elif (quoted := _after_a_quote(shown, column)) is not None:
+    elif (quoted := after_a_quote(shown, column) or typographic_quote(shown)) is not None:
         hint = quoted
     elif column == len(indent) and re.search("expected (?:'-'|key|<block end>)", what):
         hint = "check that this line is indented like its neighbours"
@@ -246,36 +254,6 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     elif "could not find expected ':'" in what or "expected <block end>" in what or "block mapping" in what:
         hint = "check that this line is indented like its neighbours, and that quotes are closed"
     return Problem(message, source.file, line + 1, column + 1, shown, hint)
-
-
-def _spoilt_before(lines: list[str], line: int) -> tuple[int, str, str] | None:
-    """A line, up to the one at which the parser gave up, with a blank that is none, or none behind its first ':';
-    what is wrong with it, and what to do."""
-    for at in range(line, max(line - 3, -1), -1):
-        shown = lines[at] if at < len(lines) else ""
-        lead = shown[: len(shown) - len(shown.lstrip())]
-        if strange := next((sign for sign in lead if sign not in " \t"), None):
-            return at, f"a blank of this line is no space, but U+{ord(strange):04X}", "type its blanks anew"
-        if re.match(r"\s*[a-z_]+:[^\s:/]", shown):
-            return (
-                at,
-                "is not valid YAML: no blank stands behind this ':'",
-                f"write {shown.strip().replace(':', ': ', 1)}",
-            )
-    return None
-
-
-def _after_a_quote(shown: str, column: int) -> str | None:
-    """What to do about words behind a quote that is closed; None if there is none in front of a column."""
-    before = shown[:column].rstrip()
-    quote = before[-1:]
-    if quote not in ("'", '"') or not quote:
-        return None
-    if before.count(quote) % 2:
-        return "this quote closes one that is opened further up: close that on its own line"
-    if quote == "'":
-        return "the text ends at its second '; write an apostrophe in double quotes: \"don't\""
-    return "put all of the text between the quotes"
 
 
 class _Earlier(str):

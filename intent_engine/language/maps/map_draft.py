@@ -13,13 +13,12 @@ from intent_engine.errors import Problem
 from intent_engine.language.loading.other_words import FIELDS_OF_A_PLACE, meant
 from intent_engine.language.loading.several_names import as_list, looks_like_several
 from intent_engine.language.slots.name_words import name_words
+from intent_engine.values import WHOLE_TURN
 
 __all__ = ["DEFAULT_FRAME", "Draft", "Location", "Row", "checked"]
 
 DEFAULT_FRAME = "map"
 """The fixed frame of a map (REP 105)."""
-WHOLE_TURN = math.tau + 1e-3
-"""rad; nobody writes more for the way a robot looks, but many write degrees."""
 FIELDS = ("x", "y", "yaw", "frame", "aliases", "tags")
 
 Teller = Callable[[str, str, str | None], Problem]

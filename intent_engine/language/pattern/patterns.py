@@ -159,6 +159,15 @@ def pattern_problems(grammar: Grammar, places: Places, broken: Collection[str] |
                 yield places.problem(("intents", intent.name, "lark"), *compiled.problem, line=compiled.line)
 
 
+def _as_in_a_program(text: str, sign: str) -> str | None:
+    """What to do about a regex that was copied from a program with what is around it there; None: it was not."""
+    if sign == "\b":
+        return "write it in single quotes: between double ones YAML reads \\b as the sign backspace"
+    if re.fullmatch(r"""[rR](["']).*\1""", text):
+        return "YAML has no r before a quote: write it in single quotes"
+    return "write it without the / at both ends" if re.fullmatch(r"/.*/[a-z]*", text) else None
+
+
 def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
     """Regexes of a grammar that was checked that nobody can say, because of a sign that no word has."""
     from intent_engine.language.pattern.pattern_signs import unsaid_sign
@@ -167,7 +176,9 @@ def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
         for index, text in enumerate(intent.regex):
             if (sign := unsaid_sign(text)) is not None:
                 message = f"the regex asks for {sign!r}, and what is said is words and numbers, without signs"
-                hint = "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
+                hint = _as_in_a_program(text, sign) or (
+                    "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
+                )
                 yield places.problem(_at(intent, index, places), message, hint)
 
 

@@ -92,6 +92,10 @@ FINE = {
     "a stroke between units": "intents:\n  x: {action: custom, sentences: ['spin at {#} rpm/s', 'mix 1/2 cup']}\n",
     "signs that a regex can do without": "intents:\n  x: {action: custom, regex: 'hop,? now[!.]?'}\n",
     "signs of numbers": "intents:\n  x: {action: custom, regex: 'add (-?\\d+|\\d+/\\d+|\\d+\\.5|2\\.5) cups'}\n",
+    "brackets that choose, order and hold others": (
+        "slots: {a: distance}\nintents:\n  x:\n    action: custom\n"
+        "    sentences: [\"go ([very] far|home) [{a:b}] (on;off) l'[autre] fin, at 3:30\", 'lift (a|b) [c|d] {a}m']\n"
+    ),
     "stop in one's own words": "intents:\n  x: {action: stop, sentences: ['do not move']}\n",
 }
 
@@ -132,12 +136,43 @@ DOUBTFUL = {
     "slots: {a: text, b: text}\nintents:\n  x: {action: custom, sentences: ['mix {a} [{b}]', 'mix {a} and {b}']}\n": (
         3, "nobody can tell where 'a' ends and 'b' begins: both are free text",
     ),
+    "intents:\n  x: {action: custom, sentences: ['light the lamp[s]']}\n": (
+        2, "'lamp[s]' is said in two words: a bracket ends one",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['light the (lamp|cand le)s']}\n": (
+        2, "'(lamp|cand le)s' is said in two words: a bracket ends one",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['[make, brew] coffee']}\n": (
+        2, "a ',' parts nothing: all of '[make, brew]' is said, one after the other",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['brew [a] (small) coffee']}\n": (
+        2, "the brackets of '(small)' change nothing: it must be said",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['brew coffee 1..3']}\n": (
+        2, "'1..3' is no range, but two numbers that are said",
+    ),
+    "intents:\n  x: {action: custom, sentences: ['brew (coffee:espresso|tea)']}\n": (
+        2, "'coffee:espresso' puts nothing in the place of a word: both are said",
+    ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("text", DOUBTFUL)
 def test_what_is_doubtful_is_told_and_loads(text):
     assert warnings(text) == [DOUBTFUL[text]]
+
+
+@pytest.mark.parametrize(
+    ("regex", "hint"),
+    [
+        ('''r"hop (left|right)"''', "YAML has no r before a quote: write it in single quotes"),
+        ('''"\\bhop\\b"''', "write it in single quotes: between double ones YAML reads \\b as the sign backspace"),
+        ("'/hop now/i'", "write it without the / at both ends"),
+    ],
+)
+def test_a_regex_copied_from_a_program_is_told_what_to_leave_out(regex, hint):
+    (problem,) = load(f"intents:\n  x: {{action: custom, regex: [bow, {regex}]}}\n").warnings
+    assert problem.hint == hint
 
 
 @settings(max_examples=100, deadline=None)

@@ -1,0 +1,56 @@
+"""What people usually did wrong where YAML cannot be read: strange blanks and quotes, another format."""
+
+from __future__ import annotations
+
+import re
+
+__all__ = ["after_a_quote", "section_of_ini", "spoilt_before", "typographic_quote"]
+
+_TYPOGRAPHIC = "\u201c\u201d\u201e\u2018\u2019\u201a\u00ab\u00bb"
+_SECTION = re.compile(r"\s*\[[\w.-]+\]\s*")
+
+
+def section_of_ini(lines: list[str]) -> int | None:
+    """The line, from 0, of the ``[Section]`` with which an INI file begins; None: it is none, or holds no more."""
+    said = ((at, line) for at, line in enumerate(lines) if line.strip() and line.lstrip()[0] not in "#;")
+    first, second = next(said, None), next(said, None)
+    if first is None or second is None or not _SECTION.fullmatch(first[1]) or ": " in second[1]:
+        return None
+    return first[0]
+
+
+def typographic_quote(shown: str) -> str | None:
+    """What to do about a quote of a word processor where YAML wants one of its own; None if there is none. One within
+    a word is an apostrophe."""
+    found = re.search(rf"(?<!\w)[{_TYPOGRAPHIC}]|[{_TYPOGRAPHIC}](?!\w)", shown)
+    return f'{found[0]} is no quote for YAML: write " on both sides' if found else None
+
+
+def spoilt_before(lines: list[str], line: int) -> tuple[int, str, str] | None:
+    """A line, up to the one at which the parser gave up, with a blank that is none, or none behind its first ':';
+    what is wrong with it, and what to do."""
+    for at in range(line, max(line - 3, -1), -1):
+        shown = lines[at] if at < len(lines) else ""
+        lead = shown[: len(shown) - len(shown.lstrip())]
+        if strange := next((sign for sign in lead if sign not in " \t"), None):
+            return at, f"a blank of this line is no space, but U+{ord(strange):04X}", "type its blanks anew"
+        if re.match(r"\s*[a-z_]+:[^\s:/]", shown):
+            return (
+                at,
+                "is not valid YAML: no blank stands behind this ':'",
+                f"write {shown.strip().replace(':', ': ', 1)}",
+            )
+    return None
+
+
+def after_a_quote(shown: str, column: int) -> str | None:
+    """What to do about words behind a quote that is closed; None if there is none in front of a column."""
+    before = shown[:column].rstrip()
+    quote = before[-1:]
+    if quote not in ("'", '"') or not quote:
+        return None
+    if before.count(quote) % 2:
+        return "this quote closes one that is opened further up: close that on its own line"
+    if quote == "'":
+        return "the text ends at its second '; write an apostrophe in double quotes: \"don't\""
+    return "put all of the text between the quotes"
