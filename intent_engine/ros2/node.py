@@ -68,7 +68,7 @@ class VoiceCommands:
         self._form = parameters.command_form
         self._done: CarriedOut | None = None
         """The last text that was a command."""
-        self._last = LastSaid()
+        self._last = LastSaid(lambda: self.engine.grammars)
         self._asked = LastAsked()
         self.engine = IntentEngine.from_files(
             [find("grammars", name) for name in parameters.grammar],

@@ -65,7 +65,7 @@ class Acting:
         self._base = 0.0
         self.summary = Summary()
         """What it came to since :meth:`begin`."""
-        self._last = LastSaid()
+        self._last = LastSaid(lambda: judgement.engine.grammars)
         self._asked = asked
         self._answering = Answering(judgement.engine)
 

@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from intent_engine.actions import ChangeSpeed
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.context.references import Before
-from intent_engine.language.meaning.wordings.pronouns import names_something
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.meaning.wordings.pronouns import names_something, things_of
 from intent_engine.needs import Needs
 
 __all__ = ["LastSaid"]
 
 
 class LastSaid:
-    """Keeps what was last carried out; whatever stops the robot leaves nothing to point back to. For one thread."""
+    """Keeps what was last carried out; whatever stops the robot leaves nothing to point back to. For one thread.
 
-    def __init__(self) -> None:
+    Args:
+        grammars: gives those that are loaded, which say what their slots hold.
+    """
+
+    def __init__(self, grammars: Callable[[], Iterable[Grammar]] = tuple) -> None:
+        self._grammars = grammars
         self.meaning: Before = ()
         """For ``IntentEngine.parse(text, last=...)``; empty: there was nothing, or it is forgotten. Where the last
         utterance names nothing, the actions of the last one that did stand before its own: after "pick up the ball"
@@ -32,11 +39,15 @@ class LastSaid:
             if isinstance(self.meaning, Interpretation) and _only_speed(meaning):
                 if not _only_speed(self.meaning, last=True):
                     self.meaning = _together(self.meaning, meaning)
-            elif any(map(names_something, meaning.actions)):
+            elif self._names_something(meaning):
                 self._named = meaning
                 self.meaning = meaning
             else:
                 self.meaning = meaning if self._named is None else _together(self._named, meaning)
+
+    def _names_something(self, meaning: Interpretation) -> bool:
+        things = frozenset[str]().union(*map(things_of, self._grammars()))
+        return any(names_something(action, things) for action in meaning.actions)
 
     def forget(self) -> None:
         """The robot was stopped, or a new session begins."""

@@ -70,7 +70,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
-        "for_whom": "de en fr", "gives": "en", "once_more": "de", "wished": "de", "wishing": "de",
+        "for_whom": "de en fr", "gives": "en", "once_more": "de en", "wished": "de", "wishing": "de",
         "leads": "en", "particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them

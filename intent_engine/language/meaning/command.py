@@ -11,6 +11,7 @@ from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.not_commands.share_of_a_turn import share_of_a_turn
+from intent_engine.language.meaning.not_commands.sign_and_side import sign_and_side
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.wordings.whose_place import WhosePlace
 from intent_engine.language.pattern.patterns import Patterns
@@ -18,6 +19,7 @@ from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds
 from intent_engine.language.slots.adjacent_numbers import number_said_apart
+from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.words.thing_words import ARTICLES, thing_words
 from intent_engine.language.words.verb_forms import told_forms_of
 
@@ -36,6 +38,7 @@ class Commands:
         self.matcher = matcher
         self._patterns = Patterns(matcher.grammar)
         self._whose_place = WhosePlace(matcher)
+        self._plurals = Plurals(matcher.grammar, lambda: self.first_words)
         known = thing_words(matcher.grammar.language)
         self.not_verbs = ARTICLES | known.alone
         """Words that are no verb of a command, though one may begin with them."""
@@ -51,6 +54,8 @@ class Commands:
         each word, as in an utterance.
         """
         readings = self.readings(words, after)
+        if readings and readings[0].free_words and (counted := self._counted(words, readings[0], after)):
+            readings = counted
         if readings and readings[0].free_words > 1 and self.may_begin_in(words[LEAST_WORDS:]):
             readings = [reading for reading in readings if not self.holds_command(reading)]
         if readings and (number := self._number_said_apart(readings[0], breaks)):
@@ -66,6 +71,14 @@ class Commands:
         """All ways to understand words as a sentence or a pattern, the best first; ``after`` as in :meth:`exact`."""
         readings = self.matcher.read(words, after=after)
         return [*readings, *self._patterns.read(words, self.matcher)] if self._patterns and not after else readings
+
+    def _counted(self, words: list[str], free: Reading, after: str) -> list[Reading]:
+        """Readings that leave fewer words to free text, of what is said with more of what a list names, or one: who
+        says "bring two towels" where a sentence counts each "towel" means no thing called "two towels"."""
+        counted = self._plurals.counted(words)
+        readings = self.readings(counted, after) if counted is not None else []
+        better = [one for one in readings if one.free_words < free.free_words and one.understood]
+        return better if better and better[0].intent.priority >= free.intent.priority else []
 
     def likeliest(self, words: list[str], after: str = "") -> Reading | None:
         """What words that are corrected, or correct, are a sentence of, also with a number beyond its limits; ``after``
@@ -243,7 +256,8 @@ class Commands:
         if not allowed:
             return Clause(best, reason=forbidden(best, state))
         allowed = _stop_first(allowed)
-        if unsure := share_of_a_turn(allowed[0], self.matcher.grammar):
+        grammar = self.matcher.grammar
+        if unsure := share_of_a_turn(allowed[0], grammar) or sign_and_side(allowed[0], grammar.language):
             return Clause(allowed[0], reason=unsure)
         best, ways, reason = self._whose_place.settled(allowed[0])
         if ways:

@@ -35,6 +35,19 @@ class Plurals:
         self._grammar = grammar
         self._first_words = first_words
 
+    def counted(self, words: Sequence[str]) -> list[str] | None:
+        """The same words with those beside numbers, as :meth:`otherwise` has them; None: they are the same."""
+        if self._grammar.language != "en" or not any(is_number(word, "en") for word in words):
+            return None
+        counted = [self._counted(words, place) if self._is_strange(word) else word for place, word in enumerate(words)]
+        return counted if counted != [*words] else None
+
+    def _counted(self, words: Sequence[str], place: int) -> str:
+        beside = any(
+            is_number(word, "en") for word in (*words[max(place - 2, 0) : place], *words[place + 1 : place + 2])
+        )
+        return next(self._ways(words[place], counted=True), words[place]) if beside else words[place]
+
     def otherwise(self, said: Utterance, *, known: bool = False, owners: Collection[str] = ()) -> Utterance | None:
         """The same utterance with the words that the grammar has for one or more of the same; None: it is the same, or
         no English.

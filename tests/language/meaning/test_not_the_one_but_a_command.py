@@ -14,11 +14,13 @@ slots:
   table: {type: number, min: 1, max: 20, whole: true}
   thing: {type: text, max_words: 3}
   lamp: [red lamp, blue lamp]
+  time: duration
 intents:
   serve: {action: custom, sentences: ["bring [a] {drink} to table {table}", "clear [the] table {table}"]}
   take: {action: custom, sentences: ["pick up [the] {thing}"]}
   light: {action: custom, sentences: ["light the {lamp}", "[the] {lamp} on"]}
   ring: {action: custom, sentences: [ring]}
+  shake: {action: custom, sentences: ["shake the {drink} at table {table} for {time}"]}
 """
 
 
@@ -36,6 +38,11 @@ def bar(engine_of) -> IntentEngine:
         ("not that, ring", "ring"),
         ("not like that, clear table 5", "clear table 5"),
         ("no, not there, clear table 5", "clear table 5"),
+        (
+            "don't shake the tea at table 3, shake the tea at table 4 for ten seconds",
+            "shake the tea at table 4 for ten seconds",
+        ),
+        ("please don't shake the tea, but shake the coffee at table 3 for 5 s", "shake the coffee at table 3 for 5 s"),
     ],
 )
 def test_the_command_is_done(bar: IntentEngine, said: str, plain: str) -> None:
@@ -62,6 +69,10 @@ def test_the_command_is_done(bar: IntentEngine, said: str, plain: str) -> None:
         "not table 4, clear table 50",
         "not if I can help it, clear table 5",
         "not table 4",
+        "don't shake the tea at table 3, clear table 5",
+        "don't shake the tea at table 3, and shake the coffee at table 3 for 5 s",
+        "don't shake, shake the coffee at table 3 for 5 s",
+        "she doesn't shake the tea at table 3, shake the coffee at table 3 for 5 s",
     ],
 )
 def test_what_is_not_clear_is_none(bar: IntentEngine, said: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property
 
 from intent_engine.actions import Action, Custom, Stop
@@ -277,6 +277,8 @@ class Negations:
                     return begun, ""
                 if first and self._is_another(core.part(position, end), length, wanted, state):
                     return wanted, ""
+                if self._is_begun_alike(self._ways_to_tell(told, position - start, length), wanted, state):
+                    return wanted, ""
                 continue
             if self._phrases.sequence.at(wanted.words, 0):
                 continue
@@ -364,6 +366,12 @@ class Negations:
             if (instead := self._corrections.instead_of_begun(told, wanted, state)) is not None:
                 return instead
         return None
+
+    def _is_begun_alike(self, ways: Iterable[Utterance], wanted: Utterance, state: Collection[str]) -> bool:
+        """Whether a whole command is told behind the beginning of one: "don't lift bin 2, lift bin 3 for an hour"."""
+        verb, prefix = wanted.words[0], self._commands.matcher.prefix
+        alike = (way.words for way in ways if len(way) > 1 and way.words[0] == verb not in self._commands.not_verbs)
+        return any(prefix(words)[1] is not None for words in alike) and self._commands.moves(wanted.words, state)
 
     def _not_the_other(self, core: Utterance, position: int, length: int, state: Collection[str]) -> Utterance | None:
         """The command before a negation behind which stands only another value of one of its slots: "turn left, not

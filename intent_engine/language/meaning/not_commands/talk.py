@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.not_commands.asked_within import asked_within
 from intent_engine.language.meaning.not_commands.conditions import Conditions
 from intent_engine.language.meaning.not_commands.more_than_now import MoreThanNow
 from intent_engine.language.meaning.not_commands.questions import Questions
@@ -58,6 +59,8 @@ class Talk:
             return "a question, and not one to do something"
         if not found.actions:
             return ""
+        if not found.stops and (asked := asked_within(text, parts, self._language)):
+            return f"{asked!r} is asked; say it without the question mark"
         if saying := self._sayings.within(said, parts):
             return f"{saying!r} is a saying, and may be no thing to take; name the thing"
         if not _APOSTROPHES.isdisjoint(text) and not found.stops and (told := self._of_somebody(text, parts)):

@@ -42,6 +42,7 @@ class Particles:
         """
         if self._particles.keys().isdisjoint(core.words):
             return None
+        core = self._with_shared_verb(core, state)
         said = core
         for start, end in self._clauses(core):
             clause = said.part(start, end)
@@ -50,6 +51,24 @@ class Particles:
             if not self._commands.accepts(clause.words, state) and (other := self._placed(clause, state)):
                 said = said.with_other(start, end, other)
         return said if said is not core else None
+
+    def _with_shared_verb(self, core: Utterance, state: Collection[str]) -> Utterance:
+        """ "Turn the fan on and the pump off" with its verb said twice, where a grammar has the particles elsewhere."""
+        said = core
+        for start, end in reversed(list(self._clauses(core))):
+            verb, begin = core.words[start], end + self._ends[0].at(core.words, end)
+            own = self._particles[verb]
+            if begin == end or core.words[end - 1] not in own or core.words[begin : begin + 1] == [verb]:
+                continue
+            stop = next((at + 1 for at in range(begin, len(core)) if core.words[at] in own), begin)
+            other = core.part(begin, stop).words
+            if (
+                other[:1]
+                and other[0] in self._articles
+                and self._placed(Utterance.in_one_breath([verb, *other]), state)
+            ):
+                said = said.with_other(begin, stop, Utterance.in_one_breath([verb, *other]))
+        return said
 
     def _clauses(self, core: Utterance) -> Iterator[tuple[int, int]]:
         """Where commands with such a verb begin, and where they end: at a pause or what joins or corrects."""

@@ -3,26 +3,30 @@
 Free words hold a pronoun as they hold any name, so it is put in when their action is known: what was named *last*, in
 the same utterance or the one before. One for several is refused where more than one thing was named. A slot that lists
 its names, or has them from a map, holds no pronoun: there the name is put in before the utterance is understood, the
-*only one* that fits of those that were said in it; where none or several fit, it is no command. Such a pronoun is one
-for one thing, and no article ("das"); a whole command stands before it.
+*only one* that fits of those that were said in it; where none or several fit, it is no command. So is the name of a
+thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and no article ("das"); a whole
+command stands before it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 
 from intent_engine.actions import Action, Custom, Pick, Place
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.told import Understood
+from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
-__all__ = ["NamesListed", "ThingsNamed", "names_something"]
+__all__ = ["NamesListed", "ThingsNamed", "names_something", "things_of"]
 
 _LISTED = ("choice", "location")
+_MOST_WORDS = 3
+"""Of the name of a thing that a sentence has, without its article."""
 
 
 class ThingsNamed:
@@ -35,6 +39,7 @@ class ThingsNamed:
 
     def __init__(self, grammar: Grammar, done: Iterable[Action]) -> None:
         self._pronouns = {" ".join(words) for words in grammar.operators.pronoun}
+        self._things = things_of(grammar)
         self._several = grammar.wording.several
         self._named: list[str] = []
         for action in done:
@@ -42,14 +47,14 @@ class ThingsNamed:
 
     def add(self, action: Action) -> None:
         """An action that is done next."""
-        thing = next(filter(None, _named(action).values()), None)
+        thing = next(filter(None, _named(action, self._things).values()), None)
         if isinstance(thing, str) and thing not in self._pronouns:
             self._named.append(thing)
 
     def put_in(self, action: Action) -> Action | str:
         """An action with the thing that it points back to, or why it is not clear which; the same object if it points
         to none."""
-        said = _named(action) if self._named else {}
+        said = _named(action, self._things) if self._named else {}
         pointing = [key for key, value in said.items() if value in self._pronouns]
         if not pointing:
             return action
@@ -62,19 +67,25 @@ class ThingsNamed:
         return replace(action, slots={**action.slots, **dict.fromkeys(pointing, thing)})
 
 
-def names_something(action: Action) -> bool:
-    """Whether an action has to do with something that "it" can be."""
-    return any(_named(action).values())
+def things_of(grammar: Grammar) -> frozenset[str]:
+    """The slots of free words that hold things, whatever they are called."""
+    slots = (slot for slot in grammar.slots.values() if slot.type in FREE_KINDS and not slot.dictation)
+    return frozenset(slot.name for slot in slots if slot.known or slot.type == "object")
 
 
-def _named(action: Action) -> dict[str, object]:
+def names_something(action: Action, things: Collection[str] = ()) -> bool:
+    """Whether an action has to do with something that "it" can be; ``things`` as :func:`things_of` has them."""
+    return any(_named(action, things).values())
+
+
+def _named(action: Action, things: Collection[str]) -> dict[str, object]:
     """What an action may have to do with, as it was said: of "look at the cup" its target, of "bring it to the door"
     not."""
     if isinstance(action, Pick | Place):
         return {"object": action.object}
     if not isinstance(action, Custom):
         return {}
-    keys = ("thing", "object") if not action.slots.keys().isdisjoint(("thing", "object")) else ("target",)
+    keys = [key for key in action.slots if key in ("thing", "object") or key in things] or ["target"]
     return {key: action.slots.get(key) for key in keys}
 
 
@@ -93,6 +104,7 @@ class NamesListed:
             for words in grammar.operators.pronoun
             if known.articles.isdisjoint(words) and " ".join(words) not in several
         )
+        self._definite = known.definite
         self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
         self._sequence = sequence
 
@@ -113,11 +125,25 @@ class NamesListed:
             for slot in reading.slots:
                 if slot.slot.type in _LISTED:
                     names.setdefault(slot.value, reading.words[slot.start : slot.end])
-        fits: list[Understood] = []
+            for name in self._own_things(reading):
+                names.setdefault(name, name)
+        fits: dict[object, Understood] = {}
         for name in names.values():
-            ways = (as_said(self._with_name(core, (*article, *name))) for article in self._articles)
-            fits += islice(filter(None, ways), 1)
-        return fits[0] if len(fits) == 1 else None
+            articles = self._articles if self._definite.isdisjoint(name) else self._articles[:1]
+            ways = (as_said(self._with_name(core, (*article, *name))) for article in articles)
+            for way in islice(filter(None, ways), 1):
+                fits.setdefault(way[0].actions, way)
+        return next(iter(fits.values())) if len(fits) == 1 else None
+
+    def _own_things(self, reading: Reading) -> Iterator[Sequence[str]]:
+        """What may be the names of things in the words of a sentence, each with its article: "the lid"."""
+        held = {at for slot in reading.slots for at in range(slot.start, slot.end)}
+        words = reading.words
+        for start in (at for at, word in enumerate(words) if word in self._definite and at not in held):
+            for end in range(start + 2, min(start + 2 + _MOST_WORDS, len(words) + 1)):
+                if end - 1 in held:
+                    break
+                yield words[start:end]
 
     def _with_name(self, core: Utterance, name: Sequence[str]) -> Utterance:
         said, place = core, 0

@@ -55,6 +55,8 @@ def house(engine_of) -> IntentEngine:
         ("turn the lamp on, no, the fan", "turn on the fan"),
         ("turn the lamp on and then turn it off", "turn on the lamp and then turn the lamp off"),
         ("never mind, turn the lamp on", "turn on the lamp"),
+        ("turn the lamp on and the ceiling light on", "turn on the lamp and turn on the ceiling light"),
+        ("turn the lamp on and the fan off, then wave", "turn on the lamp and turn the fan off, then wave"),
     ],
 )
 def test_it_is_the_same_command(house: IntentEngine, said: str, plain: str) -> None:
