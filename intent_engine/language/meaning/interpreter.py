@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Action, Stop
-from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
+from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.clause import Clause, more_telling
@@ -115,7 +115,7 @@ class Interpreter:
         said = self._said(text)
         if not objects_to_what_is_done(self.phrases, said, before, lambda one: self.understand(one, state)[0]):
             return None
-        return replace(self._stopped(text)[0], reason=f"{' '.join(said.words)!r} {OBJECTED}")
+        return self._objected(text, said.words)[0]
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -234,8 +234,7 @@ class Interpreter:
         if may_agree and phrases.agrees_at_last(said):
             understood = self._agreed(text, core)
         if MOVING in state and not understood[0].actions and (stop := self._stop_at_first(core, state)):
-            (found, told), reason = self._stopped(text), f"{stop!r} {REST_UNKNOWN}"
-            return replace(found, reason=reason), told
+            return self._stopped(text, f"{stop!r} stops, and what follows was not understood", Cause.REST_UNKNOWN)
         return understood
 
     def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
@@ -269,14 +268,13 @@ class Interpreter:
         if takes_back and self._stops.in_protest(core, state):
             return self._stopped(text)
         if MOVING in state and self._stops.in_objection(said, core):
-            (found, told), reason = self._stopped(text), f"{' '.join(words)!r} {OBJECTED}"
-            return replace(found, reason=reason), told
+            return self._objected(text, words)
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if MOVING in state and self.phrases.only_hold(words):
             return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
-            return self._rejected(text, "cancelled in the same breath")
+            return self._rejected(text, "cancelled in the same breath", Cause.CANCELLED)
         if self._stops.in_a_sentence(core):
             return self._stopped(text)
         if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
@@ -306,7 +304,7 @@ class Interpreter:
                     return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
-                return replace(self._rejected(text, reason)[0], denied=denied), ()
+                return replace(self._rejected(text, reason, Cause.NEGATED)[0], denied=denied), ()
             found, told = self._affirmed(text, said, wanted, state, None, negated=True)
             return replace(found, denied=self._negations.denied_beside(core, wanted, state)), told
         return self._affirmed(text, said, core, state, clause, negated=False)
@@ -392,16 +390,20 @@ class Interpreter:
 
     # -- results ------------------------------------------------------------------------------------------------
 
-    def _stopped(self, text: str) -> Understood:
-        return as_stop(text, self._stop_intent)
+    def _stopped(self, text: str, reason: str = "", *causes: Cause) -> Understood:
+        found, parts = as_stop(text, self._stop_intent)
+        return (replace(found, reason=reason, causes=frozenset(causes)) if reason else found), parts
+
+    def _objected(self, text: str, words: Sequence[str]) -> Understood:
+        return self._stopped(text, f"{' '.join(words)!r} said to a robot that moves", Cause.OBJECTED)
 
     def _agreed(self, text: str, core: Utterance) -> Understood:
         reason = f"{core.words[-1]!r} may be a command, or only agree; say it in a whole sentence"
         return self._rejected(text, reason)
 
     def _held_at_rest(self, text: str, words: Sequence[str]) -> Understood:
-        return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")
+        return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves", Cause.CANCELLED)
 
     @step(Kind.REFUSAL)
-    def _rejected(self, text: str, reason: str) -> Understood:
-        return Interpretation(text, Status.REJECTED, reason=reason), ()
+    def _rejected(self, text: str, reason: str, *causes: Cause) -> Understood:
+        return Interpretation(text, Status.REJECTED, reason=reason, causes=frozenset(causes)), ()
