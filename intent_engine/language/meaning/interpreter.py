@@ -188,7 +188,7 @@ class Interpreter:
         if phrases.stop_by_sound.may_stand_in(words) and self._stops.by_sound(said):
             return self._stopped(text)
         if self._dictation and (dictated := self._dictated(text, state, spoken=spoken)) is not None:
-            stops = self._stops_beside(said, phrases.without_fillers(said), state)
+            stops = self._stops.beside(said, phrases.without_fillers(said), state)
             return self._stopped(text) if stops else dictated
         if said.unclear:
             return self._unclear(text, said, state)
@@ -226,7 +226,7 @@ class Interpreter:
         if clause is not None and clause.ambiguous:
             return as_told(text, clause)
         if self._numbers.restarted(core):
-            if self._stops_beside(said, core, state):
+            if self._stops.beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         understood = self._operated(text, said, core, state, clause)
@@ -286,7 +286,7 @@ class Interpreter:
         if MOVING in state and self._stops.is_sentence(words[: self.phrases.cancel.at(words, 0)]):
             return self._stopped(text)  # whatever follows: "never mind turn right"
         if taken_back := self._corrections.taken_back(words):
-            if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
+            if self._stops.beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
             if self.phrases.only_hold(words):
                 return self._held_at_rest(text, words)
@@ -362,27 +362,15 @@ class Interpreter:
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""
-        if self._stops_beside(said, self.phrases.without_fillers(said), state):
+        if self._stops.beside(said, self.phrases.without_fillers(said), state):
             return self._stopped(text)
         return self._rejected(text, which_number(said.unclear, self._language))
-
-    def _stops_beside(self, said: Utterance, core: Utterance, state: Collection[str]) -> bool:
-        """Whether a stop stands beside what is not done: a number in two pieces, or what was taken back."""
-        return self._stops.in_a_sentence(core) or (
-            self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
-        )
 
     def _stops_beside_what_is_understood(self, core: Utterance, state: Collection[str]) -> bool:
         """Whether an utterance begins or ends with a stop, and the rest is understood in any way: "stop lift up the
         cup the cup"."""
-        stop, words = self.phrases.stop, core.words
-        start, end = stop.after(words, 0), len(core)
-        while length := stop.ends(words[start:end]):
-            end -= length
-        rest = core.part(start, end)
-        if not 0 < len(rest) < len(core):
-            return False
-        return self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED
+        rest = self._stops.left_out(core)
+        return rest is not None and self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:
