@@ -29,7 +29,7 @@ class Clause:
     alternatives: tuple[str, ...] = ()
     ambiguous: bool = False
     at_fault: tuple[str, ...] = ()
-    """The words that its reason finds fault with, where they are no number and no name of a list."""
+    """What its reason finds fault with: words that follow a name or a pause, or any of those that are no thing."""
     parted: bool = False
     """Whether it is a sentence, but was not said in one breath where it must be."""
 

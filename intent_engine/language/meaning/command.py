@@ -58,7 +58,8 @@ class Commands:
         if readings and readings[0].free_words > 1 and True in breaks:
             parted = [self._parted_by_command(reading, breaks) for reading in readings]
             if all(parted):
-                return Clause(readings[0], reason=_PARTED.format(" ".join(parted[0])), at_fault=tuple(parted[0]))
+                apart = " ".join(parted[0])
+                return Clause(readings[0], reason=_PARTED.format(apart), at_fault=(apart,))
             readings = [reading for reading, command in zip(readings, parted, strict=True) if not command]
         return self._choose(readings, state) if readings else None
 
@@ -273,9 +274,9 @@ class Commands:
         words = list(reading.words)
         for end in range(slot.end - 1, slot.start, -1):
             if self.matcher.values.from_words(slot.slot, slot.label, words[slot.start : end]).status == "exact":
-                value, rest = " ".join(words[slot.start : end]), words[end : slot.end]
-                reason = f"{' '.join(rest)!r} is nothing that follows {value!r} in this grammar"
-                return Clause(reading, reason=reason, at_fault=tuple(rest))
+                value, rest = " ".join(words[slot.start : end]), " ".join(words[end : slot.end])
+                reason = f"{rest!r} is nothing that follows {value!r} in this grammar"
+                return Clause(reading, reason=reason, at_fault=(rest,))
         return None
 
     def _rivals(self, best: Reading, action: Action, others: list[Reading]) -> tuple[str, ...]:

@@ -68,3 +68,9 @@ def test_a_question_asked_once_more_has_another_reason() -> None:
     assert (asked.status, asked.unknown_place) == (Status.REJECTED, True)
     again = engine.parse("bay", last=asked)
     assert (again.question is not None, again.unknown_place) == (True, False)
+
+
+def test_how_it_is_done_is_told_though_another_word_is_none_either() -> None:
+    found = home().parse("make a hard clockwise turn eventually")
+    assert found.reason.startswith("'eventually' says how it is done")
+    assert home().parse("pick up the cup quickly").reason == "'quickly' is nothing for slot 'thing'"
