@@ -30,13 +30,14 @@ if TYPE_CHECKING:
     from intent_engine.execution.policy import Policy
     from intent_engine.execution.robots.robot import Capability, Pose, Robot
     from intent_engine.execution.robots.simulated import SimulatedRobot
-    from intent_engine.interpretation import Interpretation, Question, Status
+    from intent_engine.interpretation import Cause, Interpretation, Question, Status
     from intent_engine.prefix import Prefix, PrefixStatus
     from intent_engine.runtime import Runtime
 
 __all__ = [
     "Action",
     "Capability",
+    "Cause",
     "ChangeSpeed",
     "Custom",
     "Executor",
@@ -70,7 +71,7 @@ __all__ = [
 _HOMES = {
     "engine": ("IntentEngine",),
     "prefix": ("Prefix", "PrefixStatus"),
-    "interpretation": ("Interpretation", "Question", "Status"),
+    "interpretation": ("Cause", "Interpretation", "Question", "Status"),
     "actions": (
         "Action", "Move", "Turn", "Stop", "Navigate", "Pick", "Place", "ChangeSpeed", "Custom", "from_json",
         "to_json",

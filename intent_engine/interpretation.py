@@ -10,16 +10,7 @@ from typing import Any
 from intent_engine.actions import Action, Stop, from_json, to_json
 from intent_engine.needs import Needs
 
-__all__ = ["BEYOND_LIMITS", "OBJECTED", "REST_UNKNOWN", "UNKNOWN_PLACE", "Interpretation", "Question", "Status"]
-
-BEYOND_LIMITS = {"whole": "no whole number", "min": "less than the smallest", "max": "more than the largest"}
-"""What is wrong with a number that its slot does not take, by the key of the slot that says so, as reasons have it."""
-REST_UNKNOWN = "stops, and what follows was not understood"
-"""Why a robot stops at words that would be no command otherwise."""
-OBJECTED = "said to a robot that moves"
-"""Why a robot stops at words that say no more than that something is not meant."""
-UNKNOWN_PLACE = "no place is called"
-"""What is wrong with a place that is not on the map, as reasons have it."""
+__all__ = ["Cause", "Interpretation", "Question", "Status"]
 
 _KINDS: Mapping[str, tuple[str, tuple[type, ...]]] = {
     "text": ("a text", (str,)),
@@ -45,6 +36,29 @@ class Status(StrEnum):
     """Two or more meanings are as likely; ``alternatives`` names them."""
     REJECTED = "rejected"
     """Not a command of this grammar, or one that was negated or cancelled; ``reason`` says why."""
+
+
+class Cause(StrEnum):
+    """What kind of ``reason`` an interpretation has, where a program has to know it: the words are for people."""
+
+    NEGATED = "negated"
+    """It says that something shall not be done."""
+    CANCELLED = "cancelled"
+    """It takes back what it said itself, or would hold a robot that is at rest."""
+    CORRECTED = "corrected"
+    """Its later words took back some of the earlier ones: "turn left, no, right"."""
+    OBJECTED = "objected"
+    """A robot that moves stops at it, since nothing was said but "no", "not that" or the like."""
+    REST_UNKNOWN = "rest unknown"
+    """A robot that moves stops at its first words, and the rest was not understood: "wait, the cat is there"."""
+    BEYOND_LIMITS = "beyond limits"
+    """A number is none that its slot takes."""
+    UNKNOWN_PLACE = "unknown place"
+    """The place that it names is not on the map."""
+    NO_COMMAND = "no command"
+    """It, or a part of it, is like no command."""
+    NONE_MEANT = "none meant"
+    """It answers that nothing is meant of what was asked about."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +98,8 @@ class Interpretation:
     """Ambiguous: the meanings in question. Rejected: the nearest sentences or names."""
     reason: str = ""
     """Why it is not accepted, or what was changed to accept it; empty for an exact sentence."""
+    causes: frozenset[Cause] = field(default=frozenset(), compare=False, repr=False)
+    """What kinds of reason ``reason`` tells of; none after JSON."""
     denied: tuple[Action, ...] = field(default=(), compare=False, repr=False)
     """What shall not be done, where a command was negated: "don't clean the lab"; also of one that is accepted, where
     another is wanted instead: "don't clean the lab, clean the hall". None after JSON. For :meth:`Executor.deny`, before
@@ -120,32 +136,32 @@ class Interpretation:
     def stops_at_first(self) -> bool:
         """Whether it stops a robot that moves for its first words alone, and the rest was not understood: "wait, the
         cat is there"."""
-        return self.stops and REST_UNKNOWN in self.reason
+        return Cause.REST_UNKNOWN in self.causes
 
     @property
     def objects(self) -> bool:
         """Whether it stops a robot that moves since nothing was said but "no", "not that" or the like."""
-        return self.stops and OBJECTED in self.reason
+        return Cause.OBJECTED in self.causes
 
     @property
     def refuses(self) -> bool:
         """Whether it says that something shall not be done: it was negated, or taken back."""
-        return self.reason.startswith(("negated", "cancelled"))
+        return not self.causes.isdisjoint((Cause.NEGATED, Cause.CANCELLED))
 
     @property
     def beyond_limits(self) -> bool:
         """Whether it would be a command, if one of its numbers were another: its slot takes no such number."""
-        return self.status is Status.REJECTED and any(limit in self.reason for limit in BEYOND_LIMITS.values())
+        return self.status is Status.REJECTED and Cause.BEYOND_LIMITS in self.causes
 
     @property
     def unknown_place(self) -> bool:
         """Whether it would be a command, if the place that it names were on the map."""
-        return self.status is Status.REJECTED and UNKNOWN_PLACE in self.reason
+        return self.status is Status.REJECTED and Cause.UNKNOWN_PLACE in self.causes
 
     @property
     def corrected(self) -> bool:
         """Whether its later words took back some of the earlier ones: "turn left, no, right"."""
-        return "corrected to" in self.reason
+        return Cause.CORRECTED in self.causes
 
     def to_json(self) -> dict[str, Any]:
         """A plain dictionary with exactly these eight keys."""

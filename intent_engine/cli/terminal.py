@@ -10,7 +10,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, TextIO, TypeVar
+from typing import TYPE_CHECKING, Any, TextIO
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -28,11 +28,9 @@ __all__ = [
     "redrawn",
     "say",
     "table",
-    "track",
     "working",
 ]
 
-T = TypeVar("T")
 
 _CONTROL = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
 """What Rich replaces or leaves out."""
@@ -238,15 +236,6 @@ def working(what: str) -> Iterator[Callable[[str], None]]:
     console = _err()
     with console.status(what) as status:
         yield lambda text: status.update(f"{what} ({text})")
-
-
-def track(items: Sequence[T], what: str) -> Iterable[T]:
-    """The items, with a progress bar on standard error where that is a terminal."""
-    if not sys.stderr.isatty():
-        yield from items
-        return
-    with _bar() as bar:
-        yield from bar.track(items, description=what)
 
 
 @contextlib.contextmanager

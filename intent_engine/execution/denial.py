@@ -14,7 +14,7 @@ __all__ = ["denies", "does"]
 def does(goals: Iterable[Goal], denied: Iterable[Action]) -> bool:
     """Whether one of the goals is one of what shall not be done, was when it was asked for, or is a part of one: what
     the handler of "clean" submits."""
-    done = [action for goal in goals for action in (goal.action, goal.asked, *goal._parts_of)]
+    done = [action for goal in goals for action in (goal.action, goal.asked, *goal.part_of)]
     return any(denies(one, action) for one in denied for action in done)
 
 

@@ -16,6 +16,7 @@ Safety, in the order in which it is kept:
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
@@ -198,10 +199,8 @@ class Executor:
         try:
             with self._books.locked() as now:
                 self._utterance += 1
-                goals = [Goal(action, now, spoken_at, self._utterance, text) for action in listed]
-                for goal in goals:
-                    goal._wait, goal._askers = self._wait_for, stops.leases.askers
-                    goal._parts_of = stops.leases.part_of
+                made = partial(Goal, wait=self._wait_for, askers=stops.leases.askers, part_of=stops.leases.part_of)
+                goals = [made(action, now, spoken_at, self._utterance, text) for action in listed]
                 with self._pulse.whole():
                     self._conductor.take(goals, terms, taken, now, since, amends)
                 self._pulse.advance(now)

@@ -226,7 +226,7 @@ def goal_of(taker: str, given: object, executor: object) -> Goal:
         ValueError: it is another executor's, which would not hear of it, nor tell of its end.
     """
     if isinstance(given, Goal):
-        if getattr(given._wait, "__self__", executor) is not executor:
+        if not given.is_of(executor):
             raise ValueError(f"{taker} takes a goal of this executor, and {given!r:.80} is another's")
         return given
     several = isinstance(given, list | tuple) and given and all(isinstance(one, Goal) for one in given)

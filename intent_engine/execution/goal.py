@@ -138,7 +138,16 @@ class Goal:
     """
 
     def __init__(
-        self, action: Action, submitted: float, spoken: float | None = None, utterance: int = 0, text: str | None = None
+        self,
+        action: Action,
+        submitted: float,
+        spoken: float | None = None,
+        utterance: int = 0,
+        text: str | None = None,
+        *,
+        wait: Callable[[Goal, float | None], None] | None = None,
+        askers: tuple[weakref.ref[Lease], ...] = (),
+        part_of: tuple[Action, ...] = (),
     ) -> None:
         self.id = next(_ids)
         self.action = action
@@ -158,9 +167,10 @@ class Goal:
         self._future: Future[Goal] = Future()
         self._future.set_running_or_notify_cancel()
         self._lock = threading.RLock()  # a signal handler may stop while the goal changes its state
-        self._wait: Callable[[Goal, float | None], None] | None = None
-        self._askers: tuple[weakref.ref[Lease], ...] = ()  # leases of the handlers that asked for it, if any did
-        self._parts_of: tuple[Action, ...] = ()  # what those handlers carry out, or did
+        self._wait = wait  # of its executor
+        # For its executor alone:
+        self.askers = askers  # leases of the handlers that asked for it, if any did
+        self.part_of = part_of  # what those handlers carry out, or did
 
     @property
     def done(self) -> bool:
@@ -169,6 +179,10 @@ class Goal:
     @property
     def succeeded(self) -> bool:
         return self.state is GoalState.SUCCEEDED
+
+    def is_of(self, executor: object) -> bool:
+        """Whether it may be a goal of an executor: of no other."""
+        return getattr(self._wait, "__self__", executor) is executor
 
     def result(self, timeout: float | None = None) -> Goal:
         """Wait for the end. On a virtual clock this moves the clock.

@@ -16,7 +16,7 @@ from intent_engine.errors import ConfigError
 from intent_engine.execution.events import Event, EventKind
 from intent_engine.values import check_path
 
-__all__ = ["Journal", "default_journal"]
+__all__ = ["Journal"]
 
 log = logging.getLogger(__name__)
 
@@ -90,11 +90,3 @@ class _Rotating(logging.handlers.RotatingFileHandler):
         if not self._told:
             self._told = True
             log.exception("the journal %s cannot be written; driving goes on", self.baseFilename)
-
-
-def default_journal() -> Path:
-    """Where a journal belongs on this machine: ``$XDG_STATE_HOME/intent-engine/journal.jsonl``."""
-    state = os.environ.get("XDG_STATE_HOME", "")
-    with contextlib.suppress(RuntimeError):
-        return (Path(state) if state else Path.home() / ".local" / "state") / "intent-engine" / "journal.jsonl"
-    return Path("journal.jsonl")

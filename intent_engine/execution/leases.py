@@ -66,7 +66,7 @@ class Leases:
         if holder is None:
             return ()
         # Those who can ask for nothing any more are left out: a handler may have begun itself again for days.
-        return (weakref.ref(holder), *(giver for giver in holder.goal._askers if giver() is not None))
+        return (weakref.ref(holder), *(giver for giver in holder.goal.askers if giver() is not None))
 
     @property
     def part_of(self) -> tuple[Action, ...]:
@@ -74,7 +74,7 @@ class Leases:
         if (holder := self.holder) is None:
             return ()
         whole: list[Action] = []
-        for action in (holder.goal.asked, holder.goal.action, *holder.goal._parts_of):
+        for action in (holder.goal.asked, holder.goal.action, *holder.goal.part_of):
             if action not in whole:  # a handler may have begun itself again for days
                 whole.append(action)
         return tuple(whole)
@@ -101,13 +101,13 @@ class Leases:
 
     def taken_over(self, goal: Goal | None, reason: Reason) -> None:
         """The robot is another's now: of the handlers, only those that asked for ``goal`` go on."""
-        keep = _alive(goal._askers) if goal is not None else []
+        keep = _alive(goal.askers) if goal is not None else []
         self._end([lease for lease in _alive(self._all) if lease not in keep], reason)
 
     def cancelled(self, goal: Goal) -> None:
         """Somebody cancels what a handler does, or has asked for; if not a handler what is its own."""
         asking = _alive(self.askers)
-        concerned = [*_alive(goal._askers), *self._of(goal)]
+        concerned = [*_alive(goal.askers), *self._of(goal)]
         self._end([lease for lease in concerned if lease not in asking], Reason.CANCELED)
 
     def broken_off(self, goal: Goal, reason: Reason) -> None:
@@ -116,7 +116,7 @@ class Leases:
 
     def refusal(self, goal: Goal) -> Ending | None:
         """Why a goal is refused that was asked for by a handler that had to make way."""
-        lost = next((lease.lost for lease in _alive(goal._askers) if lease.lost), None)
+        lost = next((lease.lost for lease in _alive(goal.askers) if lease.lost), None)
         if lost is None:
             return None
         why = f"the handler that asks for it has no turn any more: {_WHY.get(lost, lost.value)}"

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from intent_engine.errors import Problem
-from intent_engine.interpretation import BEYOND_LIMITS
 from intent_engine.language.templates.template_tree import Node
 from intent_engine.language.wording import Wording
 from intent_engine.needs import Needs
@@ -166,14 +165,14 @@ class Slot:
     def beyond(self, value: float) -> tuple[str, str] | None:
         """Why a quantity is no value of the slot: (the key that says so, "more than the largest, 5 m"); None: it is."""
         if self.whole and not float(value).is_integer():
-            return "whole", BEYOND_LIMITS["whole"]
+            return "whole", "no whole number"
         if self.smallest is not None and value < self.smallest:
             key = "min" if self.maximum is None or self.minimum is not None or self.type in _NEVER_NEGATIVE else "max"
-            return key, f"{BEYOND_LIMITS['min']}, {self.written(self.smallest)}"
+            return key, f"less than the smallest, {self.written(self.smallest)}"
         if self.least is not None and abs(value) < self.least:
-            return "least", f"{BEYOND_LIMITS['min']}, {self.written(self.least)}"
+            return "least", f"less than the smallest, {self.written(self.least)}"
         if self.maximum is not None and value > self.maximum:
-            return "max", f"{BEYOND_LIMITS['max']}, {self.written(self.maximum)}"
+            return "max", f"more than the largest, {self.written(self.maximum)}"
         return None
 
     def counted(self, value: float) -> float:

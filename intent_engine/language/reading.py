@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import Intent, Sentence, Slot
 
 __all__ = ["Reading", "SlotReading"]
@@ -30,6 +31,13 @@ class SlotReading:
     """``exact``, ``fuzzy``, ``ambiguous``, ``unknown``, ``unfinished`` or ``limit``."""
     problem: str = ""
     """Why there is no value."""
+
+    @property
+    def cause(self) -> Cause | None:
+        """What kind of reason that is, where a program has to know it."""
+        if self.status == "limit":
+            return Cause.BEYOND_LIMITS
+        return Cause.UNKNOWN_PLACE if (self.slot.type, self.status) == ("location", "unknown") else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,8 +26,7 @@ from intent_engine.execution.robots.robot import Capability
 from intent_engine.execution.robots.ros2 import Ros2Robot
 from intent_engine.execution.robots.ros2_support import acknowledge
 from intent_engine.execution.robots.ros2_velocity import GUARDIAN_SINK
-from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.context.answers import NONE_MEANT
+from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.needs import MOVING
 from intent_engine.resources import find
 from intent_engine.ros2.best_effort import HearAll
@@ -158,7 +157,7 @@ class VoiceCommands:
             self._done = CarriedOut(found, tuple(goals))
             self._last.take(found)
         elif self.executor.deny(found.denied, spoken_at=spoken_at) or (
-            self.engine.takes_back(found.text) and found.reason != NONE_MEANT
+            self.engine.takes_back(found.text) and Cause.NONE_MEANT not in found.causes
         ):
             self._last.forget()  # "no, three": whatever was meant, it was not that
         return found

@@ -114,6 +114,7 @@ class Judge:
             transcript.free_text,
             Status.REJECTED,
             reason=typed.reason,
+            causes=typed.causes,
             alternatives=typed.alternatives,
             question=typed.question,
         )

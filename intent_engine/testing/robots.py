@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
 from intent_engine.execution.clock import Clock, MonotonicClock
+from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task, TaskState
 
 __all__ = ["Command", "RecordedTask", "RecordingRobot"]
@@ -25,55 +26,24 @@ class Command:
     """s, on the robot's clock."""
 
 
-class RecordedTask:
+class RecordedTask(RemoteTask):
     """A task that runs until the test ends it: running -> succeeded, failed or canceled."""
 
     def __init__(self, command: Command) -> None:
+        super().__init__()
         self.command = command
-        self._state = TaskState.RUNNING
-        self._reason = ""
-        self._callbacks: list[Callable[[Task], None]] = []
-        self._lock = threading.Lock()
-
-    @property
-    def state(self) -> TaskState:
-        return self._state
-
-    @property
-    def reason(self) -> str:
-        return self._reason
-
-    @property
-    def progress(self) -> float | None:
-        return 1.0 if self._state is TaskState.SUCCEEDED else None
-
-    def add_done_callback(self, callback: Callable[[Task], None]) -> None:
-        with self._lock:
-            if self._state is TaskState.RUNNING:
-                self._callbacks.append(callback)
-                return
-        callback(self)
 
     def succeed(self) -> None:
         """It is done."""
-        self._end(TaskState.SUCCEEDED, "")
+        self.end(TaskState.SUCCEEDED, "")
 
     def fail(self, reason: str) -> None:
         """It could not be done."""
-        self._end(TaskState.FAILED, reason)
+        self.end(TaskState.FAILED, reason)
 
     def cancel(self, reason: str = "") -> None:
         """It was given up."""
-        self._end(TaskState.CANCELED, reason)
-
-    def _end(self, state: TaskState, reason: str) -> None:
-        with self._lock:
-            if self._state is not TaskState.RUNNING:
-                return
-            self._state, self._reason = state, reason
-            callbacks, self._callbacks = self._callbacks, []
-        for callback in callbacks:
-            callback(self)
+        self.end(TaskState.CANCELED, reason)
 
 
 class RecordingRobot:

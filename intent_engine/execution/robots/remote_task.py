@@ -13,7 +13,7 @@ __all__ = ["RemoteTask"]
 class RemoteTask:
     """A :class:`Task` that is ended from whichever thread the news comes in. Thread-safe; it ends once."""
 
-    def __init__(self, number: int) -> None:
+    def __init__(self, number: int = 0) -> None:
         self.number = number
         self.reason = ""
         self.progress: float | None = None
@@ -34,6 +34,8 @@ class RemoteTask:
             if self.state is not TaskState.RUNNING:
                 return
             self.reason, self.state = reason, state
+            if state is TaskState.SUCCEEDED:
+                self.progress = 1.0
             callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
             callback(self)

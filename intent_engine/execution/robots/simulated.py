@@ -184,7 +184,7 @@ class SimulatedRobot:
             self._pending.clear()
             legs = tuple(route(self._pose, goal, self._time, self._navigation_speed, self._navigation_turn))
             end = legs[-1].end if legs else self._time
-            task = self._begin(SimulatedTask("navigate", self._time, end))
+            task = self._begin(SimulatedTask(self, "navigate", self._time, end))
             task.legs = legs
 
             def arrive() -> str:
@@ -335,13 +335,12 @@ class SimulatedRobot:
             self._open()
             callbacks = self._advance()
             callbacks += self._end_task(TaskState.CANCELED, "another task came")
-            task = self._begin(SimulatedTask(kind, self._time, self._time + self._hand_time))
+            task = self._begin(SimulatedTask(self, kind, self._time, self._time + self._hand_time))
             task.finish = finish
         _call(callbacks)
         return task
 
     def _begin(self, task: SimulatedTask) -> SimulatedTask:
-        task._robot = self
         self._task = task
         return task
 

@@ -42,14 +42,14 @@ class _Doer(Protocol):
 class SimulatedTask:
     """A task that ends at a known time, if nothing ends it before."""
 
-    def __init__(self, kind: str, start: float, end: float) -> None:
+    def __init__(self, robot: _Doer, kind: str, start: float, end: float) -> None:
         self.kind = kind
         self.start = start
         self.end = end
         self.finish: Callable[[], str] = lambda: ""
         """Does what the task does at its end; returns why it failed, or nothing."""
         self.legs: tuple[Leg, ...] = ()
-        self._robot: _Doer | None = None
+        self._robot = robot
         self._state = TaskState.RUNNING
         self._reason = ""
         self._callbacks: list[Callable[[Task], None]] = []
@@ -57,8 +57,7 @@ class SimulatedTask:
 
     @property
     def state(self) -> TaskState:
-        if self._robot is not None:
-            self._robot.update()
+        self._robot.update()
         return self._state
 
     @property
@@ -67,7 +66,7 @@ class SimulatedTask:
 
     @property
     def progress(self) -> float | None:
-        if self._robot is None or self._state is not TaskState.RUNNING:
+        if self._state is not TaskState.RUNNING:
             return 1.0 if self._state is TaskState.SUCCEEDED else None
         if self.end <= self.start:
             return 1.0

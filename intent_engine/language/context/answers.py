@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
-from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.interpretation import Cause, Interpretation, Question, Status
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.language.quantities import evaluate
@@ -20,10 +20,8 @@ from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
-__all__ = ["NONE_MEANT", "Answers", "answered", "either", "with_name"]
+__all__ = ["Answers", "answered", "either", "with_name"]
 
-NONE_MEANT = "nothing that was asked about is meant"
-"""Why nothing is done at a "no", or a "neither"."""
 _COMMAND = 2
 """Words from which a command is one of its own, and not the rest of an unfinished sentence."""
 
@@ -195,7 +193,7 @@ def answered(
         if reader.declines(words):
             if found.status is Status.ACCEPTED:
                 return None
-            return Interpretation(text, Status.REJECTED, reason=NONE_MEANT, denied=found.denied)
+            return _none_meant(text, found)
         excluded = reader.excluded(words, asked.alternatives, asked.question.choices)
         if excluded and found.status is not Status.ACCEPTED:
             return _without(excluded, asked, asked.question, text, found)
@@ -227,7 +225,7 @@ def _chosen(
     if not choice:
         if found.status in (Status.ACCEPTED, Status.AMBIGUOUS):
             return None
-        return replace(asked, text=text, reason=f"{text!r} does not tell which is meant; say its name")
+        return _asked_again(asked, text, f"{text!r} does not tell which is meant; say its name")
     whole = parse(choice)
     if found.status is Status.ACCEPTED and (found.actions != whole.actions or not whole.actions):
         return either(asked, found, whole) if whole.actions else None
@@ -240,11 +238,22 @@ def _without(
     """The question once more, without what is not meant."""
     left = [at for at in range(len(asked.alternatives)) if at not in excluded]
     if not left or not question.choices:
-        return Interpretation(text, Status.REJECTED, reason=NONE_MEANT, denied=found.denied)
+        return _none_meant(text, found)
     names = tuple(asked.alternatives[at] for at in left)
     reason = f"{text!r} tells what is not meant; say which is: {' or '.join(names)}"
     rest = replace(question, choices=tuple(question.choices[at] for at in left))
-    return replace(asked, text=text, alternatives=names, question=rest, reason=reason, denied=found.denied)
+    return replace(_asked_again(asked, text, reason), alternatives=names, question=rest, denied=found.denied)
+
+
+def _none_meant(text: str, found: Interpretation) -> Interpretation:
+    """A "no", or a "neither": nothing is done, and what it forbids besides is told."""
+    causes, reason = frozenset((Cause.NONE_MEANT,)), "nothing that was asked about is meant"
+    return Interpretation(text, Status.REJECTED, reason=reason, causes=causes, denied=found.denied)
+
+
+def _asked_again(asked: Interpretation, text: str, reason: str) -> Interpretation:
+    """The question once more, with the reason why it is."""
+    return replace(asked, text=text, reason=reason, causes=frozenset())
 
 
 def _completed(
@@ -283,7 +292,7 @@ def either(asked: Interpretation, command: Interpretation, answer: Interpretatio
     if asked.question is not None and asked.question.beginning:
         both = (command.text, answer.text)
         return Interpretation(command.text, Status.AMBIGUOUS, alternatives=both, reason=reason)
-    return replace(asked, text=command.text, status=Status.AMBIGUOUS, reason=reason)
+    return replace(_asked_again(asked, command.text, reason), status=Status.AMBIGUOUS)
 
 
 def with_name(text: str, said: Sequence[str], name: str) -> str:

@@ -9,12 +9,11 @@ from typing import Generic, Protocol, TypeVar
 
 from intent_engine.actions import Action, actions_of
 from intent_engine.errors import ConfigError
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import goes_on_from
 from intent_engine.language.context.references import Before, resolve
 from intent_engine.language.matcher import Matcher
-from intent_engine.language.meaning.not_commands.no_command import REASON as NO_COMMAND
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -105,7 +104,7 @@ class Understanding(Generic[_Parser]):
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
-        if self._by_voice and NO_COMMAND in found.reason:
+        if self._by_voice and Cause.NO_COMMAND in found.causes:
             found = replace(found, question=None)  # it may be talk, to which some sentence is always the nearest
         if found.question is not None and before:
             found = replace(found, question=replace(found.question, before=before, needs=self._needs, said_before=done))

@@ -11,6 +11,7 @@ Each rule has its module, and knows only those above it:
 - ``dictation``: "write down ...", and then anything;
 - ``corrections/``: "turn left no right", "drawer 3 and 4, no, 5";
 - ``several/``: "unlock drawer 3 and 4", "turn the fan on and the pump off";
+- ``joints``: where commands may part;
 - ``compound``: "go forward and turn left";
 - ``cancelled``: "turn left, never mind, go back";
 - ``run_on``: "go forward turn left";

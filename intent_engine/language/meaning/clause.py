@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from intent_engine.actions import Action
+from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.quantities import Relative
 from intent_engine.language.reading import Reading, SlotReading
@@ -23,8 +24,12 @@ class Clause:
     action: Action | None = None
     reason: str = ""
     """Why it is not accepted; or what was changed to accept it."""
+    causes: frozenset[Cause] = frozenset()
+    """What kinds of reason that is."""
     alternatives: tuple[str, ...] = ()
     ambiguous: bool = False
+    at_fault: tuple[str, ...] = ()
+    """What its reason finds fault with: words that follow a name or a pause, or any of those that are no thing."""
     parted: bool = False
     """Whether it is a sentence, but was not said in one breath where it must be."""
 
@@ -43,7 +48,7 @@ class Clause:
     def unknown_place(self) -> bool:
         """Whether it would be a command, were its place on the map; an article is none, it begins a name."""
         slot = self.wrong_slot
-        if self.reading is None or slot is None or (slot.slot.type, slot.status) != ("location", "unknown"):
+        if self.reading is None or slot is None or slot.cause is not Cause.UNKNOWN_PLACE:
             return False
         return not any_articles().issuperset(self.reading.words[slot.start : slot.end])
 

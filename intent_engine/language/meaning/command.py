@@ -63,7 +63,8 @@ class Commands:
         if readings and readings[0].free_words > 1 and True in breaks:
             parted = [self._parted_by_command(reading, breaks) for reading in readings]
             if all(parted):
-                return Clause(readings[0], reason=_PARTED.format(" ".join(parted[0])))
+                apart = " ".join(parted[0])
+                return Clause(readings[0], reason=_PARTED.format(apart), at_fault=(apart,))
             readings = [reading for reading, command in zip(readings, parted, strict=True) if not command]
         return self._choose(readings, state) if readings else None
 
@@ -266,7 +267,7 @@ class Commands:
             check_speeds(best.intent, best.values(), ((slot.label, slot.slot) for slot in best.slots))
             action = build_action(best.intent, best.values(), self.matcher.locations)
         except CannotActError as error:
-            return Clause(best, reason=str(error))
+            return Clause(best, reason=str(error), causes=error.causes)
         if len(allowed) > 1 and not isinstance(action, Stop):
             rivals = self._rivals(best, action, allowed[1:])
             if rivals:
@@ -288,7 +289,8 @@ class Commands:
         for end in range(slot.end - 1, slot.start, -1):
             if self.matcher.values.from_words(slot.slot, slot.label, words[slot.start : end]).status == "exact":
                 value, rest = " ".join(words[slot.start : end]), " ".join(words[end : slot.end])
-                return Clause(reading, reason=f"{rest!r} is nothing that follows {value!r} in this grammar")
+                reason = f"{rest!r} is nothing that follows {value!r} in this grammar"
+                return Clause(reading, reason=reason, at_fault=(rest,))
         return None
 
     def _rivals(self, best: Reading, action: Action, others: list[Reading]) -> tuple[str, ...]:
@@ -328,7 +330,12 @@ def forbidden(reading: Reading, state: Collection[str]) -> str:
 def _problem_clause(reading: Reading) -> Clause:
     slot = next(slot for slot in reading.slots if slot.problem)
     names = tuple(name for name, _ in slot.rivals[:3])
-    return Clause(reading, reason=slot.problem, alternatives=names, ambiguous=slot.status == "ambiguous")
+    causes = frozenset((slot.cause,) if slot.cause is not None else ())
+    ambiguous = slot.status == "ambiguous"
+    at_fault = reading.words[slot.start : slot.end] if slot.slot.type in FREE_KINDS else ()
+    return Clause(
+        reading, reason=slot.problem, causes=causes, alternatives=names, ambiguous=ambiguous, at_fault=at_fault
+    )
 
 
 def _beyond_limits(best: Reading, readings: Sequence[Reading]) -> Reading | None:

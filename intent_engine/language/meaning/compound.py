@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
@@ -12,12 +12,11 @@ from intent_engine.language.grammar import MOTIONS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.joints import Joints
 from intent_engine.language.meaning.negations.doing import verbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.several.several_at_once import SeveralAtOnce
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.numbers.units import units
-from intent_engine.language.quantities import evaluate
 from intent_engine.language.slots.action_builder import names_taken
 from intent_engine.language.templates.template_tree import first_words
 from intent_engine.language.utterance import Utterance
@@ -41,6 +40,7 @@ class Compounds:
         self._phrases = phrases
         self._sequence = phrases.sequence
         self._commands = commands
+        self._joints = Joints(commands.matcher, phrases.sequence)
         self._corrections = corrections
         self.at_once = SeveralAtOnce(phrases, commands, corrections)
         self._at_first = PhraseSet(commands.matcher.grammar.wording.at_first)
@@ -132,7 +132,7 @@ class Compounds:
                 return tried[start, before, joined]
             tried[start, before, joined] = None
             found: list[Clause] | None = None
-            for end, after in self._boundaries(core, start):
+            for end, after in self._joints.boundaries(core, start):
                 if start < end < after < len(words) and self._phrases.opens_what_follows(core, start, after):
                     found = rest(after, depth, before)  # else "go and wait for me there" would go somewhere else first
                     break
@@ -168,7 +168,7 @@ class Compounds:
                         onward = rest(after, done + 1, name, after > end)
                     if onward is None and after == end:
                         onward = rest(after, done + 1, "")
-                    if onward is not None and not self._parts_numbers(words, end, after, clause, onward[0]):
+                    if onward is not None and not self._joints.part_numbers(words, end, after, clause, onward[0]):
                         onward = None
                     if onward is not None:
                         onward = self._unless_the_way_back(clause, onward)
@@ -313,8 +313,8 @@ class Compounds:
         start = first = self._phrases.goes_on(core.words)
         before = ""
         while True:
-            ends = [one for one in self._boundaries(core, start) if not self._may_be_one_number(core.words, *one)]
-            ends = ends[-MOST_ENDS:]
+            ends = list(self._joints.boundaries(core, start))
+            ends = [one for one in ends if not self._joints.may_be_one_number(core.words, *one)][-MOST_ENDS:]
             parts = [(end, after, self._one(core.part(start, end), state, before, False)) for end, after in ends]
             done = next((one for one in parts if one[2] is not None and one[2].accepted), None)
             if done is None or done[2] is None:
@@ -327,54 +327,6 @@ class Compounds:
         if start == first and not self._commands_in(core.part(after, len(core.words)), state):
             return None
         return core.part(start, end), clause
-
-    def _boundaries(self, core: Utterance, start: int) -> Iterator[tuple[int, int]]:
-        """(end of this part, start of the next), the longest part first."""
-        words = core.words
-        yield len(words), len(words)
-        for end in range(len(words) - 1, start, -1):
-            ends = [end + length for length in self._sequence.lengths_at(words, end)]
-            ends += [more for after in ends for more in self._ends_of_clauses(words, after)]
-            for after in (*ends, end) if core.breaks[end] else ends:
-                if after < len(words):
-                    yield end, after
-
-    def _parts_numbers(self, words: Sequence[str], end: int, after: int, clause: Clause, onward: Clause) -> bool:
-        """Whether no number goes on behind a joint: both commands name the same and end alike, "*two* cups for table
-        *3* and *ten* plates for table *4*", and what meets at the joint is no number together.
-
-        "Bay 3 and 2 meters back" may still be a bay of two numbers.
-        """
-        if not self._may_be_one_number(words, end, after):
-            return True
-        one, other = clause.reading, onward.reading
-        if one is None or other is None or not one.slots or not other.slots:
-            return False
-        is_number, language = self._commands.matcher.is_number, self._commands.matcher.grammar.language
-        begin = next((at + 1 for at in range(end - 1, -1, -1) if not is_number(words[at])), 0)
-        stop = next((at for at in range(after, len(words)) if not is_number(words[at])), len(words))
-        if evaluate(words[begin:stop], "number", language) is not None:
-            return False
-        last, first = max(one.slots, key=lambda slot: slot.end), min(other.slots, key=lambda slot: slot.start)
-        ends, begins = last.end == len(one.words) and after > end, first.start == 0 and last.label != first.label
-        return ends and begins and last.label in other.values() and first.label in one.values()
-
-    def _may_be_one_number(self, words: Sequence[str], end: int, after: int) -> bool:
-        """Whether a number before a pause or an "and", and one behind it, may be one: "turn 15 and 20 degrees", "turn
-        100, 80 degrees". Behind a "then" it is another, and no number ends with a "point"."""
-        if after == len(words):
-            return False
-        is_number, said = self._commands.matcher.is_number, units(self._commands.matcher.grammar.language)
-        joins, points = (said.words["and"], said.words.get("point", ("point",))) if said is not None else (None, ())
-        if joins is not None and not set(words[end:after]).issubset(joins):
-            return False
-        return is_number(words[end - 1]) and is_number(words[after]) and words[end - 1] not in points
-
-    def _ends_of_clauses(self, words: list[str], start: int) -> Iterator[int]:
-        """Where words of sequence end that are more than one, behind others: "and *once you are there*"."""
-        for length in self._sequence.lengths_at(words, start):
-            if length > 1:
-                yield start + length
 
 
 def _goes_on(clause: Clause) -> bool:

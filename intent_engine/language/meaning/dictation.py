@@ -169,7 +169,7 @@ class Dictation:
         try:
             action = build_action(reading.intent, reading.values(), self._commands.matcher.locations)
         except CannotActError as error:
-            return Clause(reading, reason=str(error))
+            return Clause(reading, reason=str(error), causes=error.causes)
         return replace(clause, reading=reading, action=action)
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from intent_engine.actions import Action, Stop
-from intent_engine.interpretation import OBJECTED, REST_UNKNOWN, Interpretation, Status
+from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.meaning.cancelled import Cancelled
 from intent_engine.language.meaning.clause import Clause, more_telling
@@ -115,7 +115,7 @@ class Interpreter:
         said = self._said(text)
         if not objects_to_what_is_done(self.phrases, said, before, lambda one: self.understand(one, state)[0]):
             return None
-        return replace(self._stopped(text)[0], reason=f"{' '.join(said.words)!r} {OBJECTED}")
+        return self._objected(text, said.words)[0]
 
     def watched(self, watch: Watch) -> Interpreter:
         """Another that understands the same, and whose every step a watcher sees."""
@@ -188,7 +188,7 @@ class Interpreter:
         if phrases.stop_by_sound.may_stand_in(words) and self._stops.by_sound(said):
             return self._stopped(text)
         if self._dictation and (dictated := self._dictated(text, state, spoken=spoken)) is not None:
-            stops = self._stops_beside(said, phrases.without_fillers(said), state)
+            stops = self._stops.beside(said, phrases.without_fillers(said), state)
             return self._stopped(text) if stops else dictated
         if said.unclear:
             return self._unclear(text, said, state)
@@ -226,7 +226,7 @@ class Interpreter:
         if clause is not None and clause.ambiguous:
             return as_told(text, clause)
         if self._numbers.restarted(core):
-            if self._stops_beside(said, core, state):
+            if self._stops.beside(said, core, state):
                 return self._stopped(text)
             return self._rejected(text, "the number was said in two pieces; say it again")
         understood = self._operated(text, said, core, state, clause)
@@ -234,8 +234,7 @@ class Interpreter:
         if may_agree and phrases.agrees_at_last(said):
             understood = self._agreed(text, core)
         if MOVING in state and not understood[0].actions and (stop := self._stop_at_first(core, state)):
-            (found, told), reason = self._stopped(text), f"{stop!r} {REST_UNKNOWN}"
-            return replace(found, reason=reason), told
+            return self._stopped(text, f"{stop!r} stops, and what follows was not understood", Cause.REST_UNKNOWN)
         return understood
 
     def _stop_at_first(self, core: Utterance, state: Collection[str]) -> str:
@@ -269,14 +268,13 @@ class Interpreter:
         if takes_back and self._stops.in_protest(core, state):
             return self._stopped(text)
         if MOVING in state and self._stops.in_objection(said, core):
-            (found, told), reason = self._stopped(text), f"{' '.join(words)!r} {OBJECTED}"
-            return replace(found, reason=reason), told
+            return self._objected(text, words)
         if MOVING in state and self._stops.in_denial(core):
             return self._stopped(text)
         if MOVING in state and self.phrases.only_hold(words):
             return self._stopped(text)
         if self.phrases.cancel.may_stand_in(words) and 0 < self.phrases.cancel.ends(words) < len(words):
-            return self._rejected(text, "cancelled in the same breath")
+            return self._rejected(text, "cancelled in the same breath", Cause.CANCELLED)
         if self._stops.in_a_sentence(core):
             return self._stopped(text)
         if self.phrases.stop.may_stand_in(words) and self._stops.of_doing(core):
@@ -288,7 +286,7 @@ class Interpreter:
         if MOVING in state and self._stops.is_sentence(words[: self.phrases.cancel.at(words, 0)]):
             return self._stopped(text)  # whatever follows: "never mind turn right"
         if taken_back := self._corrections.taken_back(words):
-            if self._stops_beside(said, core, state):  # "just wait, stop, just wait"
+            if self._stops.beside(said, core, state):  # "just wait, stop, just wait"
                 return self._stopped(text)
             if self.phrases.only_hold(words):
                 return self._held_at_rest(text, words)
@@ -306,7 +304,7 @@ class Interpreter:
                     return self._stopped(text)
                 if self.phrases.stop.may_stand_in(words) and self._stops.between(said, state):
                     return self._stopped(text)  # "don't move a muscle, stop": some stops say no
-                return replace(self._rejected(text, reason)[0], denied=denied), ()
+                return replace(self._rejected(text, reason, Cause.NEGATED)[0], denied=denied), ()
             found, told = self._affirmed(text, said, wanted, state, None, negated=True)
             return replace(found, denied=self._negations.denied_beside(core, wanted, state)), told
         return self._affirmed(text, said, core, state, clause, negated=False)
@@ -364,27 +362,15 @@ class Interpreter:
 
     def _unclear(self, text: str, said: Utterance, state: Collection[str]) -> Understood:
         """A number that could be another: nothing is done with it, but a stop is heard beside it."""
-        if self._stops_beside(said, self.phrases.without_fillers(said), state):
+        if self._stops.beside(said, self.phrases.without_fillers(said), state):
             return self._stopped(text)
         return self._rejected(text, which_number(said.unclear, self._language))
-
-    def _stops_beside(self, said: Utterance, core: Utterance, state: Collection[str]) -> bool:
-        """Whether a stop stands beside what is not done: a number in two pieces, or what was taken back."""
-        return self._stops.in_a_sentence(core) or (
-            self.phrases.stop.may_stand_in(said.words) and self._stops.between(said, state)
-        )
 
     def _stops_beside_what_is_understood(self, core: Utterance, state: Collection[str]) -> bool:
         """Whether an utterance begins or ends with a stop, and the rest is understood in any way: "stop lift up the
         cup the cup"."""
-        stop, words = self.phrases.stop, core.words
-        start, end = stop.after(words, 0), len(core)
-        while length := stop.ends(words[start:end]):
-            end -= length
-        rest = core.part(start, end)
-        if not 0 < len(rest) < len(core):
-            return False
-        return self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED
+        rest = self._stops.left_out(core)
+        return rest is not None and self._meant(" ".join(rest.words), rest, state)[0].status is Status.ACCEPTED
 
     @step(Kind.WAKE)
     def _awake(self, said: Utterance) -> Utterance | None:
@@ -392,16 +378,20 @@ class Interpreter:
 
     # -- results ------------------------------------------------------------------------------------------------
 
-    def _stopped(self, text: str) -> Understood:
-        return as_stop(text, self._stop_intent)
+    def _stopped(self, text: str, reason: str = "", *causes: Cause) -> Understood:
+        found, parts = as_stop(text, self._stop_intent)
+        return (replace(found, reason=reason, causes=frozenset(causes)) if reason else found), parts
+
+    def _objected(self, text: str, words: Sequence[str]) -> Understood:
+        return self._stopped(text, f"{' '.join(words)!r} said to a robot that moves", Cause.OBJECTED)
 
     def _agreed(self, text: str, core: Utterance) -> Understood:
         reason = f"{core.words[-1]!r} may be a command, or only agree; say it in a whole sentence"
         return self._rejected(text, reason)
 
     def _held_at_rest(self, text: str, words: Sequence[str]) -> Understood:
-        return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves")
+        return self._rejected(text, f"cancelled: {' '.join(words)!r} where nothing moves", Cause.CANCELLED)
 
     @step(Kind.REFUSAL)
-    def _rejected(self, text: str, reason: str) -> Understood:
-        return Interpretation(text, Status.REJECTED, reason=reason), ()
+    def _rejected(self, text: str, reason: str, *causes: Cause) -> Understood:
+        return Interpretation(text, Status.REJECTED, reason=reason, causes=frozenset(causes)), ()

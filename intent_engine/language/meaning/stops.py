@@ -102,6 +102,18 @@ class Stops:
                 return phrases.negation.find(words[:position]) is not None
         return False
 
+    def beside(self, said: Utterance, core: Utterance, state: Collection[str]) -> bool:
+        """Whether a stop stands beside what is not done: a number in two pieces, or what was taken back."""
+        return self.in_a_sentence(core) or (self._stop.may_stand_in(said.words) and self.between(said, state))
+
+    def left_out(self, core: Utterance) -> Utterance | None:
+        """An utterance without the stops with which it begins or ends; None: nothing is left, or nothing left out."""
+        start, end = self._stop.after(core.words, 0), len(core)
+        while length := self._stop.ends(core.words[start:end]):
+            end -= length
+        rest = core.part(start, end)
+        return rest if 0 < len(rest) < len(core) else None
+
     @step(Kind.STOP)
     def by_sound(self, said: Utterance) -> bool:
         """Whether an utterance is nothing but stops, some of them written by their sound: "break"."""

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from intent_engine.interpretation import Status
+from intent_engine.interpretation import Cause, Status
 from intent_engine.language.meaning.command import Commands
-from intent_engine.language.meaning.not_commands.no_command import REASON as NO_REASON
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.meaning.wordings.asked_for_doing import AskedForDoing
@@ -67,6 +66,6 @@ class TakenOtherwise:
         if told is None or found is None:
             return otherwise
         better = found[0].status in (Status.ACCEPTED, Status.AMBIGUOUS)
-        if not better and (found[0].intent is None or NO_REASON not in otherwise[1][0].reason):
+        if not better and (found[0].intent is None or Cause.NO_COMMAND not in otherwise[1][0].causes):
             return otherwise  # "go to room 206" is a way, and no "to room 206"
         return told, found

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from intent_engine.actions import Stop
-from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.interpretation import Cause, Interpretation, Question, Status
 from intent_engine.language.context.answers import with_name
 from intent_engine.language.meaning.clause import Clause, slot_values
 
@@ -24,12 +24,13 @@ def as_told(text: str, clause: Clause) -> Understood:
     if clause.action is not None and reading is not None:
         actions, needs = (clause.action,), (reading.intent.needs,)
         found = Interpretation(
-            text, Status.ACCEPTED, intent, slots, actions, reading.score, (), clause.reason, needs=needs
+            text, Status.ACCEPTED, intent, slots, actions, reading.score, (), clause.reason, clause.causes, needs=needs
         )
     else:
         status = Status.AMBIGUOUS if clause.ambiguous else Status.REJECTED
         asked = asked_back(text, clause)
-        found = Interpretation(text, status, intent, slots, (), 0.0, clause.alternatives, clause.reason, question=asked)
+        names, reason, causes = clause.alternatives, clause.reason, clause.causes
+        found = Interpretation(text, status, intent, slots, (), 0.0, names, reason, causes, question=asked)
     return found, (clause,)
 
 
@@ -65,8 +66,9 @@ def as_told_together(text: str, parts: Sequence[Clause], stop_intent: str) -> Un
     actions = tuple(part.action for part in parts if part.action is not None)
     needs = tuple(part.reading.intent.needs for part in parts if part.reading is not None)
     reasons = "; ".join(part.reason for part in parts if part.reason)
+    causes = frozenset[Cause]().union(*(part.causes for part in parts))
     found = Interpretation(
-        text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons, needs=needs
+        text, Status.ACCEPTED, "compound", {"steps": steps}, actions, score, (), reasons, causes, needs=needs
     )
     return found, tuple(parts)
 

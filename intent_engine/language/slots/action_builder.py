@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
+from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import ACTION_PARAMETERS, Condition, Intent, Slot
 from intent_engine.language.loading.grammar_intents import slot_of_parameter
 from intent_engine.language.quantities import Relative
@@ -30,7 +31,11 @@ _RIGHT = frozenset(("right", "clockwise"))
 
 
 class CannotActError(ValueError):
-    """The slots do not make an action; the message is the reason for the person who spoke."""
+    """The slots do not make an action; the message is the reason for the person who spoke, with what kind it is of."""
+
+    def __init__(self, reason: str, *causes: Cause) -> None:
+        super().__init__(reason)
+        self.causes = frozenset(causes)
 
 
 def build_action(intent: Intent, said: Mapping[str, Any], locations: LocationMap | None) -> Action:
@@ -239,7 +244,7 @@ def check_speeds(intent: Intent, said: Mapping[str, Any], slots: Iterable[tuple[
         if isinstance(said.get(label), Relative):
             value = _in_full(label, said[label], defaults)
             if (beyond := slot.beyond(value)) is not None:
-                raise CannotActError(f"{label} of {slot.written(value)} is {beyond[1]}")
+                raise CannotActError(f"{label} of {slot.written(value)} is {beyond[1]}", Cause.BEYOND_LIMITS)
 
 
 def _in_full(label: str, value: Any, defaults: Mapping[str, Any]) -> Any:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from intent_engine.interpretation import UNKNOWN_PLACE
 from intent_engine.language import quantities
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Slot
 from intent_engine.language.names import NameIndex
@@ -158,8 +157,8 @@ class SlotValues:
         words = " ".join(said)
         problem = ""
         if match.status == "unknown":
-            unknown = UNKNOWN_PLACE if slot.type == "location" else f"no {label} is called"
-            problem = f"{unknown} {words!r}"
+            kind = "place" if slot.type == "location" else label
+            problem = f"no {kind} is called {words!r}"
         elif match.status == "ambiguous":
             problem = f"{words!r} could be {' or '.join(name for name, _ in match.candidates[:3])}"
         return SlotReading(

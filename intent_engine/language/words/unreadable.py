@@ -21,5 +21,5 @@ def as_read(said: str, found: Interpretation) -> Interpretation:
         return found
     reason = f"a character could not be read, behind {said[: lost.start()]!r}: give the text as UTF-8"
     if found.stops:
-        return replace(found, actions=(Stop(),), needs=(), goes_on=False, reason=reason)
+        return replace(found, actions=(Stop(),), needs=(), goes_on=False, reason=reason, causes=frozenset())
     return Interpretation(said, Status.REJECTED, found.intent, reason=reason, denied=found.denied)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from intent_engine.language.normalize import TITLES, elided, without_accents
@@ -14,7 +15,10 @@ from intent_engine.language.numbers.units import units
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import ARTICLES
 
-__all__ = ["Names", "Writer", "spellings", "written"]
+__all__ = ["WORDS_KEPT", "Names", "Writer", "spellings", "written"]
+
+WORDS_KEPT = 20_000
+"""Words of which is kept how a model writes them: those of a large map. What is heard in months must not add up."""
 
 _WRITTEN = {
     "i": "I",
@@ -109,14 +113,15 @@ class Names:
     def __init__(self, tokenizer: Any, known: Mapping[str, str] | None = None, calls: PhraseSet | None = None) -> None:
         self.calls = calls if calls is not None else PhraseSet(())
         self._tokenizer = tokenizer
-        self._large = {**(known or {}), **_TITLES}
+        self._known = {**(known or {}), **_TITLES}
+        self._made = lru_cache(WORDS_KEPT)(self._as_written)
 
     def large(self, word: str) -> str:
         """A word as it may be written; the same, if only so."""
-        found = self._large.get(word)
-        if found is None:
-            found = self._large[word] = word.capitalize() if self._is_name(word) else word
-        return found
+        return self._known.get(word) or self._made(word)
+
+    def _as_written(self, word: str) -> str:
+        return word.capitalize() if self._is_name(word) else word
 
     def _is_name(self, word: str) -> bool:
         if not word.isalpha() or word in _WRITTEN:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from intent_engine.interpretation import Interpretation
+from intent_engine.interpretation import Cause, Interpretation
 from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.alike import alike
 from intent_engine.language.numbers.english_words import DIGITS
@@ -245,7 +245,7 @@ class Clearness(Scoring):
     def refused(self, encoded: Encoded, free: str, meaning: Interpretation, language: str | None) -> bool:
         """Whether it was heard that something shall not be done. In noise a "don't" is heard where "go" was said, so
         what was not heard clearly may have been a command."""
-        negated = meaning.reason.startswith("negated") and not NARRATING.isdisjoint(self.grammar.words(free, language))
+        negated = Cause.NEGATED in meaning.causes and not NARRATING.isdisjoint(self.grammar.words(free, language))
         return meaning.refuses and not (negated and NARRATING.isdisjoint(self.story(encoded, free, language)))
 
     def story(self, encoded: Encoded, free: str, language: str | None) -> list[str]:

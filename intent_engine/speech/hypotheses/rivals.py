@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from intent_engine.language.numbers.spelled import in_digits, number_words
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import ARTICLES
 from intent_engine.speech.acoustic.rows import Rows, total
-from intent_engine.speech.acoustic.writing import Writer, spellings
+from intent_engine.speech.acoustic.writing import WORDS_KEPT, Writer, spellings
 from intent_engine.speech.hypotheses.detours import Detours, leads
 from intent_engine.speech.hypotheses.word_pieces import MANY_WORDS
 
@@ -54,8 +55,8 @@ class Rivals:
         self._writer = writer
         self._number_words = number_words(writer.language)
         self._detours = Detours(search)
-        self._firsts: dict[tuple[str, bool], list[int]] = {}
-        self._numbers: dict[tuple[str, ...], list[tuple[int, ...]]] = {}
+        self._first_pieces = lru_cache(WORDS_KEPT)(self._begun_with)
+        self._spelled = lru_cache(WORDS_KEPT)(self._number_in_pieces)
         self._digits = self._digit_pieces()
         self._kept: dict[tuple[Any, bool], tuple[list[str], npt.NDArray[np.int64]]] = {}
 
@@ -175,16 +176,12 @@ class Rivals:
             if words[1:2] == (other,):
                 yield words[1:]
 
-    def _first_pieces(self, word: str, first: bool) -> list[int]:
-        """Of a word, and of a number in digits, unless it begins as all numbers do."""
-        found = self._firsts.get((word, first))
-        if found is None:
-            capitals = (True, False) if first else (False,)
-            spelled = self._writer.spellings([word])
-            pieces = [self.pieces(one, capital)[0] for one in spelled for capital in capitals]
-            found = [piece for piece in pieces if piece not in self._digits[:1]] or pieces
-            self._firsts[word, first] = found
-        return found
+    def _begun_with(self, word: str, first: bool) -> list[int]:
+        """The first pieces of a word, and of a number in digits, unless it begins as all numbers do."""
+        capitals = (True, False) if first else (False,)
+        spelled = self._writer.spellings([word])
+        pieces = [self.pieces(one, capital)[0] for one in spelled for capital in capitals]
+        return [piece for piece in pieces if piece not in self._digits[:1]] or pieces
 
     # -- numbers ------------------------------------------------------------------------------------
 
@@ -252,11 +249,9 @@ class Rivals:
             likely = max(likely, chance)
         return likely
 
-    def _spelled(self, number: tuple[str, ...]) -> list[tuple[int, ...]]:
+    def _number_in_pieces(self, number: tuple[str, ...]) -> list[tuple[int, ...]]:
         """The pieces of a number inside a sentence, in all its spellings."""
-        if number not in self._numbers:
-            self._numbers[number] = [self.pieces(one, False) for one in spellings(number, self._writer.language)]
-        return self._numbers[number]
+        return [self.pieces(one, False) for one in spellings(number, self._writer.language)]
 
     def _words_after(self, state: Any, said: str, first: bool) -> tuple[list[str], npt.NDArray[np.int64]]:
         """The words that may follow, each with a first piece; of very many those that are like the one said."""

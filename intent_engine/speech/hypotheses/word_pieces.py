@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.numbers.spelled import number_words
-from intent_engine.speech.acoustic.writing import Writer
+from intent_engine.speech.acoustic.writing import WORDS_KEPT, Writer
 
 __all__ = ["MANY_WORDS", "Pieces", "WordPieces"]
 
@@ -41,7 +42,7 @@ class WordPieces:
     def __init__(self, search: UtteranceSearch, writer: Writer) -> None:
         self._search = search
         self._writer = writer
-        self._encoded: dict[tuple[str, bool], tuple[tuple[int, ...], ...]] = {}
+        self._spelled = lru_cache(WORDS_KEPT)(self._in_pieces)
         self._tries: dict[tuple[Any, bool], Pieces] = {}
 
     def following(self, state: Any, first: bool, heard: Sequence[str]) -> Pieces:
@@ -76,15 +77,11 @@ class WordPieces:
             self._tries[state, first] = pieces
         return pieces
 
-    def _spelled(self, word: str, first: bool) -> Iterable[tuple[int, ...]]:
+    def _in_pieces(self, word: str, first: bool) -> tuple[tuple[int, ...], ...]:
         """A word as it is written, with a capital at the beginning; and with one if it is a name."""
-        found = self._encoded.get((word, first))
-        if found is None:
-            names = self._writer.names
-            named = word if names is None else names.large(word)
-            pieces = (self._writer.pieces([one], first) for one in (word, named))
-            found = self._encoded[word, first] = tuple(dict.fromkeys(pieces))
-        return found
+        names = self._writer.names
+        named = word if names is None else names.large(word)
+        return tuple(dict.fromkeys(self._writer.pieces([one], first) for one in (word, named)))
 
 
 def _spans(heard: Sequence[str]) -> set[str]:

@@ -11,8 +11,10 @@ from hypothesis import strategies as st
 from intent_engine.actions import Custom, Navigate, Stop, Turn
 from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Interpretation, Status
-from intent_engine.language.context.answers import NONE_MEANT, with_name
+from intent_engine.language.context.answers import with_name
 from intent_engine.language.loading.language_words import default_wording
+
+NONE_MEANT = "nothing that was asked about is meant"
 
 
 def places(*names: str) -> dict[str, tuple[float, float, float]]:

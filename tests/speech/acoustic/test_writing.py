@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from intent_engine.language.utterance import Utterance, plain
+from intent_engine.speech.acoustic import writing
 from intent_engine.speech.acoustic.writing import _WRITTEN, Names, spellings, written
 
 
@@ -82,3 +83,21 @@ def test_every_spelling_is_read_as_the_same_words(whisper, words):
     spelled = spellings(words, "en", Names(whisper.tokenizer("en")))
     assert spelled[0] == tuple(words)
     assert {tuple(plain(written(one, "en"))) for one in spelled} == {tuple(plain(" ".join(words)))}
+
+
+def test_what_was_heard_in_months_does_not_add_up(monkeypatch):
+    """Only the words that were written last are kept."""
+    monkeypatch.setattr(writing, "WORDS_KEPT", 2)
+    encoded: list[str] = []
+
+    class Tokenizer:
+        def encode(self, text: str) -> list[int]:
+            encoded.append(text)
+            return [0]
+
+    names = Names(Tokenizer(), {"mri": "MRI"})
+    for word in ("cup", "ball", "lamp", "lamp", "mri"):
+        names.large(word)
+    assert encoded == [" cup", " Cup", " ball", " Ball", " lamp", " Lamp"]
+    assert names.large("cup") == "cup"
+    assert encoded[6:] == [" cup", " Cup"]

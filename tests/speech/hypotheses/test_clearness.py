@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 
-from intent_engine.interpretation import Interpretation, Status
+from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.language.numbers.spelled import in_digits
 from intent_engine.speech.recognizer import Transcript
@@ -220,7 +220,7 @@ def test_a_refusal_is_one_where_it_was_heard_clearly(engine, whisper, monkeypatc
 
 
 def test_a_refusal_in_another_language_is_always_one(whisper):
-    meaning = Interpretation("fahr nicht", Status.REJECTED, reason="negated: nicht")
+    meaning = Interpretation("fahr nicht", Status.REJECTED, causes=frozenset((Cause.NEGATED,)))
     assert whisper.refused(None, "Fahr nicht.", meaning, "de")
 
 

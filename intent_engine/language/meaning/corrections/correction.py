@@ -7,6 +7,7 @@ import itertools
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 
+from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
@@ -150,7 +151,7 @@ class Corrections:
         said = [
             word for word, after in itertools.zip_longest(words, words[1:]) if word != after or word not in articles
         ]
-        return replace(clause, reason=f"corrected to {' '.join(said)!r}")
+        return replace(clause, reason=f"corrected to {' '.join(said)!r}", causes=frozenset((Cause.CORRECTED,)))
 
     def _parted(self, said: Utterance, meant: Utterance, state: Collection[str], before: str) -> Clause | None:
         """Why ``said`` is no command, if that is for a pause in a name and ``meant`` only corrects a part of it:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from intent_engine.interpretation import Interpretation, Question, Status
+from intent_engine.interpretation import Cause, Interpretation, Question, Status
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
@@ -25,7 +25,8 @@ __all__ = ["NoCommand"]
 
 MOST_FOLLOWING = 8
 """Words that are told of those with which an unfinished sentence may go on."""
-REASON = "not a command of this grammar"
+_NOTHING = frozenset((Cause.NO_COMMAND,))
+_NO_COMMAND = "not a command of this grammar"
 
 
 class NoCommand:
@@ -62,7 +63,7 @@ class NoCommand:
         if "?" not in text and (asked_of_one := self._by_number(text, core, state)) is not None:
             return asked_of_one, ()
         manner = self._manner(words, state)
-        told = clause is not None and (clause.ambiguous or clause.reason.startswith(repr(manner)))
+        told = clause is not None and (clause.ambiguous or manner in clause.at_fault)
         if manner and not told:
             reason = f"{manner!r} says how it is done, and this command has no word for that; say it without"
             return Interpretation(text, Status.REJECTED, reason=reason), ()
@@ -92,7 +93,8 @@ class NoCommand:
             return self._not_all(text, *failing)
         near = self._nearest.sentences(words)
         which = None if self._phrases.change_meaning(words) else _which_sentence(near)
-        return Interpretation(text, Status.REJECTED, reason=REASON, alternatives=near, question=which), ()
+        found = Interpretation(text, Status.REJECTED, None, {}, (), 0.0, near, _NO_COMMAND, _NOTHING, question=which)
+        return found, ()
 
     def _are_several(self, said: Utterance, state: Collection[str]) -> bool:
         parts = self._compounds.split(said, state)
@@ -133,10 +135,10 @@ class NoCommand:
         said = " ".join(part.words)
         asked = None if clause is None else asked_back(text, clause)
         if clause is not None and clause.reason:
-            near, reason = clause.alternatives, f"in {said!r}: {clause.reason}"
+            near, reason, causes = clause.alternatives, f"in {said!r}: {clause.reason}", clause.causes
         else:
-            near, reason = self._nearest.sentences(part.words), f"{said!r} is {REASON}"
-        return Interpretation(text, Status.REJECTED, reason=reason, alternatives=near, question=asked), ()
+            near, reason, causes = self._nearest.sentences(part.words), f"{said!r} is {_NO_COMMAND}", _NOTHING
+        return Interpretation(text, Status.REJECTED, None, {}, (), 0.0, near, reason, causes, question=asked), ()
 
 
 def _which_sentence(near: Collection[str]) -> Question | None:

@@ -6,6 +6,10 @@ its names, or has them from a map, holds no pronoun: there the name is put in be
 *only one* that fits of those that were said in it; where none or several fit, it is no command. So is the name of a
 thing that sentences themselves have, "the lid". Such a pronoun is one for one thing, and no article ("das"); a whole
 command stands before it.
+
+So there are two ways to put one in. By its text alone "look at the cup, take the ball and drop it" would have two
+things that fit, and the utterance before, which is known by its actions, none; by its value alone "photograph it" would
+be no sentence whose value could be known.
 """
 
 from __future__ import annotations
