@@ -57,13 +57,13 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
     said = matcher.heard(text) if len(text) < LONGEST else Utterance(["\0"], [False])
     words = said.words
     try:
-        count, reached = matcher.prefix(words)
+        count, reached = matcher.begun.walk(words)
         if reached is None and (otherwise := matcher.spacing.otherwise(said)) is not None:
             words = otherwise.words
-            count, reached = matcher.prefix(words)
+            count, reached = matcher.begun.walk(words)
         if reached is None and spoken and (as_understood := _as_understood(interpreter, text, words, count)):
             words = as_understood
-            count, reached = matcher.prefix(words)
+            count, reached = matcher.begun.walk(words)
     except ConfigError:  # the grammar is too ambiguous to be walked; parsing the text tells it
         count, reached = 0, None
     if reached is None:
@@ -78,7 +78,7 @@ def prefix_of(interpreter: Interpreter, text: str, *, spoken: bool = False) -> P
 
 def _next_words(matcher: Matcher, reached: WordState) -> tuple[str, ...]:
     """The words that may follow a state, for showing."""
-    automaton = matcher.spoken
+    automaton = matcher.begun
     words = sorted(word for word in automaton.next_words(reached) if word and word[0] != "\0")
     if automaton.allows_digits(reached):
         words.append("<number>")
@@ -101,7 +101,7 @@ def _as_understood(interpreter: Interpreter, text: str, words: Sequence[str], kn
     if meaning.status is not Status.ACCEPTED:
         return None
     for said in _otherwise(interpreter.matcher, words, known):
-        _, reached = interpreter.matcher.prefix(said)
+        _, reached = interpreter.matcher.begun.walk(said)
         if reached is not None and interpreter.interpret(" ".join(said), spoken=True).actions == meaning.actions:
             return said
     return None
@@ -115,7 +115,7 @@ def _otherwise(matcher: Matcher, words: Sequence[str], known: int) -> Iterator[l
 
 
 def _status(matcher: Matcher, reached: WordState) -> PrefixStatus:
-    automaton = matcher.spoken
+    automaton = matcher.begun
     if not automaton.accepting(reached):
         return PrefixStatus.INCOMPLETE
     return PrefixStatus.EXTENDABLE if automaton.inside(reached) else PrefixStatus.COMPLETE

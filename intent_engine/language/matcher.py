@@ -122,15 +122,21 @@ class Matcher:
 
     @cached_property
     def spoken(self) -> Automaton:
-        """The automaton of whole utterances: fillers, sentences joined by "and then", fillers. For looking ahead."""
+        """The automaton of whole utterances: fillers, sentences joined by "and then", fillers."""
         return self._automaton(self._utterances.root(stop_anywhere=True), loose=False)
+
+    @cached_property
+    def begun(self) -> Automaton:
+        """The same, with sentences in all ways in which they are understood: "turn the lamp on", "open the door and the
+        window". For looking ahead."""
+        return self._automaton(self._utterances.root(stop_anywhere=True, otherwise=True), loose=False)
 
     @cached_property
     def likely(self) -> Automaton:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in
         the middle of a misheard sentence is noise, and one that was said there is heard as it is. Nor does a free slot
         take words of its ``without``. It is only walked."""
-        root = self._utterances.root(stop_anywhere=False)
+        root = self._utterances.root(stop_anywhere=False, otherwise=True)
         return self._automaton(root, loose=False, traced=False, refusing=True)
 
     @cached_property
@@ -175,7 +181,7 @@ class Matcher:
     def ahead(self, words: Sequence[str]) -> frozenset[Continuation]:
         """What may still be said after the beginning of an utterance, of what is not wrong already: "take me to the
         kitchen" goes on as no "take {thing} from {place}", since "me" is nothing to take."""
-        ways = self.spoken.ways_on(words)
+        ways = self.begun.ways_on(words)
         return self._continuations.ahead(
             (place, calls) for place, calls, trace in ways if not self._wrong(trace, words)
         )

@@ -24,10 +24,10 @@ def likely_words(matcher: Matcher, words: Sequence[str], most: int) -> tuple[str
     "meters" or "seconds", hardly with "centi". Of all others those come first with which the sentence is whole ("turn
     left"), among them the names of values and places before other ways to say them, then by the alphabet.
     """
-    _, reached = matcher.prefix(list(words))
+    _, reached = matcher.begun.walk(words)
     if reached is None:
         return ()
-    spoken, values = matcher.spoken, set(_values(matcher))
+    spoken, values = matcher.begun, set(_values(matcher))
     following = sorted(spoken.next_words(reached))
     few = len(following) <= MOST_TRIED
 
@@ -53,7 +53,7 @@ def _values(matcher: Matcher) -> Iterator[str]:
 def _begun(matcher: Matcher, words: Sequence[str]) -> Iterator[Slot]:
     """The quantities of which the last words may be the beginning, the most wanted first."""
     seen: set[str] = set()
-    for _, calls, _ in matcher.spoken.ways_on(words):
+    for _, calls, _ in matcher.begun.ways_on(words):
         for _, mark, entered in calls:
             if mark is None or mark[0] != "slot" or entered or mark[2] in seen:
                 continue

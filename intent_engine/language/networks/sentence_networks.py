@@ -18,7 +18,9 @@ from intent_engine.language.slots.own_units import hundredth
 from intent_engine.language.slots.slot_values import NamesOf
 from intent_engine.language.template import parse_template
 from intent_engine.language.templates.led_names import led
+from intent_engine.language.templates.moved_particles import moved
 from intent_engine.language.templates.numbered import numbers_either_way
+from intent_engine.language.templates.shared_verbs import SharedVerbs
 from intent_engine.language.templates.spellings import own_words
 from intent_engine.language.templates.template_tree import (
     Choice,
@@ -40,12 +42,16 @@ __all__ = ["SentenceNetworks", "call_of", "spoken_trees"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
+TELLING_APART = frozenset(("choice", "location", "ordinal", "boolean"))
+"""Types of slots that tell one thing from another, of which a verb is said once."""
 LOOSE_VALUE_WORDS = 3
 """The same of a value of a list, or as many as the longest of them has."""
 MOST_WILD = 12
 """Words of any kind that a network may take."""
 BEHIND = ("\0behind", "\0sound behind")
 """Names that no template has."""
+JOINT = "\0joint"
+"""Another one: of what stands between things that a verb is said of."""
 OWN_UNIT = "\0unit"
 """Another one: of the units that a slot has of its own."""
 
@@ -66,6 +72,8 @@ class SentenceNetworks:
         self._networks = networks
         self._free = free
         self._sentences: Sequence[Sentence] = ()
+        self._made: dict[str, tuple[Node, Mapping[str, Call]]] = {}
+        """Templates of sentences and what their names call, by the networks made of them."""
 
     def add_sentences(self, sentences: Sequence[Sentence]) -> None:
         """Add sentences, ``sentence:0`` and so on, with all that they are made of."""
@@ -105,7 +113,11 @@ class SentenceNetworks:
             self._networks.add_template(f"phrase:{name}", self._spoken(node), self._scope(node))
         for index, sentence in enumerate(sentences):
             node = sentence.template
-            self._networks.add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
+            self._add_template(f"sentence:{index}", self._spoken(node), self._scope(node))
+
+    def _add_template(self, key: str, node: Node, scope: Mapping[str, Call]) -> None:
+        self._made[key] = node, scope
+        self._networks.add_template(key, node, scope)
 
     def template_of(self, index: int) -> Node:
         """The template of a sentence, as its file has it."""
@@ -124,7 +136,7 @@ class SentenceNetworks:
         self._networks.add_names("sounds behind", [(words, "") for words in sorted(behind.intersection(sounds))])
         for index, sentence in enumerate(self._sentences):
             scope = self._scope(sentence.template) | calls
-            self._networks.add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
+            self._add_template(f"polite:{index}", _with_behind_first(sentence.template, either), scope)
         return True
 
     def add_led(self, kind: str, indices: Iterable[int], leading: Collection[str]) -> None:
@@ -145,7 +157,47 @@ class SentenceNetworks:
             inner = {one.name for one in references(node)} - grammar.slots.keys()
             phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
             template = led(node, before, counted, articles)
-            self._networks.add_template(key, self._spoken(template), self._scope(node) | phrases)
+            self._add_template(key, self._spoken(template), self._scope(node) | phrases)
+
+    def add_otherwise(self, key: str, joint: str) -> str:
+        """Add a sentence with all ways to put it that are understood though its file has one: "turn the lamp on" of
+        "turn on the {lamp}", and "open the hatch and the gate" of "open the {door}".
+
+        Args:
+            key: of its network.
+            joint: key of the network of what stands between two things.
+
+        Returns:
+            The key of the network; the same if there is no other way.
+        """
+        node, scope = self._made[key]
+        grammar, articles = self._grammar, thing_words(self._grammar.language).articles
+        otherwise = moved(node, grammar.wording.particles, articles, grammar.phrases, self._words_alone, self._is_free)
+        shared = SharedVerbs(Reference(JOINT, JOINT, 0), self._is_named_one, articles)
+        more = tuple(shared.more_of(node))
+        if not (otherwise or more):
+            return key
+        ways = Choice((shared.several(node), *(TemplateSequence((way, *more)) for way in otherwise)))
+        self._networks.add_template(f"{joint} {key}", ways, {**scope, JOINT: Call(joint, apart=True)})
+        return f"{joint} {key}"
+
+    def _words_alone(self, name: str) -> frozenset[str]:
+        """The words that are a whole value of a slot."""
+        slot = self._grammar.slots.get(name)
+        nodes = [node for _, node in slot.values] if slot is not None else []
+        options = [one for node in nodes for one in (node.items if isinstance(node, Choice) else (node,))]
+        return frozenset(one.text for one in options if isinstance(one, Word))
+
+    def _is_free(self, name: str) -> bool:
+        return name in self._grammar.slots and self._grammar.slots[name].type in FREE_KINDS
+
+    def _is_named_one(self, name: str) -> bool:
+        """Whether a slot tells one thing from another, or a phrase has one such slot and no more."""
+        grammar = self._grammar
+        if name in grammar.slots:
+            return grammar.slots[name].type in TELLING_APART
+        inner = [one.name for one in references(grammar.phrases[name])] if name in grammar.phrases else []
+        return len(inner) == 1 and self._is_named_one(inner[0])
 
     def _before(self, slot: Slot, leading: Collection[str]) -> frozenset[str]:
         """The articles that may stand before what a slot holds: none with which one of its names begins, as "some milk"

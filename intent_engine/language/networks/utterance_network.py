@@ -8,6 +8,7 @@ from intent_engine.language.automaton import SOUND
 from intent_engine.language.grammar import Grammar
 from intent_engine.language.networks.network import Call, Edge, Networks, State
 from intent_engine.language.networks.sentence_networks import SentenceNetworks, call_of
+from intent_engine.language.numbers.units import units
 from intent_engine.language.pattern.spoken_patterns import SpokenPatterns
 from intent_engine.language.templates.template_tree import last_references
 from intent_engine.language.words.thing_words import thing_words
@@ -53,13 +54,15 @@ class UtteranceNetwork:
         sounds += [words for words in self._fillers if len(words) > 1 and words[:1] in sounds]  # "so", and "so then"
         self._sounds = sounds
 
-    def root(self, *, stop_anywhere: bool) -> State:
+    def root(self, *, stop_anywhere: bool, otherwise: bool = False) -> State:
         """Where an utterance begins.
 
         Args:
             stop_anywhere: whether a stop may stand among other sentences, and a negated one begin in any way; else a
                 stop stands alone, only the usual negations begin a sentence, and what other languages than English put
                 behind a verb is a part of it.
+            otherwise: whether sentences are put in all ways in which they are understood, and not only in that of their
+                file.
         """
         self._add_words()
         begin, middle, end = State(), State(), State()
@@ -73,6 +76,8 @@ class UtteranceNetwork:
                 place.edges.append(Edge(place, call=Call("sounds", mark=SOUND, apart=True)))
                 place.edges.append(Edge(place, call=Call("fillers", apart=True)))
         called = self._read_as if stop_anywhere else self._said_as()
+        if otherwise:
+            called = self._otherwise(called, "sequence" if stop_anywhere else "and")
         for index, intent in self._whole.items():
             after = ends.get(intent, end)
             middle.edges.append(Edge(self._listed(index, after), call=Call(called(index))))
@@ -119,13 +124,20 @@ class UtteranceNetwork:
         self._sentences.add_led("led", led, thing_words(self._grammar.language).definite)
         return lambda index: f"{'led' if index in led else 'polite' if polite else 'sentence'}:{index}"
 
+    def _otherwise(self, called: Callable[[int], str], joint: str) -> Callable[[int], str]:
+        """The network of each sentence in all ways to put it. Speech is compared with the shortest joint alone, which
+        nearly everybody says: with each more words would be like it."""
+        return lambda index: self._sentences.add_otherwise(called(index), joint)
+
     def _add_words(self) -> None:
         """Add what stands before, between and after sentences."""
-        operators, wording = self._grammar.operators, self._grammar.wording
+        operators, wording, table = self._grammar.operators, self._grammar.wording, units(self._grammar.language)
+        joining = table.words.get("and", frozenset[str]()) if table is not None else frozenset[str]()
         phrases = {
             "sounds": self._sounds,
             "fillers": [words for words in self._fillers if words not in self._sounds],
             "sequence": operators.sequence,
+            "and": [words for words in operators.sequence if len(words) == 1 and words[0] in joining],
             "stop": operators.stop,
             # Negated sentences are utterances too: a recogniser that looks for sentences must be able to hear "don't".
             "negation": (*operators.negation, *wording.negated),

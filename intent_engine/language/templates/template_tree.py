@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -19,6 +19,7 @@ __all__ = [
     "last_references",
     "most_words",
     "references",
+    "says_only",
     "template_text",
 ]
 
@@ -139,6 +140,19 @@ def first_words(node: Node, phrases: Mapping[str, Node]) -> tuple[frozenset[str]
             return begun, True
         case _:
             return frozenset(), False
+
+
+def says_only(node: Node, words: Collection[str]) -> bool:
+    """Whether a template says one of some words, or nothing."""
+    match node:
+        case Word(text):
+            return text in words
+        case Optional(item):
+            return says_only(item, words)
+        case Choice(items):
+            return all(says_only(item, words) for item in items)
+        case _:
+            return False
 
 
 def template_text(node: Node) -> str:

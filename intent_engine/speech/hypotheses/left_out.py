@@ -278,7 +278,9 @@ def _end_beyond(words: Sequence[str], others: Sequence[Sequence[str]], least: in
     return ()
 
 
-def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequence[str], int]]) -> Sequence[str]:
+def begin_left_out(
+    words: Sequence[str], lead: int, heard: Iterable[tuple[Sequence[str], int]], least: int = BEGIN_LETTERS
+) -> Sequence[str]:
     """The first words that were heard, where a sentence begins otherwise, and all models that heard how the command
     goes on heard the same: of "do you go to the kitchen" it is no "go to the kitchen", of "I want to go" no "I want
     you to go". Empty: it begins as they heard it, or they heard its beginning each in another way, or not at all.
@@ -287,13 +289,15 @@ def begin_left_out(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequen
         words: of the sentence.
         lead: how many of them say nothing at its beginning ("please", "can you").
         heard: the words that each model heard, and how many of these say nothing.
+        least: letters by which it begins otherwise, if by so many.
     """
     first = next((word for word in words[lead:] if word not in ARTICLES), None)
     if first is None:
         return ()
     heard = list(heard)
     forms = (first, *(first + ending for ending in ENDINGS))
-    return _begin_before(forms[:1], words[:lead], heard) or _begin_before(forms, words[:lead], heard)
+    as_it_is = _begin_before(forms[:1], words[:lead], heard, least)
+    return as_it_is or _begin_before(forms, words[:lead], heard, least)
 
 
 def begins_unheard(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:
@@ -324,7 +328,7 @@ def begins_like(words: Sequence[str], other: Sequence[str], heard: Sequence[str]
 
 
 def _begin_before(
-    forms: Sequence[str], begins: Sequence[str], heard: Iterable[tuple[Sequence[str], int]]
+    forms: Sequence[str], begins: Sequence[str], heard: Iterable[tuple[Sequence[str], int]], least: int
 ) -> Sequence[str]:
     """The words that all models which heard a word in one of its forms heard before it, if these are not those with
     which the sentence begins."""
@@ -336,7 +340,7 @@ def _begin_before(
         return ()
     begin, nothing = min(begun)
     apart = min(_apart(begin, begins), _apart(begin[nothing:], ()))
-    return begin if apart >= BEGIN_LETTERS else ()
+    return begin if apart >= least else ()
 
 
 def _apart(one: Iterable[str], other: Iterable[str]) -> int:

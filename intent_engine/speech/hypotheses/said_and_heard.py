@@ -59,9 +59,14 @@ class SaidAndHeard:
         return tuple(" ".join(part) for part in (begin, end) if not grammar.says_nothing(part, language))
 
     def begin_left_out(self) -> Sequence[str]:
-        """As :func:`~intent_engine.speech.hypotheses.left_out.begin_left_out`."""
+        """As :func:`~intent_engine.speech.hypotheses.left_out.begin_left_out`. Of a sentence that its grammar has in
+        another way ("turn the lamp on") one model is enough, and one letter: whoever tells of it puts it so as well,
+        and of "he turned the lamp on" in noise one may hear "e turned a land on"."""
         led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
-        return begin_left_out(self.words, self._lead, led)
+        if not self.grammar.put_otherwise(self.words, self.language):
+            return begin_left_out(self.words, self._lead, led)
+        each = (begin_left_out(self.words, self._lead, [one], least=1) for one in led)
+        return next(filter(None, each), ())
 
     def heard_otherwise(self, confidence: float) -> tuple[str, ...]:
         """What all models heard in the place of words of the sentence, where that is something else; but what is as

@@ -249,6 +249,14 @@ class SpokenGrammar:
         """Whether no more of a sentence may follow than the manner of it."""
         return self._known(language).matcher.settled(words)
 
+    def put_otherwise(self, words: Sequence[str], language: str | None = None) -> bool:
+        """Whether a sentence is one that its grammar has in another way: "turn the lamp on", "open the door and the
+        window"."""
+        matcher = self._known(language).matcher
+        there = (one.walk(words)[1] for one in (matcher.begun, matcher.spoken))
+        whole = [state is not None and bool(state.accepts) for state in there]
+        return whole == [True, False]
+
     def plain(self, words: Sequence[str], meaning: Interpretation, language: str | None = None) -> bool:
         """Whether an exact sentence is what people say: without words in free slots that no list has, and without a
         turn of more than a circle ("five fourteen degrees" was "by fourteen"), or more than a whole of what has no

@@ -128,3 +128,28 @@ def test_a_person_and_the_form_that_fits_it_are_believed_of_one(grammar, sentenc
 def test_a_joint_is_asked_about_where_one_heard_an_or(grammar, heard, joint):
     words = ["turn", "left", "and", "move", "forward"]
     assert SaidAndHeard(grammar, words, [one.split() for one in heard]).either_heard() == joint
+
+
+LAMPS = """
+language: en
+slots: {lamp: [lamp, fan]}
+intents:
+  "on": {action: custom, sentences: ["turn on the {lamp}"]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("sentence", "heard", "left_out"),
+    [
+        ("turn the lamp on", ["by turn the lamp on", "turn the lamp on"], ("by",)),
+        ("turn the lamp on", ["e turned a land on", "turn the lamp on"], ("e",)),
+        ("can you turn the lamp on", ["g turn the lamp on"] * 2, ("g",)),
+        ("turn on the lamp and the fan", ["so we turn on the lamp and the fan", "on the lamp and the fan"], ("so we",)),
+        ("turn on the lamp", ["by turn on the lamp", "turn on the lamp"], ()),  # as the grammar has it
+        ("turn the lamp on", ["please turn the lamp on", "turn the lamp on"], ()),
+        ("turn the lamp on", ["turn the lamp on"] * 2, ()),
+    ],
+)
+def test_of_what_is_put_otherwise_one_model_that_heard_more_before_it_is_enough(engine_of, sentence, heard, left_out):
+    grammar = SpokenGrammar(engine_of(LAMPS))
+    assert SaidAndHeard(grammar, sentence.split(), [one.split() for one in heard]).left_out() == left_out

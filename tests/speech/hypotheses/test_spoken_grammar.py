@@ -439,3 +439,25 @@ def test_words_of_how_a_command_is_put_are_no_strange_ones(engine_of, text, plai
     meaning = grammar.parse(text)
     assert bool(meaning.actions) is plain
     assert grammar.plain(grammar.words(text), meaning) is plain
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        ("turn the land in the hall on", "turn the lamp in the hall on"),
+        ("open the door and the wind though", "open the door and the window"),
+        ("close the door and the wind though and the gate", "close the door and the window and the gate"),
+    ],
+)
+def test_sentences_that_are_put_otherwise_are_near(engine_of, heard, said):
+    grammar = SpokenGrammar(
+        engine_of(
+            "slots: {lamp: [lamp, fan], opening: [door, window, gate], room: [hall, lab]}\nintents:\n"
+            "  'on': {action: custom, sentences: ['turn on the {lamp} [in the {room}]']}\n"
+            "  open: {action: custom, sentences: ['open the {opening}']}\n"
+            "  close: {action: custom, sentences: ['close the {opening}']}\n"
+        )
+    )
+    assert tuple(said.split()) in grammar.near(heard.split())
+    assert grammar.put_otherwise(said.split())
+    assert not grammar.put_otherwise(["open", "the", "door", "and", "turn", "on", "the", "lamp"])
