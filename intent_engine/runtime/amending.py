@@ -84,12 +84,17 @@ class CarriedOut:
             return Step(more, Policy.FOLLOW, goes_on=True) if more else None
         first = self.goals[0]
         at_work = first.state is GoalState.EXECUTING
-        if whole.corrected and at_work and len(self.goals) == 1 and isinstance(first.action, Custom):
+        if whole.corrected and (at_work or first.succeeded) and self._is_of_a_program:
             return Step(whole.actions, Policy.REPLACE, goes_on=True)  # as after a "no" alone, which stops it
         begun = at_work or (first.succeeded and not isinstance(first.action, Pick | Place))
         if not (begun and can_be_amended(self.meaning)):
             return None
         return Step(whole.actions, Policy.REPLACE, first, goes_on=True)
+
+    @property
+    def _is_of_a_program(self) -> bool:
+        """Whether it is one action of a program, of which nothing is taken back when it is done."""
+        return len(self.goals) == 1 and isinstance(self.goals[0].action, Custom)
 
     def grown_to(self, whole: Interpretation, goals: tuple[Goal, ...]) -> CarriedOut:
         """The longer command, when these goals have been given for what was to be done of it."""

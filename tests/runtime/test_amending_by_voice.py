@@ -42,11 +42,12 @@ def test_what_a_handler_still_does_is_replaced_by_a_correction(engine_of, more, 
         assert goals[0].state is GoalState.CANCELED
 
 
-def test_what_a_handler_has_done_is_not_taken_back(engine_of):
+def test_what_a_handler_has_done_stays_done_and_what_is_meant_is_done_as_well(engine_of):
     engine = engine_of(GRAMMAR)
     with Executor(SimulatedRobot()) as executor:
         executor.register("waypoint", lambda _action: None)
         first = engine.parse(ALPHA)
         goals = executor.submit(first.actions)
         goals[0].result(60)
-        assert CarriedOut(first, tuple(goals)).step_to(engine.parse(f"{ALPHA}, no, bravo")) is None
+        done, whole = CarriedOut(first, tuple(goals)), engine.parse(f"{ALPHA}, no, bravo")
+        assert done.step_to(whole) == Step(whole.actions, Policy.REPLACE, goes_on=True)

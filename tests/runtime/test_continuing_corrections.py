@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from continuing_stage import Said, SaidInParts, Script
+from continuing_stage import ROOT, Said, SaidInParts, Script
 
+from intent_engine.engine import IntentEngine
 from intent_engine.execution.goal import GoalState
 from intent_engine.runtime import HeardKind
+
+ORDERS = IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml")
 
 
 def test_a_correction_that_comes_later_is_done():
@@ -65,3 +68,11 @@ def test_a_no_takes_it_back_even_if_what_is_meant_instead_is_not_understood():
     assert "taken back" in told[-1].reason
     hardly = Said(Script("go forward ten meters", "no the dog", "go forward ten meters no the dog", score=-2.0))
     assert hardly.pose.x == pytest.approx(10.0)
+
+
+def test_a_command_of_a_program_that_is_done_is_corrected_by_another():
+    """What it did stays done: only the program knows what would undo it."""
+    said = Said(
+        Script("i'd like a small latte", "no a large one", "i'd like a small latte no a large one"), engine=ORDERS
+    )
+    assert [order["size"] for order in said.orders] == ["small", "large"]

@@ -13,6 +13,8 @@ from intent_engine.interpretation import Cause, Interpretation, Status
 from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import goes_on_from
 from intent_engine.language.context.references import Before, resolve
+from intent_engine.language.context.said_instead import said_instead
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -102,6 +104,8 @@ class Understanding(Generic[_Parser]):
             return more
         if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
+        if done and not does and (instead := self._instead(text, done)) is not None:
+            return instead
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
         if self._by_voice and Cause.NO_COMMAND in found.causes:
@@ -113,8 +117,7 @@ class Understanding(Generic[_Parser]):
     def _going_on(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
         """What a text that is typed adds to what was done before, and the parser that says so; None: nothing. What is
         spoken has its time, which is not known here: "and Ben", a minute later, is talk."""
-        asks = isinstance(self._last, Interpretation) and self._last.question is not None
-        if self._by_voice or asks or not self._before:
+        if not self._before or not self._follows_in_writing:
             return None
         for parser in self._parsers:
             grammar = parser.matcher.grammar
@@ -124,6 +127,25 @@ class Understanding(Generic[_Parser]):
                 if (more := goes_on_from(text, done, self._before, meaning, parted)) is not None:
                     return more, parser
         return None
+
+    def _instead(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
+        """What a text that is typed puts in the place of what was done before, and the parser that says so; None:
+        nothing. What is spoken has its time here as well."""
+        if not self._before or MOVING in self._state or not self._follows_in_writing:
+            return None
+        for parser in self._parsers:
+            grammar = parser.matcher.grammar
+            if PhraseSet(grammar.operators.correction).at(Utterance.of(text, grammar.language).words, 0):
+                meaning = partial(parser.interpret, state=self._state)
+                listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
+                if (instead := said_instead(text, done, self._before, meaning, listed)) is not None:
+                    return instead, parser
+        return None
+
+    @property
+    def _follows_in_writing(self) -> bool:
+        """Whether it follows what was typed before, and no question."""
+        return not self._by_voice and not (isinstance(self._last, Interpretation) and self._last.question is not None)
 
     def _first_accepted(self, text: str) -> tuple[Interpretation, _Parser]:
         """The interpretation of the first language that accepts a text; else the one that says most about it."""

@@ -1,0 +1,46 @@
+"""What is typed in the place of a part of what was said before: "no, the heater", after "turn on the lamp".
+
+What was done of it stays done, and is denied, so that it ends where it is still being done. A robot that moves is
+stopped by such a text instead, and what a drive or a turn has covered cannot be taken from what is meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+
+from intent_engine.actions import Action, Custom, Navigate
+from intent_engine.interpretation import Interpretation, Status
+
+__all__ = ["said_instead"]
+
+
+def said_instead(
+    text: str,
+    before: str,
+    done: Sequence[Action],
+    meaning: Callable[[str], Interpretation],
+    listed: Collection[str],
+) -> Interpretation | None:
+    """What a text means that begins with a word of correction; its ``text`` is the whole sentence. None: it corrects
+    nothing of what was done, or that is no single thing that can be done anew.
+
+    Args:
+        text: what is said now, and is no command by itself.
+        before: the text of what was said before.
+        done: what that did.
+        meaning: understands a text.
+        listed: slots that do not hold any words: behind "say it is early" a "no, it was late" may be said to anybody.
+    """
+    if len(done) != 1 or not isinstance(done[0], Custom | Navigate):
+        return None
+    first = meaning(before)
+    if first.actions != tuple(done):
+        return None
+    whole = meaning(f"{before}, {text}")
+    corrects = whole.status is Status.ACCEPTED and whole.corrected and not whole.stops
+    if not corrects or len(whole.actions) != 1 or whole.actions[0] == done[0]:
+        return None
+    if not all(slot in listed or whole.slots[slot] == first.slots.get(slot) for slot in whole.slots):
+        return None
+    return replace(whole, denied=tuple(dict.fromkeys((*done, *whole.denied))))
