@@ -131,6 +131,10 @@ class Matcher:
         window". For looking ahead."""
         return self._automaton(self._utterances.root(stop_anywhere=True, otherwise=True), loose=False)
 
+    def look_ahead(self) -> None:
+        """Make ready what the first look ahead would wait for: a tenth of a second."""
+        self.begun.ways_on([])
+
     @cached_property
     def likely(self) -> Automaton:
         """The same, with stop words only by themselves: for finding what was probably said. A stop word found in

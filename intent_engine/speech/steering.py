@@ -84,6 +84,7 @@ class Steering(OtherCommands):
         """Make ready what the first words would wait for, if their language is known: a third of a second."""
         if self.language is not None:
             self.guide(self.language)
+            self.grammar.look_ahead(self.language)
 
     def glance(self, samples: Samples) -> Transcript:
         """As :meth:`~intent_engine.speech.recognizer.Glancing.glance`."""

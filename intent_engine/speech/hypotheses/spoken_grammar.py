@@ -114,6 +114,10 @@ class SpokenGrammar:
         """The search for sentences that are like some words; another one when the grammar was reloaded."""
         return self._known(language).search
 
+    def look_ahead(self, language: str | None = None) -> None:
+        """As :meth:`~intent_engine.language.matcher.Matcher.look_ahead`."""
+        self._engine.matcher(self._own(language)).look_ahead()
+
     def near(self, heard: Sequence[str], language: str | None = None) -> list[tuple[str, ...]]:
         """Sentences like the words heard, the likest first; then those that take something back, and those that would
         be one if their first words were a wake word."""
