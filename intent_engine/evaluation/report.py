@@ -183,6 +183,7 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
         "latency": round(latency, 4) if latency is not None else None,
         "decode_seconds": round(outcome.decode, 4),
         "held": round(outcome.held, 4) if outcome.held is not None else None,
+        "held_at": round(outcome.held_at, 4) if outcome.held_at is not None else None,
         "errors": list(outcome.errors),
     }
 
