@@ -202,8 +202,8 @@ def evaluate(
         _keep(results, run, csv, plot, goal)
     if isinstance(run.ended_by, Exception):
         note(run.ended)
-        error, run.ended_by = run.ended_by, None
-        raise error
+        failure, run.ended_by = run.ended_by, None
+        raise failure
     if run.interrupted:
         error_block(run.ended)
         return run.code

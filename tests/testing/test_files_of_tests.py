@@ -41,7 +41,11 @@ def test_of_several_commands_what_is_left_out_is_not_compared(tmp_path, steps, d
 
 @pytest.mark.parametrize(
     ("status", "say", "differs"),
-    [("accepted", "turn left", ["actions"]), ("rejected", "the weather", []), ("rejected", "stop", ["status", "actions"])],
+    [
+        ("accepted", "turn left", ["actions"]),
+        ("rejected", "the weather", []),
+        ("rejected", "stop", ["status", "actions"]),
+    ],
 )
 def test_no_actions_are_nothing_that_is_done(tmp_path, status, say, differs):
     assert parts(tmp_path, f"- {{say: {say}, status: {status}, actions: []}}") == [differs]
