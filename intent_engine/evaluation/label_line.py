@@ -173,9 +173,10 @@ class LabelLine:
                 self.wrong("has 'slots' but no intent", "slots", hint="no command has no slots")
             return ()
         if intent == COMPOUND:
-            try:
+            listed = slots.get("steps")
+            if isinstance(listed, list) and listed and all(map(_is_step, listed)):
                 steps = steps_in(slots)
-            except (KeyError, TypeError, AttributeError):
+            else:
                 self.wrong(
                     "'compound' needs its steps",
                     "slots",
@@ -225,6 +226,9 @@ class LabelLine:
         return tuple(found for item in listed if (found := self._action(item)) is not None), None
 
     def _action(self, item: Any) -> Action | None:
+        if isinstance(item, str):
+            self.wrong("'actions' are whole actions, or types of actions only", "actions", hint='["move", "turn"]')
+            return None
         try:
             return from_json(item)
         except ValueError as error:
@@ -236,6 +240,13 @@ def _renamed(data: Mapping[str, Any], key: str) -> str | None:
     """What to write for a key that is not there, if the line has it by a name of another format."""
     other = next((name for name in ELSEWHERE[key] if isinstance(data.get(name), str)), None)
     return other and f"here {other!r} is called {key!r}"
+
+
+def _is_step(value: Any) -> bool:
+    """Whether a value is one of several commands."""
+    if not isinstance(value, Mapping):
+        return False
+    return isinstance(value.get("intent"), str) and isinstance(value.get("slots"), Mapping | None)
 
 
 def _is_finite(value: Any) -> bool:
