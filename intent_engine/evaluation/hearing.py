@@ -203,7 +203,7 @@ class _Notes:
         elif event.kind is HeardKind.OUTDATED and self._leaves:
             self._busy = min(self._busy, max(self._began, event.time) + LEAVES)
         elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
-            if event.transcript is not self._partial:
+            if not self._known(event.transcript):
                 self._decoded(event.transcript, event.time)
             self.hearing.free_texts.append(event.transcript.free_text or event.transcript.text)
             self.hearing.transcripts.append(event.transcript)
@@ -225,6 +225,12 @@ class _Notes:
             self.hearing.holds.append(_next_frame(event.time + look))
         elif event.kind is HeardKind.ERROR:
             self.hearing.errors.append(event.detail)
+
+    def _known(self, transcript: Transcript) -> bool:
+        """Whether what is told is what was told of in part, perhaps with the words heard freely for its text."""
+        if self._partial is None or transcript is self._partial:
+            return transcript is self._partial
+        return transcript == self._partial.as_heard() != self._partial
 
     def _begun(self, whole: Interpretation) -> int:
         """Which act the whole of a command goes on from: the last that it begins with, as after "no, wait!", or else

@@ -182,3 +182,15 @@ def test_what_is_put_right_after_a_stop_counts_as_one_command(engine):
         notes.take(Heard(HeardKind.SUBMITTED, 1.0, **told))
     assert notes.hearing.texts == notes.hearing.free_texts == [whole]
     assert notes.hearing.actions == engine.parse("turn right").actions
+
+
+def test_a_decode_counts_once_whichever_of_its_texts_is_told_in_the_end(engine):
+    """What is no command, and what answers a question, is told as it was heard freely."""
+    notes, decoded = _Notes(None, leaves=False), Transcript("turn left", 0.0, "turn lift", decode_seconds=DECODE)
+    meaning = engine.parse("turn left")
+    notes.take(Heard(HeardKind.PARTIAL, 1.0, transcript=decoded, speech_ended=0.9))
+    notes.take(Heard(HeardKind.TRANSCRIPT, 1.5, transcript=decoded.as_heard(), speech_ended=0.9))
+    notes.take(Heard(HeardKind.INTERPRETATION, 1.5, interpretation=meaning, speech_ended=0.9))
+    notes.take(Heard(HeardKind.SUBMITTED, 1.5, interpretation=meaning, speech_ended=0.9))
+    assert notes.hearing.decodes == [DECODE]
+    assert [act.time for act in notes.hearing.acts] == [1.5], "it was there 1.4 s after the sound began"
