@@ -216,7 +216,7 @@ def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
 def _cell(value: Any) -> Any:
     if isinstance(value, list):
         value = "; ".join(item if isinstance(item, str) else _action(item) for item in value)
-    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@"):
+    if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
         return f"'{value}"  # a spreadsheet would run it as a formula, and what was heard is anybody's
     return value
 
