@@ -98,7 +98,7 @@ def reflex_rows(name: str, outcomes: list[Outcome]) -> list[dict[str, Any]]:
     if len(stops) >= FEWEST:
         times = [one.held for one in stops if one.held is not None]
         rows += holds(f"stop word, synthetic voices, {name}", _COMMAND, times, len(stops))
-    held = sum(one.held is not None for one in others)
+    held = sum(one.held_at is not None for one in others)
     figure = f"everything else, synthetic voices, {name}: held for a moment"
     return [*rows, row(figure, _COMMAND, 100 * held / max(len(others), 1), "%", runs=len(others))]
 

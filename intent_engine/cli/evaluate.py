@@ -6,6 +6,7 @@ import contextlib
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from decimal import Decimal
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -48,7 +49,7 @@ DEFAULT_SNRS = "6,12,24"
 
 @dataclass
 class _Run:
-    """What was heard so far: all of it, unless Ctrl-C or SIGTERM has ended it."""
+    """What was heard so far: all of it, unless Ctrl-C, SIGTERM or an error has ended it."""
 
     rows: int
     """Recordings of each condition."""
@@ -56,7 +57,7 @@ class _Run:
     """How often each is heard: by every model, with the grammar and without."""
     outcomes: list[Outcome] = field(default_factory=list)
     heard: int = 0
-    ended_by: KeyboardInterrupt | Terminated | None = None
+    ended_by: KeyboardInterrupt | Terminated | Exception | None = None
 
     @property
     def interrupted(self) -> bool:
@@ -74,6 +75,8 @@ class _Run:
         if not self.interrupted:
             return ""
         how = "terminated" if isinstance(self.ended_by, Terminated) else "interrupted"
+        if isinstance(self.ended_by, Exception):
+            how = "ended by an error"
         if not self.outcomes:
             return f"{how} before anything was measured"
         what = "recordings" if self.passes == 1 else f"hearings ({self.rows} recordings, {self.passes} times each)"
@@ -188,11 +191,19 @@ def evaluate(
         except (KeyboardInterrupt, Terminated) as ending:  # hours of it may be measured already
             # What it was raised through holds models and resamplers, which complain when they outlive the interpreter.
             run.ended_by = ending.with_traceback(None)
+        except Exception as error:  # of one recording, as a file that went away meanwhile
+            run.ended_by = error
+            if not run.outcomes:
+                raise
     results = scores(run.outcomes)
-    goal = at_least / 100 if at_least is not None else None
+    goal = _share(at_least) if at_least is not None else None
     _show(results, run, as_json, all_in=csv)
     if run.outcomes:
         _keep(results, run, csv, plot, goal)
+    if isinstance(run.ended_by, Exception):
+        note(run.ended)
+        failure, run.ended_by = run.ended_by, None
+        raise failure
     if run.interrupted:
         error_block(run.ended)
         return run.code
@@ -233,6 +244,11 @@ def _check_share(at_least: float | None) -> None:
     if at_least is not None and 0 < at_least <= 1:
         hint = f"for {at_least * 100:g} %: --at-least {at_least * 100:g}"
         raise ConfigError(Problem(f"--at-least {at_least:g} is {at_least:g} % of the commands", hint=hint))
+
+
+def _share(percent: float) -> float:
+    """Of so many per cent. The one divided by 100 may be more: 0.9 / 100 of 1000 commands is more than 9 of them."""
+    return float(Decimal(str(percent)) / 100)
 
 
 def _snrs(text: str | None) -> list[float]:

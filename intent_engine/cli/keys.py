@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -11,6 +12,9 @@ from collections.abc import Callable, Iterator
 from intent_engine.errors import ConfigError, Problem
 
 __all__ = ["check_terminal", "keys"]
+
+_REST = re.compile(r"[\[O][0-?]*[ -/]*[@-~]")
+"""What a terminal sends behind an escape for an arrow or F2, which is no O and no Q."""
 
 _NO_TERMINAL = Problem(
     "push-to-talk needs a terminal, whose space bar is the key",
@@ -20,7 +24,8 @@ _NO_TERMINAL = Problem(
 
 @contextlib.contextmanager
 def keys(on_key: Callable[[str], object], on_gone: Callable[[], object] = bool) -> Iterator[None]:
-    """Call ``on_key`` with each key, in a thread of its own; the terminal is as before afterwards.
+    """Call ``on_key`` with each key, in a thread of its own; the terminal is as before afterwards. Keys that have no
+    character, as arrows, are told as an escape.
 
     Ctrl-C stays what it is. ``on_gone`` is called there when the terminal is no more, and no key will be pressed.
 
@@ -47,6 +52,7 @@ def _unix(on_key: Callable[[str], object], on_gone: Callable[[], object]) -> Ite
     ending, end = os.pipe()
 
     def read() -> None:
+        escaped = False
         while True:
             ready, _, _ = select.select([terminal, ending], [], [])
             if ending in ready:
@@ -58,7 +64,11 @@ def _unix(on_key: Callable[[str], object], on_gone: Callable[[], object]) -> Ite
             if not pressed:
                 on_gone()
                 return
-            for key in pressed.decode("utf-8", errors="replace"):
+            typed = pressed.decode("utf-8", errors="replace")
+            if escaped:  # its rest came later than the escape, as over a slow line
+                typed = _REST.sub("", typed, count=1) if _REST.match(typed) else typed
+            escaped = typed.endswith("\x1b")
+            for key in re.sub(f"\x1b{_REST.pattern}", "\x1b", typed):
                 on_key(key)
 
     thread = threading.Thread(target=read, name="keys", daemon=True)

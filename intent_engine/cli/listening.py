@@ -140,7 +140,7 @@ def listen(
     begin: Callable[[], object] | None
     if pcm is not None:
         piped = _pcm(pcm, form, session=made)
-        source, name, begin = piped, pcm.replace("-", "standard input"), piped.begin
+        source, name, begin = piped, "standard input" if pcm == "-" else pcm, piped.begin
     else:
         from intent_engine.speech.sources.microphone import Microphone
 

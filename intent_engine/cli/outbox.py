@@ -8,6 +8,7 @@ from collections.abc import Callable
 from types import TracebackType
 
 from intent_engine.cli.streams import drop_output
+from intent_engine.cli.terminal import note
 
 __all__ = ["Outbox"]
 
@@ -38,7 +39,7 @@ class Outbox:
         self._error: Exception | None = None
         self._thread = threading.Thread(target=self._work, name="outbox", daemon=True)
         self.unread = 0
-        """Lines that found no room, since nobody read."""
+        """Lines that found no room, since nobody read; told at the end, on standard error."""
 
     def put(self, write: Callable[[], object]) -> None:
         """Write something, in its turn.
@@ -82,6 +83,9 @@ class Outbox:
         if self._thread.is_alive():
             drop_output()
             self._thread.join()
+        if self.unread:
+            lines = f"{self.unread:,} line{'s' * (self.unread != 1)}"
+            note(f"warning: {lines} of what happened found no reader for so long that there was no room: they are lost")
         if kind is None and self._error is not None:
             raise self._error
 

@@ -69,7 +69,7 @@ def check_file(path: Path, option: str) -> None:
         with path.open("ab", buffering=0) as file:
             file.write(b"")  # no more than a device needs to say that it takes nothing
         if not there:
-            path.unlink()
+            path.resolve().unlink()  # the file, not a link that leads to it
     except OSError as error:
         why = error.strerror or str(error)
         hint = "give a file in a folder that you may write to"

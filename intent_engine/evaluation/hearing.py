@@ -16,6 +16,7 @@ from intent_engine.execution.robots.robot import Pose
 from intent_engine.execution.robots.robot_file import RobotFile
 from intent_engine.execution.showing import show_own_actions
 from intent_engine.interpretation import Interpretation
+from intent_engine.language.utterance import plain
 from intent_engine.runtime.heard import Heard, HeardKind
 from intent_engine.runtime.runtime import Runtime
 from intent_engine.speech.audio import FRAME_SECONDS, AudioSource, Samples
@@ -189,6 +190,8 @@ class _Notes:
         """s: when the recogniser began the last decode,"""
         self._busy = 0.0
         """and until when it decodes."""
+        self._places: list[int] = []
+        """Of each act, among the texts."""
         self._partial: Transcript | None = None
         self._ready = 0.0
         """s: when the transcript is there, in real time."""
@@ -200,30 +203,49 @@ class _Notes:
         elif event.kind is HeardKind.OUTDATED and self._leaves:
             self._busy = min(self._busy, max(self._began, event.time) + LEAVES)
         elif event.kind is HeardKind.TRANSCRIPT and event.transcript is not None:
-            if event.transcript is not self._partial:
+            if not self._known(event.transcript):
                 self._decoded(event.transcript, event.time)
-            if event.goes_on:
-                self.hearing.free_texts.pop()
-                self.hearing.transcripts.pop()
             self.hearing.free_texts.append(event.transcript.free_text or event.transcript.text)
             self.hearing.transcripts.append(event.transcript)
         elif event.kind is HeardKind.INTERPRETATION and event.interpretation is not None:
             # Its text is what was heard after all, where the grammar had steered the recogniser too far from the sound.
             if event.goes_on:
-                self.hearing.texts.pop()
-                self.hearing.meanings.pop()
+                self._drop_texts(self._begun(event.interpretation))
             self.hearing.texts.append(event.interpretation.text)
             self.hearing.meanings.append(event.interpretation)
         elif event.kind is HeardKind.SUBMITTED and event.interpretation is not None:
             ended = event.speech_ended if event.speech_ended is not None else event.time
             if event.goes_on:  # what is done counts, and when all of it was
-                self.hearing.acts.pop()
+                begun = self._begun(event.interpretation)
+                del self.hearing.acts[begun:], self._places[begun:]
+            self._places.append(len(self.hearing.texts) - 1)
             self.hearing.acts.append(Act(event.interpretation, max(event.time, self._ready), ended))
         elif event.kind is HeardKind.HOLD:
             look = self._reflex.seconds if self._reflex is not None else 0.0
             self.hearing.holds.append(_next_frame(event.time + look))
         elif event.kind is HeardKind.ERROR:
             self.hearing.errors.append(event.detail)
+
+    def _known(self, transcript: Transcript) -> bool:
+        """Whether what is told is what was told of in part, perhaps with the words heard freely for its text."""
+        if self._partial is None or transcript is self._partial:
+            return transcript is self._partial
+        return transcript == self._partial.as_heard() != self._partial
+
+    def _begun(self, whole: Interpretation) -> int:
+        """Which act the whole of a command goes on from: the last that it begins with, as after "no, wait!", or else
+        the last."""
+        words = plain(whole.text)
+        texts = [plain(act.meaning.text) for act in self.hearing.acts]
+        found = [index for index, text in enumerate(texts) if words[: len(text)] == text]
+        return found[-1] if found else max(len(texts) - 1, 0)
+
+    def _drop_texts(self, begun: int) -> None:
+        """Leave out what was heard since an act began, that included: it was heard anew, all in one. What the whole was
+        decoded as is there already."""
+        at = self._places[begun] if begun < len(self._places) else len(self.hearing.texts)
+        del self.hearing.texts[at:], self.hearing.meanings[at:]
+        del self.hearing.free_texts[at:-1], self.hearing.transcripts[at:-1]
 
     def _decoded(self, transcript: Transcript, asked: float) -> None:
         self._began = max(asked, self._busy)

@@ -137,6 +137,10 @@ class LabelLine:
             hint = _renamed(data, "text") or "add 'text', or 'intent' and 'slots', or 'actions'"
             self.wrong("says nothing of what is said", hint=hint)
             return None
+        for key in ("slots", "actions"):
+            if not _is_finite(data.get(key)):
+                self.wrong(f"'{key}' holds NaN or an infinite number", key, hint="leave such a value out")
+                return None
         steps: tuple[Step, ...] = ()
         if "intent" in data:
             steps = self._steps(data)
@@ -169,9 +173,10 @@ class LabelLine:
                 self.wrong("has 'slots' but no intent", "slots", hint="no command has no slots")
             return ()
         if intent == COMPOUND:
-            try:
+            listed = slots.get("steps")
+            if isinstance(listed, list) and listed and all(map(_is_step, listed)):
                 steps = steps_in(slots)
-            except (KeyError, TypeError, AttributeError):
+            else:
                 self.wrong(
                     "'compound' needs its steps",
                     "slots",
@@ -221,6 +226,9 @@ class LabelLine:
         return tuple(found for item in listed if (found := self._action(item)) is not None), None
 
     def _action(self, item: Any) -> Action | None:
+        if isinstance(item, str):
+            self.wrong("'actions' are whole actions, or types of actions only", "actions", hint='["move", "turn"]')
+            return None
         try:
             return from_json(item)
         except ValueError as error:
@@ -232,6 +240,22 @@ def _renamed(data: Mapping[str, Any], key: str) -> str | None:
     """What to write for a key that is not there, if the line has it by a name of another format."""
     other = next((name for name in ELSEWHERE[key] if isinstance(data.get(name), str)), None)
     return other and f"here {other!r} is called {key!r}"
+
+
+def _is_step(value: Any) -> bool:
+    """Whether a value is one of several commands."""
+    if not isinstance(value, Mapping):
+        return False
+    return isinstance(value.get("intent"), str) and isinstance(value.get("slots"), Mapping | None)
+
+
+def _is_finite(value: Any) -> bool:
+    """Whether all numbers in a value are: Python reads others too, but nothing that is told of them would be JSON."""
+    if isinstance(value, Mapping):
+        return all(map(_is_finite, value.values()))
+    if isinstance(value, list):
+        return all(map(_is_finite, value))
+    return not isinstance(value, float) or math.isfinite(value)
 
 
 def _is_file(path: Path) -> bool:

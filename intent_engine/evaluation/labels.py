@@ -88,4 +88,4 @@ def steps_in(slots: Mapping[str, Any]) -> tuple[Step, ...]:
     Raises:
         KeyError, TypeError, AttributeError: they are not of that form.
     """
-    return tuple(Step(step["intent"], step.get("slots", {})) for step in slots["steps"])
+    return tuple(Step(step["intent"], step.get("slots") or {}) for step in slots["steps"])

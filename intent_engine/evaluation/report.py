@@ -183,6 +183,7 @@ def outcome_json(outcome: Outcome) -> dict[str, Any]:
         "latency": round(latency, 4) if latency is not None else None,
         "decode_seconds": round(outcome.decode, 4),
         "held": round(outcome.held, 4) if outcome.held is not None else None,
+        "held_at": round(outcome.held_at, 4) if outcome.held_at is not None else None,
         "errors": list(outcome.errors),
     }
 
@@ -215,7 +216,7 @@ def write_csv(path: Path, outcomes: Sequence[Outcome]) -> None:
 def _cell(value: Any) -> Any:
     if isinstance(value, list):
         value = "; ".join(item if isinstance(item, str) else _action(item) for item in value)
-    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@"):
+    if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
         return f"'{value}"  # a spreadsheet would run it as a formula, and what was heard is anybody's
     return value
 

@@ -68,9 +68,10 @@ class Outcome:
     decode: float = 0.0
     """s that the last decode took."""
     held: float | None = None
-    """s from the end of speech to the first time that the reflex held the robot, negative before it; None: never."""
+    """s from the end of speech to the first time that the reflex held the robot, negative before it; None: never, or
+    nobody knows when speech ended: the label does not say it, and nothing was acted on."""
     held_at: float | None = None
-    """s since the sound began."""
+    """s since the sound began; None: never."""
     errors: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
     """What was acted on, with its slots."""
@@ -119,9 +120,9 @@ def _held(row: Row, hearing: Hearing) -> float | None:
     if not hearing.holds:
         return None
     ended = row.speech_end
-    if ended is None:
-        ended = hearing.acts[0].speech_ended if hearing.acts else hearing.holds[0]
-    return hearing.holds[0] - ended
+    if ended is None and hearing.acts:
+        ended = hearing.acts[0].speech_ended
+    return None if ended is None else hearing.holds[0] - ended
 
 
 def _verdict(row: Row, steps: Sequence[Step], actions: Sequence[Action]) -> Verdict:
@@ -256,6 +257,7 @@ def score(outcomes: Sequence[Outcome]) -> Score:
     condition = outcomes[0].condition
     stops = [outcome for outcome in outcomes if outcome.row.expected.stops]
     held = [outcome.held for outcome in stops if outcome.held is not None]
+    stops_held = sum(outcome.held_at is not None for outcome in stops)
     return Score(
         model=condition.model,
         noise=condition.noise,
@@ -280,10 +282,10 @@ def score(outcomes: Sequence[Outcome]) -> Score:
         decode_p50=quantile(decodes, 0.5),
         decode_p90=quantile(decodes, 0.9),
         stops=len(stops),
-        stops_held=len(held),
+        stops_held=stops_held,
         held_p50=quantile(held, 0.5),
         held_p90=quantile(held, 0.9),
-        others_held=sum(outcome.held is not None for outcome in outcomes) - len(held),
+        others_held=sum(outcome.held_at is not None for outcome in outcomes) - stops_held,
         errors=sum(len(outcome.errors) for outcome in outcomes),
     )
 

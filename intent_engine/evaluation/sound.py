@@ -100,6 +100,12 @@ def check(rows: Sequence[Row], labels: Path) -> None:
             wrong.append(f"{labels}:{row.line}: {length}")
         elif row.start >= length or (row.end or 0.0) > length + 0.5:
             wrong.append(f"{labels}:{row.line}: {row.audio} lasts {length:.1f} s only\n    correct 'start' and 'end'")
+        elif row.speech_end is not None and row.speech_end > (row.end or length) - row.start + 0.5:
+            lasts = (row.end or length) - row.start
+            wrong.append(
+                f"{labels}:{row.line}: 'speech_end' is {row.speech_end:g} s, and the sound lasts {lasts:.1f} s\n"
+                "    count it from where the sound begins, from 'start' if there is one"
+            )
     if wrong:
         more = [f"and {len(wrong) - MOST_PROBLEMS} more like these"] if len(wrong) > MOST_PROBLEMS else []
         raise AudioError("\n".join([*wrong[:MOST_PROBLEMS], *more]))

@@ -42,6 +42,11 @@ class HearAll:
         # Of the computer's time: a simulator that is paused keeps no stop from the node.
         node.create_timer(self.LOOK_PERIOD, self._look, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
+    @property
+    def topic(self) -> str:
+        """Its whole name."""
+        return str(self._reliable.topic_name)
+
     def _hear(self, message: Any, info: Any) -> None:
         sent = sent_at(info)
         if sent in self._before:
@@ -53,7 +58,7 @@ class HearAll:
     def _look(self) -> None:
         from rclpy.qos import ReliabilityPolicy
 
-        publishers = self._node.get_publishers_info_by_topic(self._reliable.topic_name)
+        publishers = self._node.get_publishers_info_by_topic(self.topic)
         wanted = any(each.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT for each in publishers)
         if wanted and self._other is None:
             self._other = self._subscribe(reliable=False)

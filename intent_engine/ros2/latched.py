@@ -1,9 +1,9 @@
 """Hears a topic from publishers that keep their last message for who comes late, and from those that do not.
 
 In DDS a subscription that asks for kept messages is not connected to a publisher that keeps none, and one that does not
-ask for them is given none. So there are two: one hears everybody from now on, the other is made where somebody keeps
-messages, and brings what was said before. It is made only there because a publisher that keeps none is warned of every
-subscription that asks: "no messages will be sent to it", which is not what happens.
+ask for them is given none. So there are two: one hears everybody from now on, reliable or not, the other is made where
+somebody keeps messages, and brings what was said before. It is made only there because a publisher that keeps none is
+warned of every subscription that asks: "no messages will be sent to it", which is not what happens.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from intent_engine.ros2.best_effort import HearAll
 from intent_engine.ros2.clock import sent_at
 
 __all__ = ["HearLatched", "Newest"]
@@ -61,7 +62,7 @@ class HearLatched:
 
         self._node, self._name, self._heard, self._string = node, topic, heard, String
         self._newest = Newest()
-        self._live = node.create_subscription(String, topic, self._hear_live, 10)
+        self._live = HearAll(node, String, topic, self._hear_live)
         self._kept: Any = None
         # Of the computer's time: a simulator that is paused keeps no state from the node.
         node.create_timer(self.LOOK_PERIOD, self._look, clock=Clock(clock_type=ClockType.STEADY_TIME))
@@ -79,7 +80,7 @@ class HearLatched:
         from rclpy.qos import DurabilityPolicy, QoSProfile
 
         latched = DurabilityPolicy.TRANSIENT_LOCAL
-        publishers = self._node.get_publishers_info_by_topic(self._live.topic_name)
+        publishers = self._node.get_publishers_info_by_topic(self._live.topic)
         wanted = any(each.qos_profile.durability == latched for each in publishers)
         if wanted and self._kept is None:
             # Only the last message counts. What it is not connected to, the other hears: no word of that.

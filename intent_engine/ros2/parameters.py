@@ -41,6 +41,9 @@ class Parameters:
     def texts(self, name: str, default: str, meaning: str) -> tuple[str, ...]:
         """One text or a list of texts."""
         value = self._declare(name, default, f"{meaning}; one, or a list")
+        if value is None:  # as rclpy has an empty list
+            self._wrong(name, [], "a name, or a list of names")
+            return (default,)
         return tuple(
             str(each) for each in (value if isinstance(value, Iterable) and not isinstance(value, str) else [value])
         )

@@ -144,7 +144,10 @@ def _microphones() -> Check:
         may_not_use_sound,
     )
 
-    there = list_devices()
+    try:
+        there = list_devices()
+    except DeviceError as error:
+        return _failed("microphones", error)
     if not there:
         return Check("microphones", Verdict.MISSING, "none", hint_for_no_microphone())
     names = "; ".join(f"{one.index}: {one.name}{' (default)' * one.default}" for one in there)

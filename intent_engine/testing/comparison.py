@@ -57,8 +57,13 @@ def differences(expected: Interpretation, found: Interpretation) -> tuple[Differ
     if (expected.actions or expected.status is not Status.ACCEPTED) and not _same(
         _plain(expected.actions), _plain(found.actions)
     ):
-        rows.append(Difference("actions", _actions(expected.actions), _actions(found.actions)))
+        rows.append(actions_difference(expected.actions, found.actions))
     return tuple(rows)
+
+
+def actions_difference(expected: Sequence[Action], found: Sequence[Action]) -> Difference:
+    """Told of actions that are others than those expected."""
+    return Difference("actions", _actions(expected), _actions(found))
 
 
 def slot_differences(expected: Mapping[str, Any], found: Mapping[str, Any]) -> list[Difference]:

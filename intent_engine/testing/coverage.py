@@ -1,13 +1,14 @@
 """What of a grammar the tests reach: intents, sentences and slots.
 
-Every interpretation is watched, whoever asks for it, so that a user's own tests count as well as examples.
+Every interpretation is watched, whoever asks for it, so that a user's own tests count as well as examples. Where
+several processes test, each tells what it missed, and what all of them missed is told in the end.
 """
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,11 +44,28 @@ class _Seen:
     slots: set[tuple[str, str]] = field(default_factory=set)
 
 
+@dataclass(frozen=True, slots=True)
+class _Report:
+    """What was reached of one grammar."""
+
+    title: str
+    totals: Mapping[str, int]
+    """By the kind of a part: how many there are."""
+    missed: Sequence[Missed]
+
+    def beside(self, other: _Report) -> _Report:
+        """What neither of two processes reached."""
+        known = set(other.missed)
+        return replace(self, missed=[part for part in self.missed if part in known])
+
+
 class Coverage:
     """Watches every parse between :meth:`start` and :meth:`stop`."""
 
     def __init__(self) -> None:
         self._seen: dict[tuple[str, ...], _Seen] = {}
+        self._elsewhere: list[_Report] = []
+        """Of other processes."""
         self._undo: list[Callable[[], None]] = []
 
     def start(self) -> None:
@@ -100,20 +118,41 @@ class Coverage:
 
     def missed(self) -> dict[str, list[Missed]]:
         """By the grammar's files: what no test reached, intents first."""
-        return {_title(seen.grammar): list(_missed(seen)) for seen in self._seen.values()}
+        return {report.title: list(report.missed) for report in self._reports()}
+
+    def told(self) -> list[dict[str, Any]]:
+        """The same as plain data, for :meth:`add` in another process."""
+        return [asdict(report) for report in self._reports()]
+
+    def add(self, told: Sequence[Mapping[str, Any]]) -> None:
+        """Count what was reached in another process."""
+        for one in told:
+            missed = [Missed(**{**part, "place": part["place"] and Place(**part["place"])}) for part in one["missed"]]
+            self._elsewhere.append(_Report(one["title"], one["totals"], missed))
+
+    def _reports(self) -> list[_Report]:
+        """One of each grammar, whoever used it."""
+        found: dict[tuple[object, ...], _Report] = {}
+        own = (
+            _Report(_title(seen.grammar), _totals(seen.grammar), list(_missed(seen))) for seen in self._seen.values()
+        )
+        for report in (*own, *self._elsewhere):
+            key = (report.title, *report.totals.items())
+            found[key] = found[key].beside(report) if key in found else report
+        return list(found.values())
 
     def lines(self) -> Iterator[str]:
         """The report for a terminal."""
-        if not self._seen:
+        reports = self._reports()
+        if not reports:
             yield "no grammar was used"
-        for seen in self._seen.values():
-            missed = list(_missed(seen))
+        for report in reports:
             counts = []
-            for kind, total in _totals(seen.grammar).items():
-                reached = total - sum(1 for item in missed if item.kind == kind)
+            for kind, total in report.totals.items():
+                reached = total - sum(1 for item in report.missed if item.kind == kind)
                 counts.append(f"{reached} of {total} {kind}s")
-            yield f"{_title(seen.grammar)}: {', '.join(counts)}"
-            for item in missed:
+            yield f"{report.title}: {', '.join(counts)}"
+            for item in report.missed:
                 where = f"{_short(item.place.file)}:{item.place.line}" if item.place is not None else ""
                 name = item.name if item.kind == "intent" else f"{item.intent}: {item.name}"
                 yield f"  {item.kind:<8} {where:<28} {name}"

@@ -28,7 +28,7 @@ from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, rea
 from intent_engine.language.normalize import words_of
 from intent_engine.language.templates.template_tree import references
 from intent_engine.resources import default_grammar, default_locations, find
-from intent_engine.testing.comparison import Difference, differences
+from intent_engine.testing.comparison import Difference, actions_difference, differences
 
 __all__ = ["Case", "Examples", "Outcome", "grammar_cases", "is_test_file", "load_examples", "run_case"]
 
@@ -126,7 +126,10 @@ def run_case(engine: IntentEngine, case: Case) -> Outcome:
         found.slots if case.slots is None else _in_si(case.slots, found.slots),
         found.actions if case.actions is None and case.status is Status.ACCEPTED else case.actions or (),
     )
-    return Outcome(case, found, differences(expected, found))
+    rows = differences(expected, found)
+    if case.actions == () and found.actions and case.status is Status.ACCEPTED:  # to be done is nothing, not anything
+        rows = (*rows, actions_difference((), found.actions))
+    return Outcome(case, found, rows)
 
 
 def _of_another_map(name: str, places: Collection[str], found: Interpretation) -> bool:
@@ -136,12 +139,12 @@ def _of_another_map(name: str, places: Collection[str], found: Interpretation) -
 
 
 def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
-    """The expected slots, with quantities that are written with a unit as numbers; of several commands each."""
+    """The expected slots, with quantities that are written with a unit as numbers; of several commands each, in which
+    what is left out is as it was found."""
     values = dict(expected)
     steps, got_steps = expected.get("steps"), found.get("steps")
     if isinstance(steps, list) and isinstance(got_steps, list) and len(steps) == len(got_steps):
-        pairs = zip(steps, got_steps, strict=True)
-        values["steps"] = [{**step, "slots": _in_si(step["slots"], got["slots"])} for step, got in pairs]
+        values["steps"] = [_step_in_si(step, got) for step, got in zip(steps, got_steps, strict=True)]
     for label, value in expected.items():
         got = found.get(label)
         if isinstance(value, str) and isinstance(got, (int, float)) and not isinstance(got, bool):
@@ -153,6 +156,13 @@ def _in_si(expected: Mapping[str, Any], found: Mapping[str, Any]) -> dict[str, A
                     if math.isclose(number, got, rel_tol=1e-6):
                         break
     return values
+
+
+def _step_in_si(expected: Any, found: Mapping[str, Any]) -> Any:
+    if not isinstance(expected, Mapping):
+        return expected
+    slots = expected.get("slots", found["slots"])
+    return {**found, **expected, "slots": _in_si(slots, found["slots"]) if isinstance(slots, Mapping) else slots}
 
 
 # -- grammars -------------------------------------------------------------------------------------------------
@@ -255,13 +265,12 @@ def _named(path: Path, kind: str, name: str) -> Path:
 
 def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Iterator[Case]:
     tests = source.data["tests"]
-    known = {name for grammar in engine.grammars for name in grammar.intents}
     if isinstance(tests, dict):
         for intent, entries in tests.items():
             path: YamlPath = ("tests", intent)
-            if intent not in known:
-                source.problem(path, f"there is no intent {intent!r}", f"known: {', '.join(sorted(known))}", key=True)
-            elif not isinstance(entries, list):
+            if not _check_intent(source, path, intent, engine, key=True):
+                continue
+            if not isinstance(entries, list):
                 source.problem(path, "the tests of an intent are a list", "- go left: {direction: left}")
             else:
                 for index, entry in enumerate(entries):
@@ -269,6 +278,15 @@ def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Itera
         return
     for index, entry in enumerate(tests):
         yield from _entry(source, ("tests", index), entry, common, engine)
+
+
+def _check_intent(source: YamlSource, path: YamlPath, intent: Any, engine: IntentEngine, *, key: bool = False) -> bool:
+    """Whether an intent is one of the grammars, or the one of several commands at once; told if it is not."""
+    known = {name for grammar in engine.grammars for name in (*grammar.intents, grammar.stop_intent)}
+    if intent in known or intent == "compound":
+        return True
+    source.problem(path, f"there is no intent {intent!r}", f"known: {', '.join(sorted(known))}", key=key)
+    return False
 
 
 def _check_states(source: YamlSource, path: YamlPath, states: Any, engine: IntentEngine) -> None:
@@ -285,6 +303,8 @@ def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case, engine:
         yield replace(common, text=entry)
     elif isinstance(entry, dict) and "say" in entry:
         _check_states(source, (*path, "state"), entry.get("state", ()), engine)
+        if "intent" in entry:
+            _check_intent(source, (*path, "intent"), entry["intent"], engine)
         yield from _long_entry(source, path, entry, common)
     elif isinstance(entry, dict) and len(entry) == 1:
         ((text, expected),) = entry.items()

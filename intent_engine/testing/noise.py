@@ -5,6 +5,7 @@ Each function takes the words of a sample apart and puts them together otherwise
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
@@ -160,6 +161,8 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
     if last.slot is not None and last.slot.type in _VALUES and len(alike) == 1:
         assert last.label is not None
         if choices.below(2) == 0:
+            if _may_deny(again, first.pieces[:-1], grammar):
+                return None  # "with milk no cream": cream in its place, or none?
             piece = sampler.spoken(last.slot, last.label, choices)
             if _is_bare_number(piece, grammar.language):
                 return None  # "a meter and a half, no, two": and a half?
@@ -172,6 +175,13 @@ def corrected(first: Sample, sampler: Sampler, choices: Choices) -> tuple[list[P
     if _holds_operator(other, grammar) or said_by_itself(other.actions[0]):
         return None
     return [*first.pieces, again, *other.pieces], other
+
+
+def _may_deny(again: Piece, before: Sequence[Piece], grammar: Grammar) -> bool:
+    """Whether what follows a correction may be what something is to be without: behind "with", and the word for it."""
+    known = thing_words(grammar.language)
+    words = itertools.dropwhile(known.articles.__contains__, reversed(_words(before)))
+    return again.text in grammar.wording.none_of and next(words, None) in known.having
 
 
 def _kind(slot: Slot) -> str:

@@ -21,6 +21,9 @@ GRAMMARS = "intent_grammars"
 LOCATIONS = "intent_locations"
 COVERAGE = "--intent-coverage"
 
+IN_WORKER = "intent_coverage"
+"""Under which a process of pytest-xdist tells what it reached."""
+
 _coverage_key: pytest.StashKey[Coverage] = pytest.StashKey()
 
 
@@ -46,6 +49,20 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_unconfigure(config: pytest.Config) -> None:
     if _coverage_key in config.stash:
         config.stash[_coverage_key].stop()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    output = getattr(session.config, "workeroutput", None)
+    if output is not None and _coverage_key in session.config.stash:
+        output[IN_WORKER] = session.config.stash[_coverage_key].told()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any, error: object) -> None:
+    """A process of pytest-xdist has ended; one that crashed has told nothing."""
+    if _coverage_key in node.config.stash:
+        node.config.stash[_coverage_key].add(getattr(node, "workeroutput", {}).get(IN_WORKER, []))
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:

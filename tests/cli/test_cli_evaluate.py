@@ -10,6 +10,7 @@ import subprocess
 import sys
 import weakref
 from collections.abc import Callable
+from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,8 @@ import soundfile
 from typer.testing import CliRunner, Result
 
 from intent_engine.cli import app
+from intent_engine.cli.evaluate import _share
+from intent_engine.errors import AudioError
 from intent_engine.evaluation.hearing import Hearing
 from intent_engine.speech.models import installed_second
 
@@ -164,17 +167,18 @@ def heard_until_ctrl_c(monkeypatch, root) -> Callable[..., Result]:
 
     class Listener:
         left = 0
+        ended_by: BaseException = KeyboardInterrupt()
 
         def hear(self, source: object) -> Hearing:
             if self.left == 0:
-                raise KeyboardInterrupt
+                raise self.ended_by
             self.left -= 1
             return Hearing()
 
     listener = Listener()
 
-    def run(after: int, *options: object, models: int = 1) -> Result:
-        listener.left = after
+    def run(after: int, *options: object, models: int = 1, ended_by: BaseException | None = None) -> Result:
+        listener.left, listener.ended_by = after, ended_by or KeyboardInterrupt()
         names = [f"model{number}" for number in range(models)]
         monkeypatch.chdir(root)
         monkeypatch.setattr("intent_engine.cli.evaluate._listener", lambda *_: listener)
@@ -195,6 +199,25 @@ def test_what_was_measured_before_ctrl_c_in_a_table_a_spreadsheet_and_a_picture(
     assert done.stderr.endswith("error: interrupted after 3 of 10 recordings\n")
     assert len((tmp_path / "out.csv").read_text().splitlines()) == 1 + 3
     assert "interrupted after 3 of 10" in (tmp_path / "out.svg").read_text()
+
+
+def test_an_error_in_the_midst_loses_nothing_that_was_measured(heard_until_ctrl_c, tmp_path):
+    """A file that went away meanwhile, or a disk that cannot be read any more."""
+    gone = AudioError("four.wav: no such file\n    record it again")
+    done = heard_until_ctrl_c(3, "--csv", tmp_path / "out.csv", ended_by=gone)
+    assert done.exit_code == AudioError.exit_code
+    assert done.stdout.startswith("incomplete: ended by an error after 3 of 10 recordings")
+    assert done.stderr.endswith("error: four.wav: no such file\n    record it again\n")
+    assert len((tmp_path / "out.csv").read_text().splitlines()) == 1 + 3
+    done = heard_until_ctrl_c(0, ended_by=gone)
+    assert (done.exit_code, done.stdout) == (AudioError.exit_code, "")
+    assert done.stderr == "error: four.wav: no such file\n    record it again\n"
+
+
+@pytest.mark.parametrize("least", [0.9, 1.1, 58.0, 99.9])
+def test_just_so_many_per_cent_are_at_least_so_many(least):
+    assert Decimal(str(least)) / 100 == Decimal(str(_share(least)))
+    assert _share(least) <= round(10 * least) / 1000
 
 
 def test_which_conditions_are_whole_after_ctrl_c(heard_until_ctrl_c):

@@ -52,6 +52,25 @@ def test_each_key_is_told_without_enter(terminal):
     assert termios.tcgetattr(sys.stdin.fileno()) == before, "the terminal is as it was"
 
 
+@pytest.mark.parametrize("typed", [[b"\x1bOQ", b"x"], [b"\x1b[A\x1b[1;5Qx"], [b"\x1b", b"OQ", b"x"], [b"\x1b", b"x"]])
+def test_a_key_without_a_character_is_an_escape_and_none_of_the_letters_that_stand_for_it(terminal, typed):
+    """F2 is sent as an escape, O and Q: it does not end the session as a q does."""
+    pressed: list[str] = []
+    told = threading.Event()
+
+    def on_key(key: str) -> None:
+        pressed.append(key)
+        told.set()
+
+    with keys(on_key):
+        for part in typed:
+            told.clear()
+            os.write(terminal, part)
+            if part[:1] in b"\x1bx":
+                assert told.wait(10)
+    assert pressed == ["\x1b"] * b"".join(typed).count(b"\x1b") + ["x"]
+
+
 def test_the_terminal_is_as_it_was_after_an_error(terminal):
     import termios
 

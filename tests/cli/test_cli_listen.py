@@ -245,6 +245,22 @@ def fake(played: str) -> dict[str, str]:
     return {"PYTHONPATH": str(PLAYED), "PLAYED": played}
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="named pipes of Unix")
+def test_a_pipe_is_called_as_it_was_given(tmp_path):
+    os.mkfifo(tmp_path / "to-robot")
+    command = [sys.executable, "-m", "intent_engine.cli", "listen", "--pcm", "to-robot", "--no-reflex"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    with (
+        subprocess.Popen(command, cwd=tmp_path, env=environment, stderr=subprocess.PIPE) as process,
+        (tmp_path / "to-robot").open("wb") as sound,
+    ):
+        sound.write(bytes(3_200))
+        sound.flush()
+        assert process.stderr.readline() == b"listening to to-robot; Ctrl-C ends it\n"
+        process.send_signal(signal.SIGINT)
+        process.stderr.read()
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process; CI is Linux, and runs it")
 def test_a_pipe_that_goes_on_until_ctrl_c(speak, go_forward):
     """The reader of the pipe is still at it when the program ends; that must not abort it."""

@@ -33,7 +33,7 @@ def test_all_is_written_in_its_turn(numbers):
     assert written == numbers
 
 
-def test_who_tells_waits_for_no_reader(monkeypatch):
+def test_who_tells_waits_for_no_reader(monkeypatch, capsys):
     monkeypatch.setattr(outbox, "MOST", 3)
     read, written = threading.Event(), []
     taken = threading.Event()
@@ -46,6 +46,7 @@ def test_who_tells_waits_for_no_reader(monkeypatch):
         assert out.unread == 2, "no more lines wait than there is room for"
         read.set()
     assert written == [0, 1, 2]
+    assert "2 lines of what happened found no reader" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("error", [BrokenPipeError(), OutputError("it is full")])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from intent_engine.cli.outputs import check_apart
+from intent_engine.cli.outputs import check_apart, check_file
 from intent_engine.errors import ConfigError
 
 
@@ -69,3 +69,15 @@ def test_a_journal_that_cannot_be_written_is_told_before_a_model_is_loaded(inten
     done = intent_engine("run", "--model", "nope", "--journal", tmp_path, "examples/demo.flac")
     assert done.returncode == 2
     assert f"error: --journal: {tmp_path} is a folder\n    give the name of a file in it\n" in done.stderr
+
+
+def test_a_link_to_a_file_that_is_not_there_yet_stays(tmp_path):
+    (tmp_path / "today").mkdir()
+    link, file = tmp_path / "out.csv", tmp_path / "today" / "out.csv"
+    try:
+        link.symlink_to(file)
+    except OSError:
+        pytest.skip("no links here")
+    check_file(link, "--csv")
+    assert link.is_symlink()
+    assert not file.exists(), "nothing is written before the end"

@@ -10,13 +10,14 @@ import soundfile
 from continuing_stage import Script, Voiced
 
 from intent_engine.engine import IntentEngine
-from intent_engine.evaluation.hearing import Listener
+from intent_engine.evaluation.hearing import Listener, _Notes
 from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.labels import Expected, Row
 from intent_engine.evaluation.scoring import Condition, Verdict
 from intent_engine.evaluation.sound import Noise, SamplesSource, load
 from intent_engine.evaluation.trial import Trial, scores
 from intent_engine.execution.robots.robot_file import load_robot
+from intent_engine.runtime.heard import Heard, HeardKind
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
@@ -142,3 +143,54 @@ def test_actions_of_the_users_own_are_done_and_may_be_gone_on_from(engine_of, ro
     listener = Listener(engine_of(TWO_PLACES), script, robot, voice=Voiced((0.5, 0.9), (1.2, 2.1)))
     hearing = listener.hear(SamplesSource(np.zeros(int(4.0 * SAMPLE_RATE), np.float32)))
     assert [action.slots["room"] for action in hearing.acts[-1].meaning.actions] == ["hall", "office"]
+
+
+class InTurn:
+    """A recogniser that says one text after the other, whatever it is given, with what it decodes anew in its place."""
+
+    def __init__(self, *texts: str) -> None:
+        self._texts = list(texts)
+
+    def transcribe(self, samples, *, final: bool = True) -> Transcript:
+        text = self._texts.pop(0)
+        return Transcript(text, 0.0, text, gap=0.0)
+
+    def close(self) -> None: ...
+
+
+def test_what_a_command_goes_on_from_is_counted_once_whatever_was_said_between(engine, robot):
+    """The whole is heard from its first word on: with the command that it begins with, and all that came since."""
+    spans = Voiced((0.5, 0.9), (1.6, 1.9), (2.6, 3.4))
+    script = InTurn("turn left", "hmm", "turn left hmm", "ninety degrees", "turn left ninety degrees")
+    listener = Listener(engine, script, robot, voice=spans, speculate=False, noise_filter=None)
+    hearing = listener.hear(SamplesSource(np.zeros(int(6.0 * SAMPLE_RATE), np.float32)))
+    assert hearing.texts == hearing.free_texts == ["turn left ninety degrees"]
+    assert [heard.text for heard in hearing.transcripts] == hearing.texts
+    assert [act.meaning.text for act in hearing.acts] == hearing.texts
+
+
+def test_what_is_put_right_after_a_stop_counts_as_one_command(engine):
+    """ "Turn left" ... "no, wait!" ... "turn right": a turn to the right was meant, and was said once."""
+    notes = _Notes(None, leaves=False)
+    whole = "turn left no wait turn right"
+    for text, goes_on in (("turn left", False), ("no wait", False), (whole, True)):
+        meaning, transcript = engine.parse(text), Transcript(text, 0.0, text)
+        assert meaning.actions
+        told = {"interpretation": meaning, "goes_on": goes_on}
+        notes.take(Heard(HeardKind.TRANSCRIPT, 1.0, transcript=transcript, goes_on=goes_on))
+        notes.take(Heard(HeardKind.INTERPRETATION, 1.0, **told))
+        notes.take(Heard(HeardKind.SUBMITTED, 1.0, **told))
+    assert notes.hearing.texts == notes.hearing.free_texts == [whole]
+    assert notes.hearing.actions == engine.parse("turn right").actions
+
+
+def test_a_decode_counts_once_whichever_of_its_texts_is_told_in_the_end(engine):
+    """What is no command, and what answers a question, is told as it was heard freely."""
+    notes, decoded = _Notes(None, leaves=False), Transcript("turn left", 0.0, "turn lift", decode_seconds=DECODE)
+    meaning = engine.parse("turn left")
+    notes.take(Heard(HeardKind.PARTIAL, 1.0, transcript=decoded, speech_ended=0.9))
+    notes.take(Heard(HeardKind.TRANSCRIPT, 1.5, transcript=decoded.as_heard(), speech_ended=0.9))
+    notes.take(Heard(HeardKind.INTERPRETATION, 1.5, interpretation=meaning, speech_ended=0.9))
+    notes.take(Heard(HeardKind.SUBMITTED, 1.5, interpretation=meaning, speech_ended=0.9))
+    assert notes.hearing.decodes == [DECODE]
+    assert [act.time for act in notes.hearing.acts] == [1.5], "it was there 1.4 s after the sound began"

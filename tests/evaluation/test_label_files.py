@@ -159,6 +159,14 @@ def test_compound_commands_have_steps(engine, write):
         ('{"audio": "a.wav", "text": "stop", "start": NaN}', "'start' must be a number of seconds"),
         ('{"audio": "a.wav", "text": "stop", "start": 1' + "0" * 400 + "}", "holds a number of 401 digits"),
         ('{"audio": "a.wav", "text": "stop", "n": 1' + "0" * 5000 + "}", "holds a number of 5001 digits"),
+        *(
+            ({"audio": "a.wav", "intent": "compound", "slots": {"steps": steps}}, "'compound' needs its steps")
+            for steps in ([], "move", ["move"], [{}], [{"intent": ["move"]}], [{"intent": "move", "slots": 3}])
+        ),
+        ({"audio": "a.wav", "actions": ["move", {"type": "stop"}]}, "'actions' are whole actions, or types of actions"),
+        ('{"audio": "a.wav", "intent": "move", "slots": {"distance": NaN}}', "'slots' holds NaN or an infinite number"),
+        ('{"audio": "a.wav", "intent": "move", "slots": {"distance": 1e999}}', "labels.jsonl:1:38: 'slots' holds NaN"),
+        ('{"audio": "a.wav", "actions": [{"type": "custom", "slots": {"n": [NaN]}}]}', "'actions' holds NaN"),
         (r'{"audio": "a.wav", "text": "st\ud800op"}', r"holds half a character, '\ud800'"),
         ({"audio": "a" * 5000, "text": "stop"}, "labels.jsonl:1:2: there is no sound file"),
         ({"audio": "A.WAV", "text": "stop"}, "A.WAV\n    did you mean 'a.wav'?"),
@@ -338,3 +346,9 @@ def test_a_recording_that_is_labelled_twice_is_doubted(engine, write):
     same, other = (str(row.doubts[0]) for row in rows[2:])
     assert "labels.jsonl:3: a.wav is labelled in line 1 already: it counts twice\n    leave one of them out" in same
     assert "labels.jsonl:4: a.wav is labelled in line 1 already: as something else, and cannot be both" in other
+
+
+def test_a_step_of_several_commands_needs_no_slots(engine, write):
+    steps = [{"intent": "move", "slots": None}, {"intent": "turn"}]
+    (row,) = read_labels(write({"audio": "a.wav", "intent": "compound", "slots": {"steps": steps}}), engine)
+    assert row.expected.steps == (Step("move"), Step("turn"))

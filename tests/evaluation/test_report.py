@@ -102,6 +102,14 @@ def test_other_readings_stand_beside_what_was_heard(tmp_path):
     assert row["alternatives"] == "stop; go back; =off"
 
 
+@pytest.mark.parametrize("said", ["=1+1", "+1", "-1", "@a", "\t=1+1", " =1+1", "\r\n=1+1"])
+def test_no_cell_is_run_as_a_formula(tmp_path, said):
+    write_csv(tmp_path / "all.csv", [replace(outcome(Expected()), heard=said)])
+    with (tmp_path / "all.csv").open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert row["heard"] == f"'{said}"
+
+
 def test_a_spreadsheet_that_cannot_be_written():
     with pytest.raises(ConfigError, match=r"/proc/x\.csv: cannot be written: "):
         write_csv(Path("/proc/x.csv"), [outcome(Expected())])

@@ -227,3 +227,16 @@ def test_the_interval_holds_the_share_and_narrows_with_more_recordings(whole, da
 def test_the_interval_of_nine_in_ten():
     # Newcombe, Statistics in Medicine 17 (1998), method 3.
     assert wilson(9, 10) == (pytest.approx(0.5958, abs=1e-4), pytest.approx(0.9821, abs=1e-4))
+
+
+def test_a_hold_is_counted_where_nobody_knows_when_the_word_ended_and_is_no_time():
+    """Nothing was acted on, and the label does not say it: no time is not a time of 0 ms."""
+    unknown = judge(row(STOP_LABEL), CONDITION, Hearing(holds=[1.5]))
+    assert (unknown.held, unknown.held_at) == (None, 1.5)
+    labelled = judge(row(STOP_LABEL, speech_end=1.25), CONDITION, Hearing(holds=[1.5]))
+    acted_on = judge(row(STOP_LABEL), CONDITION, Hearing(holds=[1.5], acts=[Act(STOPPED, 2.0, 1.0)]))
+    talk = judge(row(Expected()), CONDITION, Hearing(holds=[1.5]))
+    assert (labelled.held, acted_on.held, talk.held) == (0.25, 0.5, None)
+    found = score([unknown, labelled, acted_on, talk, judge(row(STOP_LABEL), CONDITION, Hearing())])
+    assert (found.stops, found.stops_held, found.others_held) == (4, 3, 1)
+    assert (found.held_p50, found.held_p90) == (0.25, 0.5)

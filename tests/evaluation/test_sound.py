@@ -125,6 +125,18 @@ def test_every_sound_that_cannot_be_used_is_told_before_the_first_is_heard(tmp_p
     check(rows[:1], tmp_path / "labels.jsonl")
 
 
+@pytest.mark.parametrize(("end", "speech_end"), [(None, 2.0), (1.5, 1.8), (1.5, 0.9)])
+def test_a_word_that_ends_after_its_sound_is_told(tmp_path, end, speech_end):
+    """Counted from the beginning of the file, say: times to the action would be too short, or below zero."""
+    soundfile.write(tmp_path / "a.wav", tone(2.0), RATE)
+    rows = [Row("a", 7, tmp_path / "a.wav", Expected(), start=1.0, end=end, speech_end=speech_end)]
+    if speech_end < 1.0:
+        check(rows, tmp_path / "labels.jsonl")
+        return
+    with pytest.raises(AudioError, match=rf"labels.jsonl:7: 'speech_end' is {speech_end:g} s, and the sound lasts "):
+        check(rows, tmp_path / "labels.jsonl")
+
+
 def test_noise_that_is_none(tmp_path):
     soundfile.write(tmp_path / "silent.wav", np.zeros(RATE), RATE)
     with pytest.raises(AudioError, match="is silent"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -26,7 +27,7 @@ def home(root) -> IntentEngine:
     return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
 
 
-def check(tmp_path: Path, text: str, places: dict[str, tuple[float, float]] | None = None) -> Report:
+def check(tmp_path: Path, text: str, places: dict[str, Any] | None = None) -> Report:
     path = tmp_path / "g.yaml"
     path.write_text(text)
     engine = IntentEngine.from_files(path, locations=places or {"kitchen": (1.0, 2.0)})
@@ -228,6 +229,13 @@ def test_sizes_count_values_and_names(tmp_path):
     figures = check(tmp_path, text, {"hall": (0.0, 0.0), "far end": (1.0, 0.0)}).figures.size
     assert (figures.sentences, figures.ways, figures.spoken, figures.names) == (3, 4, 7, 2)
     assert figures.longest == 5 + MOST_ARTICLES
+
+
+def test_sizes_count_the_names_of_the_places_that_a_slot_takes(tmp_path):
+    text = intents(use="'visit {place}', 'open {door}'").replace("thing: text", "door: {type: location, tags: [door]}")
+    places = {"hall": (0, 0), "gate": {"x": 1, "y": 1, "tags": ["door"], "aliases": ["barrier"]}}
+    figures = check(tmp_path, text, places).figures.size
+    assert (figures.ways, figures.spoken, figures.names) == (2, 3 + 2, 3)
 
 
 def test_a_large_map_is_cut_to_what_may_clash(tmp_path):

@@ -283,6 +283,7 @@ def test_a_parameter_of_another_name_is_told_and_what_was_meant(peer, tmp_path):
     ("arguments", "code", "said"),
     [
         (["-p", "grammar:=no_such.yaml"], 2, "no_such.yaml"),
+        (["-p", "grammar:=[]"], 2, "parameter grammar: [] is not a name, or a list of names"),
         (["-p", "navigation:=action"], 6, "nav2_msgs is not installed"),
         (["-p", "broken"], 2, "broken"),
         (["-r", "cmd_vel:=not a name"], 2, "not a name"),

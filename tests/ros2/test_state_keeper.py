@@ -154,6 +154,22 @@ def test_the_topic_says_all_states_and_the_last_message_holds(stage):
     assert [each["states"] for each in stage.told("state")] == [["docked"], ["carrying"], ["carrying", "docked"], []]
 
 
+def test_states_of_best_effort_are_heard_once(stage):
+    from rclpy.qos import qos_profile_sensor_data
+
+    robot = stage.peer.node.create_publisher(stage.string, "voice_commands/state", qos_profile_sensor_data)
+    try:
+        until(lambda: robot.get_subscription_count(), "the node hears whoever gives no guarantee")
+        stage.say("docked", by=robot)
+        stage.holds("docked")
+        stage.say("carrying")
+        stage.holds("carrying")
+        until(lambda: len(stage.told("state")) >= 2)
+        assert [each["states"] for each in stage.told("state")] == [["docked"], ["carrying"]]
+    finally:
+        stage.peer.node.destroy_publisher(robot)
+
+
 def test_what_changes_nothing_is_not_told(stage):
     stage.say("docked")
     stage.say("docked docked")

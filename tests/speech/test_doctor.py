@@ -6,11 +6,13 @@ import sys
 
 import numpy as np
 import pytest
-from fake_portaudio import FakePortAudio, FakeTime, Plug, tone
+from fake_portaudio import FakePortAudio, FakeTime, Plug, PortAudioError, tone
 
+from intent_engine.errors import DeviceError
 from intent_engine.speech import doctor
 from intent_engine.speech.doctor import Verdict, examine
 from intent_engine.speech.sources import live
+from intent_engine.speech.sources.microphone import Microphone
 
 
 @pytest.fixture
@@ -59,6 +61,19 @@ def test_no_microphone(machine):
     assert found["microphones"].verdict is Verdict.MISSING
     assert "plug one in" in found["microphones"].advice
     assert "level" not in found
+
+
+def test_microphones_that_cannot_be_listed_are_told_and_the_rest_is_looked_at(machine, monkeypatch):
+    def refuse(self: FakePortAudio) -> None:
+        raise PortAudioError("Internal PortAudio error [PaErrorCode -9986]")
+
+    monkeypatch.setattr(FakePortAudio, "query_devices", refuse)
+    found = machine(Plug("headset"))
+    assert found["microphones"].verdict is Verdict.MISSING
+    assert "cannot be listed: Internal PortAudio error" in found["microphones"].found
+    assert list(found)[-1] == "weights"
+    with pytest.raises(DeviceError, match="cannot be listed"):
+        Microphone()
 
 
 def test_a_microphone_that_another_program_holds(machine):

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import importlib.util
+import json
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 import yaml  # noqa: F401  here, for pytester forgets what is first imported in its runs, and yaml's C part is loaded once
 
+from intent_engine.engine import IntentEngine
+
 pytest_plugins = ["pytester"]
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 GRAMMAR = """\
 language: en
@@ -149,6 +155,43 @@ def test_coverage_counts_a_users_own_tests(folder):
     result = folder.runpytest("--intent-coverage", "test_coverage_counts_a_users_own_tests.py")
     result.assert_outcomes(passed=1)
     result.stdout.fnmatch_lines(["wave.yaml: 2 of 3 intents, 2 of 4 sentences, 1 of 2 slots"])
+
+
+@pytest.mark.skipif(importlib.util.find_spec("xdist") is None, reason="pytest-xdist is not installed")
+def test_coverage_of_several_processes_is_what_none_of_them_missed(folder, monkeypatch):
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
+    options = ("--intent-coverage", "-n2", "--dist", "loadfile")
+    (folder.path / "more.intents.yaml").write_text("grammar: wave.yaml\ntests: [nod]\n", "utf-8")
+    result = folder.runpytest_subprocess("wave.intents.yaml", "more.intents.yaml", *options)
+    result.stdout.fnmatch_lines(
+        [
+            "wave.yaml: 3 of 3 intents, 4 of 4 sentences, 2 of 2 slots",
+        ]
+    )
+    result.stdout.no_fnmatch_line("*no grammar was used*")
+
+
+def test_what_one_process_reached_is_no_longer_missed_by_another(folder):
+    from intent_engine.testing.coverage import Coverage
+
+    engine = IntentEngine.from_files(folder.path / "wave.yaml")
+    apart = []
+    for text in ("nod", "wave at bob"):
+        coverage = Coverage()
+        coverage.start()
+        engine.parse(text)
+        coverage.stop()
+        apart.append(coverage)
+    both, alone = Coverage(), Coverage()
+    for coverage in apart:
+        both.add(json.loads(json.dumps(coverage.told())))
+    alone.start()
+    for text in ("nod", "wave at bob"):
+        engine.parse(text)
+    alone.stop()
+    assert list(both.lines()) == list(alone.lines())
+    assert both.missed() == alone.missed()
+    assert [len(next(iter(coverage.missed().values()))) for coverage in (*apart, both)] == [7, 6, 4]
 
 
 def test_a_run_that_does_not_use_it_loads_nothing_of_the_engine(pytester):

@@ -205,3 +205,23 @@ def test_without_hypothesis_it_says_what_to_install(monkeypatch):
     with pytest.raises(ModuleNotFoundError, match=re.escape("pip install 'intent-engine[testing]'")):
         intent_engine.testing.sentences  # noqa: B018
     assert intent_engine.testing.RecordingRobot
+
+
+WITH = """
+language: en
+slots: {drink: [latte, mocha], milk: [cream, soy milk, skim milk]}
+intents:
+  order: {action: {type: custom, name: order}, sentences: ["{drink} with [the] {milk}"]}
+"""
+
+
+def test_no_correction_may_as_well_say_that_there_shall_be_none(engine_of):
+    """ "Latte with soy milk no cream": cream in its place, or none? Nobody knows, and so it is no sample."""
+    coffee = engine_of(WITH)
+
+    @settings(max_examples=400, deadline=None, derandomize=True, database=None)
+    @given(sentences(coffee, noise="correction"))
+    def corrected(sentence):
+        assert_means(coffee.parse(sentence.text), sentence.expected)
+
+    corrected()

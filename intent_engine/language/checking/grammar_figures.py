@@ -40,7 +40,8 @@ class Size:
     ways: int
     """Ways to say them, a slot counted once."""
     spoken: int
-    """The same with every value of a choice and every name of the map; a quantity or free text is still one."""
+    """The same with every value of a choice and every name of the places that a slot takes; a quantity or free text is
+    still one."""
     longest: int
     """Words of the longest sentence."""
     names: int
@@ -52,7 +53,7 @@ def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
     sentences = [sentence for intent in grammar.intents.values() for sentence in intent.all_sentences]
     names = [words for words, _ in locations.names()] if locations is not None else []
     longest_name = max((len(words) for words in names), default=0)
-    once, each = _Counter(grammar, None), _Counter(grammar, len(names))
+    once, each = _Counter(grammar, None), _Counter(grammar, _names_of_tags(locations))
     lengths = _Lengths(grammar, longest_name)
     return Size(
         intents=len(grammar.intents),
@@ -63,6 +64,11 @@ def grammar_size(grammar: Grammar, locations: LocationMap | None) -> Size:
         longest=max((lengths.of(sentence.template) for sentence in sentences), default=0),
         names=len(names),
     )
+
+
+def _names_of_tags(locations: LocationMap | None) -> list[frozenset[str]]:
+    """Of each name, the tags of its place."""
+    return [frozenset(locations[name].tags) for _, name in locations.names()] if locations is not None else []
 
 
 class _Figure(ABC):
@@ -82,9 +88,9 @@ class _Figure(ABC):
 
 
 class _Counter(_Figure):
-    """Ways to say a template; ``names`` is None to count a slot once, else the number of names of the map."""
+    """Ways to say a template; ``names`` is None to count a slot once, else the tags of each name of the map."""
 
-    def __init__(self, grammar: Grammar, names: int | None) -> None:
+    def __init__(self, grammar: Grammar, names: list[frozenset[str]] | None) -> None:
         super().__init__(grammar)
         self._names = names
 
@@ -111,7 +117,9 @@ class _Counter(_Figure):
             return 1
         if slot.type in ("choice", "boolean"):
             return sum(self.ways(node) for _, node in slot.values)
-        return max(self._names, 1) if slot.type == "location" else 1
+        if slot.type == "location":
+            return max(sum(not slot.tags or bool(slot.tags & tags) for tags in self._names), 1)
+        return 1
 
 
 class _Lengths(_Figure):

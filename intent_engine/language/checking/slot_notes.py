@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from intent_engine.errors import Problem
 from intent_engine.language.grammar import Grammar, Slot, problem_at
-from intent_engine.language.templates.template_tree import Node, Reference, Sequence
+from intent_engine.language.templates.template_tree import Reference, Sequence, references
 
 __all__ = ["slot_notes"]
 
@@ -16,7 +16,7 @@ MESSAGE_WORDS = 6
 
 def slot_notes(grammar: Grammar) -> Iterator[Problem]:
     """Percentages of more than the whole, and messages that hold no words that turn a sentence."""
-    ends = {name for intent in grammar.intents.values() for one in intent.sentences for name in _last(one.template)}
+    ends = _always_last(grammar)
     for slot in grammar.slots.values():
         if slot.type == "percent" and slot.maximum is None:
             yield problem_at(
@@ -33,10 +33,17 @@ def _is_message(slot: Slot) -> bool:
     return slot.type == "text" and slot.max_words >= MESSAGE_WORDS and not (slot.dictation or slot.known)
 
 
-def _last(node: Node) -> Iterator[str]:
-    """The slot or phrase with which a template ends."""
-    match node:
-        case Reference(name):
-            yield name
-        case Sequence(items) if items:
-            yield from _last(items[-1])
+def _always_last(grammar: Grammar) -> set[str]:
+    """Slots with which sentences end, and that stand nowhere else: what is dictated may not."""
+    ends: set[str] = set()
+    elsewhere = [*grammar.phrases.values()]
+    for intent in grammar.intents.values():
+        for sentence in intent.all_sentences:
+            node = sentence.template
+            *before, last = node.items if isinstance(node, Sequence) and node.items else (node,)
+            if isinstance(last, Reference):
+                ends.add(last.name)
+            else:
+                before.append(last)
+            elsewhere += before
+    return ends - {reference.name for node in elsewhere for reference in references(node)}

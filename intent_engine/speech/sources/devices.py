@@ -47,14 +47,17 @@ def list_devices() -> tuple[InputDevice, ...]:
     """The microphones that there are, by PortAudio's number.
 
     Raises:
-        DeviceError: there is no PortAudio.
+        DeviceError: there is no PortAudio, or it cannot tell.
     """
     sd = portaudio()
     found = []
     default = _default_input(sd)
-    for index, device in enumerate(sd.query_devices()):
-        if device["max_input_channels"] > 0:
-            found.append(_device(sd, index, device, default))
+    try:
+        for index, device in enumerate(sd.query_devices()):
+            if device["max_input_channels"] > 0:
+                found.append(_device(sd, index, device, default))
+    except sd.PortAudioError as error:  # as of a sound server that has just ended
+        raise DeviceError(f"the microphones cannot be listed: {error}\n    {hint_for_permission()}") from None
     return tuple(found)
 
 

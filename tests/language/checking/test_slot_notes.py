@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from intent_engine.engine import IntentEngine
 from intent_engine.language.checking.slot_notes import slot_notes
 
@@ -37,6 +39,17 @@ def test_it_is_as_it_tells(engine_of) -> None:
     assert not engine.parse("open to 150 percent").actions
     assert not engine.parse("tell Anna we are late").actions
     assert engine.parse("note we are late").slots == {"said": "we are late"}
+
+
+@pytest.mark.parametrize("also", ['"say {message} to Anna"', '"say it [and {message}]"', '"say {body}"'])
+def test_no_dictation_is_advised_where_it_would_be_an_error(engine_of, also) -> None:
+    """What is dictated goes on to the end of what is said."""
+    grammar = f"""
+slots: {{message: {{type: text, max_words: 8}}}}
+phrases: {{body: "out loud [{{message}}]"}}
+intents: {{tell: {{action: custom, sentences: ["tell Anna {{message}}", {also}]}}}}
+"""
+    assert not list(slot_notes(engine_of(grammar).grammar))
 
 
 def test_other_languages_name_no_english_word(engine_of) -> None:

@@ -1,0 +1,59 @@
+"""Files of tests: what is left out is not compared, what is written is, and what can never be is told."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from intent_engine.errors import ConfigError
+from intent_engine.testing.examples import load_examples, run_case
+
+
+def parts(folder: Path, tests: str) -> list[list[str]]:
+    """Of each test in a file, what was found otherwise."""
+    file = folder / "my.intents.yaml"
+    file.write_text("tests:\n" + textwrap.indent(textwrap.dedent(tests), "  "), "utf-8")
+    loaded = load_examples(file)
+    return [[row.part for row in run_case(loaded.engine, case).differences] for case in loaded.cases]
+
+
+@pytest.mark.parametrize(
+    ("steps", "differs"),
+    [
+        ("[{intent: turn}, {intent: move}]", []),
+        ("[{slots: {side: left}}, {}]", []),
+        ("[{intent: turn}, {intent: move, slots: {direction: forward, distance: 2 m}}]", []),
+        ("[{intent: move}, {intent: turn}]", ["slots.steps"]),
+        ("[{intent: turn, slots: {}}, {intent: move}]", ["slots.steps"]),
+        ("[{intent: turn, slots: 3}, {intent: move}]", ["slots.steps"]),
+        ("[turn, move]", ["slots.steps"]),
+        ("[{intent: turn}]", ["slots.steps"]),
+        ("turn", ["slots.steps"]),
+    ],
+)
+def test_of_several_commands_what_is_left_out_is_not_compared(tmp_path, steps, differs):
+    say = "turn left and go forward two meters"
+    long = f"- say: {say}\n  intent: compound\n  slots: {{steps: {steps}}}\n"
+    assert parts(tmp_path, f'{long}- "{say}": {{steps: {steps}}}\n') == [differs, differs]
+
+
+@pytest.mark.parametrize(
+    ("status", "say", "differs"),
+    [
+        ("accepted", "turn left", ["actions"]),
+        ("rejected", "the weather", []),
+        ("rejected", "stop", ["status", "actions"]),
+    ],
+)
+def test_no_actions_are_nothing_that_is_done(tmp_path, status, say, differs):
+    assert parts(tmp_path, f"- {{say: {say}, status: {status}, actions: []}}") == [differs]
+
+
+def test_an_intent_that_is_not_there_is_told_wherever_it_stands(tmp_path):
+    with pytest.raises(ConfigError, match=r"my\.intents\.yaml:3:1\d: there is no intent 'trun'"):
+        parts(tmp_path, "- say: turn left\n  intent: trun")
+    with pytest.raises(ConfigError, match=r"my\.intents\.yaml:2:3: there is no intent 'trun'"):
+        parts(tmp_path, "trun: [turn left]")
+    assert parts(tmp_path, "compound: [turn left and go forward]\nstop: [stop]") == [[], []]
