@@ -76,6 +76,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
     },
     "things": {
+        "qualities": "de en",  # elsewhere they stand behind the noun
         "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.

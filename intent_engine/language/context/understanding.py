@@ -101,7 +101,8 @@ class Understanding(Generic[_Parser]):
             found = replace(found, denied=by_part)
         does = found.actions or by_part
         if done and not does and (more := self._going_on(text, done)) is not None:
-            return more
+            found, parser = more
+            return resolve(found, before, parser.matcher.grammar, self._needs, self._state), parser
         if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
         if done and not does and (instead := self._instead(text, done)) is not None:

@@ -33,6 +33,8 @@ class ThingWords:
     """The robot itself, and what it moves with."""
     describing: frozenset[str] = frozenset()
     """Said of a thing, behind its article and before the rest of its name, though a filler elsewhere."""
+    qualities: frozenset[str] = frozenset()
+    """They tell which one of several, before its noun: "the red cup, no, the *blue*"."""
     unfinished: frozenset[str] = frozenset()
     """No thing ends so."""
     alone: frozenset[str] = frozenset()

@@ -115,8 +115,11 @@ class Corrections:
             stands = self._stand_ins.stands_last(current, piece)
             if not before and (stands or (replaced is None and self._stand_ins.stands_first(piece))):
                 replaced = self._stand_ins.replaced(current, piece, state)
-            elif replaced is None:
-                replaced = self._opposites.replaced(current, piece, state)
+            else:
+                full = None
+                if not before and self._stand_ins.lacks_noun(piece):
+                    full = self._stand_ins.replaced(current, piece, state)
+                replaced = full or replaced or self._opposites.replaced(current, piece, state)
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words

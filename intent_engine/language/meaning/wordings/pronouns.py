@@ -14,7 +14,7 @@ be no sentence whose value could be known.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 
@@ -22,6 +22,7 @@ from intent_engine.actions import Action, Custom, Pick, Place
 from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -45,12 +46,15 @@ class ThingsNamed:
         self._pronouns = {" ".join(words) for words in grammar.operators.pronoun}
         self._things = things_of(grammar)
         self._several = grammar.wording.several
+        self._language, known = grammar.language, thing_words(grammar.language)
+        self._qualities, self._stand_ins = known.qualities, grammar.wording.standing_for
+        self._bound = known.joining | known.binding | known.within
         self._named: list[str] = []
         for action in done:
             self.add(action)
 
     def add(self, action: Action) -> None:
-        """An action that is done next."""
+        """An action that is done next, after :meth:`put_in`."""
         thing = next(filter(None, _named(action, self._things).values()), None)
         if isinstance(thing, str) and thing not in self._pronouns:
             self._named.append(thing)
@@ -61,14 +65,33 @@ class ThingsNamed:
         said = _named(action, self._things) if self._named else {}
         pointing = [key for key, value in said.items() if value in self._pronouns]
         if not pointing:
-            return action
+            full = {key: self._with_noun(value) for key, value in said.items() if isinstance(value, str)}
+            return action if all(said[key] == value for key, value in full.items()) else _naming(action, full)
         if len(named := dict.fromkeys(self._named)) > 1 and not self._several.isdisjoint(said.values()):
             return f"more than one thing was named: {', '.join(named)}; say what to do with each"
-        thing = self._named[-1]
-        if isinstance(action, Pick | Place):
-            return replace(action, object=thing)
-        assert isinstance(action, Custom)
-        return replace(action, slots={**action.slots, **dict.fromkeys(pointing, thing)})
+        return _naming(action, dict.fromkeys(pointing, self._named[-1]))
+
+    def _with_noun(self, thing: str) -> str:
+        """A thing of which only was said which it is, with the noun of the one before: "the red cup and the blue one",
+        and where that was told by such a word as well, "die rote Tasse und die blaue"."""
+        *which, last = thing.split()
+        before = self._named[-1].split()
+        noun = before[-1]
+        nameless = noun in self._qualities | self._stand_ins or len(noun) == 1 or is_number(noun, self._language)
+        if nameless or not self._bound.isdisjoint(before):
+            return thing  # "box two", "the cup of tea"
+        if which and last in self._stand_ins and self._qualities.issuperset(which):
+            return " ".join((*which, noun))
+        alone = self._qualities.issuperset((*which, last)) and not self._qualities.isdisjoint(before)
+        return f"{thing} {noun}" if alone else thing
+
+
+def _naming(action: Action, things: Mapping[str, str]) -> Action:
+    """An action with other things in its slots, or of its object."""
+    if isinstance(action, Pick | Place):
+        return replace(action, object=next(iter(things.values())))
+    assert isinstance(action, Custom)
+    return replace(action, slots={**action.slots, **things})
 
 
 def things_of(grammar: Grammar) -> frozenset[str]:
