@@ -91,7 +91,8 @@ def test_to_look_at_it_in_between_changes_nothing(voice):
     )
 )
 def test_whatever_comes_what_was_taken_has_its_length(sound):
-    less = filtered(sound)
+    with np.errstate(invalid="ignore"):  # infinity less infinity, which no source gives
+        less = filtered(sound)
     assert less.size == sound.size
     assert np.isfinite(less[np.isfinite(sound)]).all()
 
