@@ -151,6 +151,16 @@ def meaning(found: Interpretation) -> tuple[Any, ...]:
     return found.status, found.intent, found.slots, found.actions
 
 
+def said_without_slots(spec: Spec, sample: Sample, found: Interpretation) -> bool:
+    """Whether a sentence can be said in two ways, and was taken for the one with fewer slots: "one one" of
+    "[{count}] one [one]"."""
+    text = json.dumps(spec)
+    for name in sample.slots.keys() - found.slots.keys():
+        text = text.replace(f"{{{name}}}", "zebra")
+    other = loaded(json.loads(text)).parse(sample.text)
+    return len(found.slots) < len(sample.slots) and meaning(other) == meaning(found)
+
+
 # -- sentences ----------------------------------------------------------------------------------------------------
 
 
@@ -160,8 +170,9 @@ def test_a_sentence_means_what_it_was_made_from_however_it_is_written(spec, engi
         found = engine.parse(sample.text)
         wanted = Interpretation(sample.text, Status.ACCEPTED, sample.intent, sample.slots, sample.actions)
         if found.status is Status.ACCEPTED and found.intent == sample.intent:
-            assert not differences(found, wanted), sample.text
-        else:  # two intents say the same, or in two ways
+            different = differences(found, wanted)
+            assert not different or said_without_slots(spec, sample, found), sample.text
+        else:  # two intents say the same
             assert found.status is not Status.INCOMPLETE, sample.text
         words = sample.text
         for text in (words.upper(), words.title(), words.replace(" ", "  "), f"\t{words} ", f"{words}.", f"{words}!"):

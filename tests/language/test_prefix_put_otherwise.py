@@ -166,3 +166,17 @@ def test_lists_of_german(german: IntentEngine, command: str) -> None:
     words = command.split()
     assert all(german.prefix(" ".join(words[:count])).known_words == count for count in range(len(words) + 1))
     assert german.prefix(command).status in WHOLE
+
+
+def test_a_particle_may_stand_in_a_phrase_that_has_phrases(engine_of) -> None:
+    engine = engine_of(
+        """
+        language: en
+        slots: {lamp: [lamp, fan]}
+        phrases: {what: "the {lamp}", which: "on {what}"}
+        intents: {"on": {action: custom, sentences: ["turn {which}"]}}
+        """
+    )
+    assert engine.parse("turn the fan on").actions
+    assert engine.prefix("turn the fan").status is PrefixStatus.INCOMPLETE
+    assert not engine.parse("turn the green fan").actions

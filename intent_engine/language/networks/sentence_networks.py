@@ -178,8 +178,15 @@ class SentenceNetworks:
         if not (otherwise or more):
             return key
         ways = Choice((shared.several(node), *(TemplateSequence((way, *more)) for way in otherwise)))
-        self._networks.add_template(f"{joint} {key}", ways, {**scope, JOINT: Call(joint, apart=True)})
+        scope = {**self._scope_within(key, ways), **scope, JOINT: Call(joint, apart=True)}
+        self._networks.add_template(f"{joint} {key}", ways, scope)
         return f"{joint} {key}"
+
+    def _scope_within(self, key: str, node: Node) -> dict[str, Call]:
+        """What the names in a template call that may come out of phrases, as those do in the network of a sentence."""
+        scope, kind = self._scope(node), key.partition(":")[0]
+        own = (name for name in self._grammar.phrases if f"{kind} phrase:{name}" in self._made)
+        return scope | {name: Call(f"{kind} phrase:{name}") for name in own}
 
     def _words_alone(self, name: str) -> frozenset[str]:
         """The words that are a whole value of a slot."""
