@@ -148,7 +148,9 @@ def law(few: int, many: int, sentences: int) -> Callable[[Callable[..., None]], 
 
 
 def meaning(found: Interpretation) -> tuple[Any, ...]:
-    return found.status, found.intent, found.slots, found.actions
+    """What is ambiguous is named by the first of its intents, and that is a matter of their order."""
+    intent = None if found.status is Status.AMBIGUOUS else found.intent
+    return found.status, intent, found.slots, found.actions
 
 
 def said_without_slots(spec: Spec, sample: Sample, found: Interpretation) -> bool:
@@ -261,7 +263,7 @@ def reordered(spec: Spec) -> Spec:
 
 
 def without_phrases(spec: Spec) -> Spec:
-    """Each phrase written out where it is named."""
+    """Each phrase written out where it is named; two sentences that are one then are refused."""
     phrases = spec["phrases"]
     text = json.dumps({key: part for key, part in spec.items() if key != "phrases"})
     for name in ("outer", "inner"):
@@ -279,8 +281,11 @@ def test_how_a_grammar_is_written_changes_no_meaning(spec, engine, samples, draw
         "included": loaded({"language": "en", "include": "inner.yaml"}, inner=spec),
         "with an intent more": loaded({"language": "en", "include": "inner.yaml", **more}, inner=spec),
         "phrases renamed": loaded(renamed(spec, "phrases")),
-        "phrases written out": loaded(without_phrases(spec)),
     }
+    try:
+        others["phrases written out"] = loaded(without_phrases(spec))
+    except ConfigError:  # "go {inner}" and "go to": one sentence of two intents
+        reject()
     for how, other in others.items():
         assert [meaning(other.parse(text)) for text in texts] == expected, how
     other = loaded(renamed(spec, "slots"))
