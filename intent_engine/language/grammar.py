@@ -19,6 +19,7 @@ __all__ = [
     "MOTIONS",
     "QUANTITY_KINDS",
     "SLOT_TYPES",
+    "TELLING_APART",
     "ActionSpec",
     "Condition",
     "Example",
@@ -35,6 +36,8 @@ QUANTITY_KINDS = ("number", "ordinal", "distance", "angle", "duration", "speed",
 """Slot types whose value is a float in SI units (``ordinal`` and ``number`` have none)."""
 FREE_KINDS = frozenset(("text", "object"))
 """Slot types that hold any words."""
+TELLING_APART = frozenset(("choice", "location", "ordinal", "boolean"))
+"""Slot types that tell one thing from another; an amount does not ("fade A to 20 and A to 30")."""
 
 _WRITTEN: Mapping[str, tuple[float, str]] = {
     "distance": (1.0, " m"),

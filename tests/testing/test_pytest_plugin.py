@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import re
 import subprocess
@@ -157,7 +156,6 @@ def test_coverage_counts_a_users_own_tests(folder):
     result.stdout.fnmatch_lines(["wave.yaml: 2 of 3 intents, 2 of 4 sentences, 1 of 2 slots"])
 
 
-@pytest.mark.skipif(importlib.util.find_spec("xdist") is None, reason="pytest-xdist is not installed")
 def test_coverage_of_several_processes_is_what_none_of_them_missed(folder, monkeypatch):
     monkeypatch.setenv("PYTHONPATH", str(ROOT))
     options = ("--intent-coverage", "-n2", "--dist", "loadfile")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Generic, Protocol, TypeVar
@@ -14,7 +14,7 @@ from intent_engine.language.context.answers import Answers, answered
 from intent_engine.language.context.going_on import goes_on_from
 from intent_engine.language.context.references import Before, resolve
 from intent_engine.language.context.said_instead import said_instead
-from intent_engine.language.grammar import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS, Operators
 from intent_engine.language.matcher import Matcher
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
@@ -105,7 +105,7 @@ class Understanding(Generic[_Parser]):
             return resolve(found, before, parser.matcher.grammar, self._needs, self._state), parser
         if MOVING in self._state and not does and (stop := parser.objection(text, done, self._state)) is not None:
             return stop, parser  # "no, the lab", long after "go to the kitchen"; "no, don't turn left, turn right"
-        if done and not does and (instead := self._instead(text, done)) is not None:
+        if done and not does and MOVING not in self._state and (instead := self._instead(text, done)) is not None:
             return instead
         if before is not None or len(found.actions) > 1 or found.corrected:
             found = resolve(found, before, parser.matcher.grammar, self._needs, self._state)
@@ -116,37 +116,33 @@ class Understanding(Generic[_Parser]):
         return found, parser
 
     def _going_on(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
-        """What a text that is typed adds to what was done before, and the parser that says so; None: nothing. What is
-        spoken has its time, which is not known here: "and Ben", a minute later, is talk."""
-        if not self._before or not self._follows_in_writing:
-            return None
-        for parser in self._parsers:
+        """What a text that is typed adds to what was done before, and the parser that says so; None: nothing."""
+        for parser in self._typed_behind(text, lambda operators: operators.sequence):
             grammar = parser.matcher.grammar
-            if PhraseSet(grammar.operators.sequence).at(Utterance.of(text, grammar.language).words, 0):
-                meaning = partial(parser.interpret, state=self._state)
-                parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
-                if (more := goes_on_from(text, done, self._before, meaning, parted)) is not None:
-                    return more, parser
+            parted = thing_words(grammar.language).alone.union(grammar.wording.parted)
+            meaning = partial(parser.interpret, state=self._state)
+            if (more := goes_on_from(text, done, self._before or (), meaning, parted)) is not None:
+                return more, parser
         return None
 
     def _instead(self, text: str, done: str) -> tuple[Interpretation, _Parser] | None:
-        """What a text that is typed puts in the place of what was done before, and the parser that says so; None:
-        nothing. What is spoken has its time here as well."""
-        if not self._before or MOVING in self._state or not self._follows_in_writing:
-            return None
-        for parser in self._parsers:
-            grammar = parser.matcher.grammar
-            if PhraseSet(grammar.operators.correction).at(Utterance.of(text, grammar.language).words, 0):
-                meaning = partial(parser.interpret, state=self._state)
-                listed = [name for name, slot in grammar.slots.items() if slot.type not in FREE_KINDS]
-                if (instead := said_instead(text, done, self._before, meaning, listed)) is not None:
-                    return instead, parser
+        """What one puts in the place of what was done before, if the robot is at rest; None: nothing."""
+        for parser in self._typed_behind(text, lambda operators: operators.correction):
+            listed = [name for name, slot in parser.matcher.grammar.slots.items() if slot.type not in FREE_KINDS]
+            meaning = partial(parser.interpret, state=self._state)
+            if (instead := said_instead(text, done, self._before or (), meaning, listed)) is not None:
+                return instead, parser
         return None
 
-    @property
-    def _follows_in_writing(self) -> bool:
-        """Whether it follows what was typed before, and no question."""
-        return not self._by_voice and not (isinstance(self._last, Interpretation) and self._last.question is not None)
+    def _typed_behind(self, text: str, openers: Callable[[Operators], Iterable[tuple[str, ...]]]) -> Iterator[_Parser]:
+        """The parsers in whose language a text begins with an operator, where it may follow what was typed before, and
+        answers no question. What is spoken has its time, which is not known here: "and Ben", a minute later, is
+        talk."""
+        asks = isinstance(self._last, Interpretation) and self._last.question is not None
+        for parser in self._parsers if self._before and not self._by_voice and not asks else ():
+            grammar = parser.matcher.grammar
+            if PhraseSet(openers(grammar.operators)).at(Utterance.of(text, grammar.language).words, 0):
+                yield parser
 
     def _first_accepted(self, text: str) -> tuple[Interpretation, _Parser]:
         """The interpretation of the first language that accepts a text; else the one that says most about it."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from intent_engine.language import quantities
 from intent_engine.language.automaton import SOUND
-from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, Grammar, Sentence, Slot
+from intent_engine.language.grammar import FREE_KINDS, QUANTITY_KINDS, TELLING_APART, Grammar, Sentence, Slot
 from intent_engine.language.networks.network import NAMED, NEVER, Call, Networks
 from intent_engine.language.numbers.digit_by_digit import template_of
 from intent_engine.language.numbers.spelled import figures_otherwise, number_otherwise
@@ -42,8 +42,6 @@ __all__ = ["SentenceNetworks", "call_of", "spoken_trees"]
 
 MAX_LOOSE_WORDS = 5
 """Words that a misheard name may have."""
-TELLING_APART = frozenset(("choice", "location", "ordinal", "boolean"))
-"""Types of slots that tell one thing from another, of which a verb is said once."""
 LOOSE_VALUE_WORDS = 3
 """The same of a value of a list, or as many as the longest of them has."""
 MOST_WILD = 12
@@ -74,6 +72,8 @@ class SentenceNetworks:
         self._sentences: Sequence[Sentence] = ()
         self._made: dict[str, tuple[Node, Mapping[str, Call]]] = {}
         """Templates of sentences and what their names call, by the networks made of them."""
+        self._led: set[str] = set()
+        """Kinds that have phrases of their own."""
 
     def add_sentences(self, sentences: Sequence[Sentence]) -> None:
         """Add sentences, ``sentence:0`` and so on, with all that they are made of."""
@@ -148,16 +148,15 @@ class SentenceNetworks:
             indices: which.
             leading: the articles.
         """
+        self._led.add(kind)
         grammar, articles = self._grammar, thing_words(self._grammar.language).articles
         before = {slot.name: self._before(slot, leading) for slot in grammar.slots.values() if _is_named(slot)}
         counted = {slot.name for slot in grammar.slots.values() if slot.type in QUANTITY_KINDS}
         templates = [(f"{kind} phrase:{name}", node) for name, node in grammar.phrases.items()]
         templates += [(f"{kind}:{index}", self._sentences[index].template) for index in indices]
         for key, node in templates:
-            inner = {one.name for one in references(node)} - grammar.slots.keys()
-            phrases = {name: Call(f"{kind} phrase:{name}") for name in inner}
             template = led(node, before, counted, articles)
-            self._add_template(key, self._spoken(template), self._scope(node) | phrases)
+            self._add_template(key, self._spoken(template), self._scope(node, f"{kind} "))
 
     def add_otherwise(self, key: str, joint: str) -> str:
         """Add a sentence with all ways to put it that are understood though its file has one: "turn the lamp on" of
@@ -178,15 +177,10 @@ class SentenceNetworks:
         if not (otherwise or more):
             return key
         ways = Choice((shared.several(node), *(TemplateSequence((way, *more)) for way in otherwise)))
-        scope = {**self._scope_within(key, ways), **scope, JOINT: Call(joint, apart=True)}
-        self._networks.add_template(f"{joint} {key}", ways, scope)
+        kind = key.partition(":")[0]
+        opened = self._scope(ways, f"{kind} " if kind in self._led else "")  # also what comes out of phrases
+        self._networks.add_template(f"{joint} {key}", ways, {**opened, **scope, JOINT: Call(joint, apart=True)})
         return f"{joint} {key}"
-
-    def _scope_within(self, key: str, node: Node) -> dict[str, Call]:
-        """What the names in a template call that may come out of phrases, as those do in the network of a sentence."""
-        scope, kind = self._scope(node), key.partition(":")[0]
-        own = (name for name in self._grammar.phrases if f"{kind} phrase:{name}" in self._made)
-        return scope | {name: Call(f"{kind} phrase:{name}") for name in own}
 
     def _words_alone(self, name: str) -> frozenset[str]:
         """The words that are a whole value of a slot."""
@@ -297,13 +291,14 @@ class SentenceNetworks:
         """A template of the file with its numbers in digits and in words, where those are known."""
         return numbers_either_way(node) if self._grammar.language == "en" else node
 
-    def _scope(self, node: Node) -> dict[str, Call]:
+    def _scope(self, node: Node, kind: str = "") -> dict[str, Call]:
+        """What the names in a template call; of its phrases the networks of some kind."""
         scope = {"#": Call("quantity:number", NAMED)}  # a numeral in a template of the file may be said in words
         for reference in references(node):
             name, label = reference.name, reference.label
             slot = self._grammar.slots.get(name)
             if slot is None:
-                scope[name] = Call(f"phrase:{name}")
+                scope[name] = Call(f"{kind}phrase:{name}")
             else:
                 scope[f"{name}:{label}"] = call_of(slot, label)
         return scope

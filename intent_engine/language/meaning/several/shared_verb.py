@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from intent_engine.actions import ChangeSpeed, Custom, Stop
 from intent_engine.language.context.done_again import AGAIN
-from intent_engine.language.grammar import FREE_KINDS
+from intent_engine.language.grammar import FREE_KINDS, TELLING_APART
 from intent_engine.language.meaning.clause import Clause, described
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
@@ -33,8 +33,7 @@ MOST_SAID = 8
 """Things that one verb is said of, as commands in one utterance."""
 MOST_WORDS = 30
 """Of a sentence with one verb for several things."""
-_NAMES = ("choice", "location", "ordinal", "boolean", *FREE_KINDS)
-"""Types of slots that tell one thing from another; an amount does not ("fade A to 20 and A to 30")."""
+_NAMES = (*TELLING_APART, *FREE_KINDS)
 
 
 @dataclass(frozen=True, slots=True)
