@@ -28,6 +28,7 @@ SLOTS = """
   colour: [red, blue]
   room: [Flur, cocina]
   state: [an, aus]
+  tool: [Hammer, Zange]
   way: [vor, zurück]
   row: {type: number, min: 1, max: 40, whole: true}
   count: {type: number, min: 1, max: 40}
