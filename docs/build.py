@@ -33,7 +33,16 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         folder = Path(page.file.abs_src_path).parent
         pages = sorted(path for path in folder.glob("*.md") if path.name != "index.md")
         markdown = markdown.replace(DECISIONS, "\n".join(f"- [{_title(path)}]({path.name})" for path in pages))
-    return markdown
+    return bars_as_written(markdown)
+
+
+def bars_as_written(markdown: str) -> str:
+    r"""``\|`` in the code of a table as ``|``: GitHub needs the stroke, and Python-Markdown would show it."""
+    lines = markdown.split("\n")
+    for number, line in enumerate(lines):
+        if line.startswith("|"):
+            lines[number] = re.sub(r"`[^`]+`", lambda code: code[0].replace("\\|", "|"), line)
+    return "\n".join(lines)
 
 
 def _verbs() -> str:

@@ -7,14 +7,17 @@ for any lines. A ``yaml`` block whose first line is ``# name.yaml`` is a file th
 
 from __future__ import annotations
 
+import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
+import markdown
 import pytest
 from sybil import Document, Example
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser, SkipParser
@@ -123,6 +126,19 @@ def test_links_between_pages_lead_somewhere(page):
     for target in re.findall(r"\]\(([^)#\s]+)", text):
         if not target.startswith(("http://", "https://", "mailto:")):
             assert (page.parent / target).exists(), f"{page.name} links to {target}"
+
+
+def test_a_bar_in_the_code_of_a_table_is_shown_as_it_is_said():
+    build = runpy.run_path(str(ROOT / "docs" / "build.py"))
+    page = build["bars_as_written"]("| a | b |\n|---|---|\n| `(left\\|right)` | c |")
+    assert "<code>(left|right)</code></td>\n<td>c</td>" in markdown.markdown(page, extensions=["tables"])
+
+
+def test_the_reference_names_every_key_of_a_grammar():
+    schema = json.loads((ROOT / "intent_engine" / "language" / "grammar.schema.json").read_text("utf-8"))
+    parts = [schema, schema["properties"]["operators"], schema["$defs"]["slot"], schema["$defs"]["intent"]]
+    named = set(re.findall(r"`([a-z_]+)`", (ROOT / "docs" / "grammar.md").read_text("utf-8")))
+    assert {key for part in parts for key in part["properties"]} - {"type"} <= named
 
 
 OF_TODAY = [page for page in PAGES if "decisions" not in page.parts]  # those tell of their day as well

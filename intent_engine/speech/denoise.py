@@ -1,7 +1,7 @@
 """Noise reduction, off unless asked for: a filter between the microphone and the recogniser.
 
 Whisper was trained on noisy speech, and may lose more by what a filter takes from the voice than it gains. Measure with
-your own noise before you switch it on: docs/speech.md has figures.
+your own noise before you switch it on: docs/decisions/speech-noise.md has figures.
 
 It filters what was said as a whole, just before it is recognised. The voice detector and the reflex hear the unfiltered
 sound: a filter of the stream would delay a stop.

@@ -1,8 +1,9 @@
 """Less noise for the recogniser: some of what RNNoise takes for noise is taken out, while the person still speaks.
 
-Taking out all of it takes something of the voice as well, by which Whisper loses more than it gains; docs/speech.md has
-figures. The voice detector and the reflex hear the sound as it is. RNNoise needs 2 to 3 ms for a frame of 32 ms, so it
-follows the speech instead of waiting for its end, and it is left out where hardly any noise can be heard.
+Taking out all of it takes something of the voice as well, by which Whisper loses more than it gains;
+docs/decisions/speech-noise.md has figures. The voice detector and the reflex hear the sound as it is. RNNoise needs 2
+to 3 ms for a frame of 32 ms, so it follows the speech instead of waiting for its end, and it is left out where hardly
+any noise can be heard.
 
 Source: J.-M. Valin, "A Hybrid DSP/Deep Learning Approach to Real-Time Full-Band Speech Enhancement", 2018;
 https://github.com/xiph/rnnoise. The library comes with the package pyrnnoise, whose own module is not imported: it

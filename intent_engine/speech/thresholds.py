@@ -21,7 +21,7 @@ __all__ = [
 
 SURE_ENOUGH = 0.7
 """Confidence of a transcript from which it is acted on, where its intent does not say another (``min_confidence``).
-Measured on commands and other speech: docs/speech.md."""
+Measured on commands and other speech: docs/decisions/speech-confidence.md."""
 SURE_ENOUGH_OF_SEVERAL = 0.9
 """The same for several commands at once: "hunting and reese" is no "hundred and freeze"."""
 WORTH_ASKING = 0.4

@@ -1,0 +1,145 @@
+"""The tables of docs/understood.md: each sentence in quotes is understood, or refused, as its row says.
+
+A table that begins with "a grammar has" makes a grammar of the templates in that column; every other one is about the
+shipped grammar, or about the file that its section shows.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from intent_engine import IntentEngine
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "understood.md"
+LANGUAGES = {"German": "de", "French": "fr", "Spanish": "es", "Italian": "it"}
+SLOTS = """
+  place: location
+  thing: {type: text, max_words: 3}
+  listed: {type: text, known: [cup, glass]}
+  device: [lamp, fan, pump, lampe, lámpara, lampada]
+  drink: [coffee, beer, tea, Kaffee, café, caffè]
+  colour: [red, blue]
+  room: [Flur, cocina]
+  state: [an, aus]
+  tool: [Hammer, Zange]
+  way: [vor, zurück]
+  row: {type: number, min: 1, max: 40, whole: true}
+  count: {type: number, min: 1, max: 40}
+  weight: {type: number, min: 1, max: 1000}
+  level: {type: percent, max: 100 %}
+  distance: distance
+  time: duration
+"""
+PLACES = [
+    "kitchen",
+    "lab",
+    "bar",
+    "C1",
+    "Küche",
+    "Tor",
+    "Müller",
+    "entrée",
+    "bar",
+    "cuisine",
+    "salón",
+    "bar",
+    "ingresso",
+]
+
+
+class Row(NamedTuple):
+    line: int
+    head: list[str]
+    cells: list[str]
+    file: str | None
+    """The last file that its section shows."""
+
+
+def rows() -> Iterator[Row]:
+    """All rows of all tables."""
+    head: list[str] = []
+    file, block = None, ""
+    fenced = False
+    for number, line in enumerate(PAGE.read_text("utf-8").splitlines(), 1):
+        if line.startswith("```"):
+            if fenced and re.match(r"# \w+\.yaml\n", block):
+                file = block
+            fenced, block = not fenced, ""
+        elif fenced:
+            block += line + "\n"
+        elif line.startswith("## "):
+            file = None
+        elif not line.startswith("|"):
+            head = []
+        elif not head:
+            head = _cells(line)
+        elif not line.startswith("|---"):
+            yield Row(number, head, _cells(line), file)
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+
+
+def _quoted(cell: str) -> list[str]:
+    return re.findall(r'"([^"]+)"', cell)
+
+
+ROWS = [pytest.param(row, id=f"{PAGE.name}:{row.line}") for row in rows()]
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if "grammar has" in row.values[0].head[0]])
+def test_what_a_sentence_is_understood_for(row, tmp_path):
+    language = next((LANGUAGES[word] for word in row.head[0].split() if word in LANGUAGES), "en")
+    said = [one.replace("'", "''") for one in re.findall(r"`([^`]+)`", row.cells[0])]
+    sentences = "".join(f"\n      - '{one}'" for one in said)
+    path = tmp_path / "row.yaml"
+    path.write_text(
+        f"language: {language}\nslots:{SLOTS}intents:\n  row:\n    action: custom\n    sentences:{sentences}\n", "utf-8"
+    )
+    engine = IntentEngine.from_files(path, locations=dict.fromkeys(PLACES, (0.0, 0.0, 0.0)))
+    assert _quoted(row.cells[1])
+    for text in _quoted(row.cells[1]):
+        assert engine.parse(text).status == "accepted", (text, engine.parse(text).reason)
+    for text in _quoted(row.cells[2]):
+        assert not engine.parse(text).actions, text
+
+
+@pytest.fixture(scope="module")
+def engine_of(tmp_path_factory):
+    """Gives the engine of a file that the page shows, or the shipped one."""
+
+    @functools.cache
+    def made(file: str | None) -> IntentEngine:
+        grammar = "en"
+        if file:
+            path = tmp_path_factory.mktemp("shown") / "shown.yaml"
+            path.write_text(file, "utf-8")
+            grammar = str(path)
+        return IntentEngine.from_files(grammar, locations="home")
+
+    return made
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row.values[0].head[-1] == "means"])
+def test_what_a_text_means(row, engine_of):
+    engine = engine_of(row.file)
+    *before, said, means = row.cells
+    last = engine.parse(_quoted(before[0])[0]) if before else None
+    assert _quoted(said)
+    for text in _quoted(said):
+        found = engine.parse(text, last=last)
+        if means.startswith('"'):
+            assert found.actions, (text, found.reason)
+            assert found.actions == engine.parse(_quoted(means)[0]).actions
+        else:
+            assert means.startswith(("nothing", "asked"))
+            assert not found.actions, text
+            assert not means.startswith("asked") or found.status == "ambiguous", (text, found.reason)
