@@ -81,7 +81,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.
         "dating": "en", "where": "en", "days": "en", "repeating": "en",
-        "definite": "de en", "itself": "de en", "manner": "de en", "measures": "de en",
+        "definite": "de en", "itself": "de en", "manner": "de en", "manners": "en", "measures": "de en",
         "not_bare": "de en", "not_held": "de en", "pronouns": "de en",
         "describing": "en", "solid": "en",
     },

@@ -76,6 +76,7 @@ def german(engine_of) -> IntentEngine:
         ("open the door and the window and wave", PrefixStatus.COMPLETE),
         ("fade the lamp to 20 percent and the", PrefixStatus.INCOMPLETE),
         ("turn the lamp on and the fan", PrefixStatus.EXTENDABLE),
+        ("shut the first gate firmly", PrefixStatus.COMPLETE),
     ],
 )
 def test_how_far_words_have_come(house: IntentEngine, text: str, status: PrefixStatus) -> None:
@@ -98,6 +99,7 @@ def test_what_begins_no_command_is_none(house: IntentEngine, text: str) -> None:
         ("open the door and the", "window"),
         ("shut the first", "and"),
         ("shut the first and the third", "gate"),
+        ("shut the first gate", "firmly"),
     ],
 )
 def test_words_that_may_follow(house: IntentEngine, text: str, word: str) -> None:
@@ -137,6 +139,7 @@ def put_otherwise(draw: st.DrawFn) -> str:
                 f"open the {opening} {joint} the {further}",
                 f"open the {opening} {joint} {further} and the {last}",
                 f"shut the {draw(ROWS)} {joint} the {draw(ROWS)} {opening}",
+                f"shut the {draw(ROWS)} {opening} firmly",
                 f"fade the {lamp} to 20 percent {joint} the {other} to 30 percent",
                 f"wave {joint} turn the {lamp} on {joint} open the {opening} and the {further}",
                 "pick the red cup up",

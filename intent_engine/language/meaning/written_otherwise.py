@@ -98,7 +98,7 @@ class WrittenOtherwise:
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
         if written is None:
-            written = self._begun_twice(text, core, state) or self._verb_first(text, core, state)
+            written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)
         for other in self._symbols.in_full(core):
             if written is None:
@@ -167,14 +167,16 @@ class WrittenOtherwise:
             return None
         return found
 
-    def _verb_first(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "For ten minutes water the beds" of a grammar that has "water the beds for ten minutes"."""
+    def _manner_moved(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "For ten minutes water the beds" of a grammar that has "water the beds for ten minutes", and "turn the crank
+        slowly" of one that has "slowly turn the crank"."""
         found: list[Understood] = []
-        for other, place in self._said_first.verb_first(core, self._commands.first_words - self._commands.not_verbs):
+        verbs = self._commands.first_words - self._commands.not_verbs
+        for other, moved in (*self._said_first.verb_first(core, verbs), *self._said_first.manner_first(core)):
             clause = self._commands.exact(other.words, state, breaks=other.breaks)
             if clause is None or not clause.accepted or clause.reading is None:
                 continue
-            if self._said_first.means(clause.reading, place):
+            if self._said_first.means(clause.reading, moved):
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.append(as_told(text, replace(clause, reason=changed)))
         return found[0] if len({one[0].actions for one in found}) == 1 else None

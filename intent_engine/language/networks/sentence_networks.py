@@ -18,6 +18,7 @@ from intent_engine.language.slots.own_units import hundredth
 from intent_engine.language.slots.slot_values import NamesOf
 from intent_engine.language.template import parse_template
 from intent_engine.language.templates.led_names import led
+from intent_engine.language.templates.moved_manner import manner_moved
 from intent_engine.language.templates.moved_particles import moved
 from intent_engine.language.templates.numbered import numbers_either_way
 from intent_engine.language.templates.shared_verbs import SharedVerbs
@@ -160,7 +161,8 @@ class SentenceNetworks:
 
     def add_otherwise(self, key: str, joint: str) -> str:
         """Add a sentence with all ways to put it that are understood though its file has one: "turn the lamp on" of
-        "turn on the {lamp}", and "open the hatch and the gate" of "open the {door}".
+        "turn on the {lamp}", "slowly turn the crank" of "turn the crank {pace}", and "open the hatch and the gate" of
+        "open the {door}".
 
         Args:
             key: of its network.
@@ -172,6 +174,7 @@ class SentenceNetworks:
         node, scope = self._made[key]
         grammar, articles = self._grammar, thing_words(self._grammar.language).articles
         otherwise = moved(node, grammar.wording.particles, articles, grammar.phrases, self._words_alone, self._is_free)
+        otherwise += manner_moved(node, thing_words(grammar.language).is_manner, self._says_how)
         shared = SharedVerbs(Reference(JOINT, JOINT, 0), self._is_named_one, articles)
         more = tuple(shared.more_of(node))
         if not (otherwise or more):
@@ -189,6 +192,11 @@ class SentenceNetworks:
         options = [one for node in nodes for one in (node.items if isinstance(node, Choice) else (node,))]
         return frozenset(one.text for one in options if isinstance(one, Word))
 
+    def _says_how(self, name: str) -> bool:
+        """Whether each word that is a whole value of a slot says how something is done."""
+        words = self._words_alone(name)
+        return bool(words) and all(map(thing_words(self._grammar.language).is_manner, words))
+
     def _is_free(self, name: str) -> bool:
         return name in self._grammar.slots and self._grammar.slots[name].type in FREE_KINDS
 
@@ -202,7 +210,9 @@ class SentenceNetworks:
 
     def _before(self, slot: Slot, leading: Collection[str]) -> frozenset[str]:
         """The articles that may stand before what a slot holds: none with which one of its names begins, as "some milk"
-        beside "milk", and "a 12" beside "12"."""
+        beside "milk", and "a 12" beside "12"; and none before "slowly"."""
+        if self._says_how(slot.name):
+            return frozenset()
         own = [first_words(node, self._grammar.phrases)[0] for _, node in slot.values]
         if slot.type == "location":
             own.append(self._begin_places)

@@ -91,6 +91,8 @@ class ThingWords:
     """Before what a thing is to have: "no" behind that may say what it is to have none of."""
     manner: frozenset[str] = frozenset()
     """Endings of words that say how something is done."""
+    manners: frozenset[str] = frozenset()
+    """Such words that are shorter than others with their endings."""
     scales: frozenset[str] = frozenset()
     """Before a number they say how much there is of one thing, and name none: "level 3"."""
     plurals: tuple[tuple[str, str], ...] = ()
@@ -110,8 +112,8 @@ class ThingWords:
         return self.articles - self.owning
 
     def is_manner(self, word: str) -> bool:
-        """Whether a word says how something is done: it ends so, and has two letters before."""
-        return len(word) > 2 and self._manner.search(word, 2) is not None
+        """Whether a word says how something is done: it is one that does, or ends so and has two letters before."""
+        return word in self.manners or (len(word) > 2 and self._manner.search(word, 2) is not None)
 
     @cached_property
     def _manner(self) -> re.Pattern[str]:

@@ -1,10 +1,11 @@
-"""Templates as they are put otherwise: with a particle elsewhere, and with one verb for several things."""
+"""Templates as they are put otherwise: with a particle or an adverb elsewhere, and with one verb for several things."""
 
 from __future__ import annotations
 
 import pytest
 
 from intent_engine.language.template import parse_template
+from intent_engine.language.templates.moved_manner import manner_moved
 from intent_engine.language.templates.moved_particles import moved
 from intent_engine.language.templates.shared_verbs import SharedVerbs
 from intent_engine.language.templates.template_tree import Word, template_text
@@ -51,6 +52,22 @@ def test_where_a_particle_may_stand(template: str, others: set[str]) -> None:
 def test_a_template_with_very_many_beginnings_is_left_as_it_is() -> None:
     many = " ".join("[so]" for _ in range(14))
     assert ways(f"{many} turn on the {{lamp}}") == set()
+
+
+@pytest.mark.parametrize(
+    ("template", "others"),
+    [
+        ("[{pace}] turn the {lamp}", {"turn the {lamp} {pace}"}),
+        ("(slowly|gently) turn", {"turn (slowly|gently)"}),
+        ("turn the {lamp} [{pace}]", {"{pace} turn the {lamp}"}),
+        ("[{pace}] turn|push the {lamp} slowly", {"turn {pace}", "slowly push the {lamp}"}),
+        ("[please] turn the {lamp}", set()),
+        ("slowly", set()),
+    ],
+)
+def test_where_an_adverb_may_stand(template: str, others: set[str]) -> None:
+    found = manner_moved(parse_template(template), lambda word: word.endswith("ly"), lambda name: name == "pace")
+    assert {template_text(one) for one in found} == others
 
 
 SHARED = SharedVerbs(Word("and"), lambda name: name in ("lamp", "room", "row"), ARTICLES)

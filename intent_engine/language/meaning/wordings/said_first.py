@@ -1,4 +1,5 @@
-"""How something is to be done, said before it: "for ten minutes water the beds", "slowly move to mark C"."""
+"""How something is to be done, said elsewhere than a grammar has it: "for ten minutes water the beds", "slowly move to
+mark C"; and "turn the crank slowly" of one that has "slowly turn the crank"."""
 
 from __future__ import annotations
 
@@ -28,8 +29,8 @@ class SaidFirst:
         self._is_manner = thing_words(grammar.language).is_manner
         self._phrases = phrases
 
-    def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, int]]:
-        """Ways to say one command with its verb first, each with the place where the words stand that came before."""
+    def verb_first(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, range]]:
+        """Ways to say one command with its verb first, each with the places where the words stand that came before."""
         words = core.words
         led = words[0] in self._leads
         if not led and not (len(words) > 1 and words[1] in verbs and self._is_manner(words[0])):
@@ -39,10 +40,24 @@ class SaidFirst:
             parted = any(core.breaks[1:place]) or any(told.breaks[1:])
             if words[place] not in verbs or parted or self._phrases.sequence.may_stand_in(words):
                 continue
-            yield Utterance.in_one_breath([*told.words, *words[:place]]), len(told)
+            yield Utterance.in_one_breath([*told.words, *words[:place]]), range(len(told), len(words))
 
-    def means(self, reading: Reading, place: int) -> bool:
-        """Whether what came first is a part of the sentence by itself, and no end of a name or of free words."""
+    def manner_first(self, core: Utterance) -> Iterator[tuple[Utterance, range]]:
+        """One command with the adverb first that came last, and its place."""
+        *told, manner = core.words
+        if told and self._is_manner(manner) and not any(core.breaks[1:-1]):
+            yield Utterance.in_one_breath([manner, *told]), range(1)
+
+    def means(self, reading: Reading, moved: range) -> bool:
+        """Whether what was moved is a part of the sentence by itself, and no piece of a name or of free words.
+
+        Args:
+            reading: of the words in their other order.
+            moved: the places of those that stood elsewhere.
+        """
         return all(
-            slot.end <= place or (slot.start >= place and slot.slot.type not in FREE_KINDS) for slot in reading.slots
+            slot.end <= moved.start
+            or slot.start >= moved.stop
+            or (moved.start <= slot.start and slot.end <= moved.stop and slot.slot.type not in FREE_KINDS)
+            for slot in reading.slots
         )

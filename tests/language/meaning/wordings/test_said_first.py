@@ -1,4 +1,4 @@
-"""How something is done, said before its verb: "for ten minutes water the beds"."""
+"""How something is done, said before its verb: "for ten minutes water the beds"; and behind what has it first."""
 
 from __future__ import annotations
 
@@ -14,9 +14,13 @@ slots:
   pace: {type: choice, values: {slow: [slowly], fast: [quickly]}}
   litres: {type: number, max: 9}
   thing: {type: text, max_words: 3}
+  load: {type: object, max_words: 3}
 intents:
   water: {action: custom, sentences: ["water the {bed} [with {litres} liters] [(for|in) {time}]"]}
   drive: {action: custom, sentences: ["drive to the {bed} [{pace}]"]}
+  turn: {action: custom, sentences: ["[{pace}] turn the (crank|{bed} tap)"]}
+  push: {action: custom, sentences: ["[{pace}] push {load}"]}
+  read: {action: custom, sentences: ["carefully read the gauge"]}
   carry: {action: custom, sentences: ["carry {thing} to the {bed}", "carry {thing} with {thing:tool}"]}
 """
 
@@ -34,6 +38,11 @@ def farm(engine_of) -> IntentEngine:
         ("slowly drive to the south bed", "drive to the south bed slowly"),
         ("quickly, drive to the south bed", "drive to the south bed quickly"),
         ("to the south bed carry the rake", "carry the rake to the south bed"),
+        ("turn the crank slowly", "slowly turn the crank"),
+        ("turn the north bed tap, quickly please", "quickly turn the north bed tap"),
+        ("push the red box slowly", "slowly push the red box"),
+        ("push it quickly", "quickly push it"),
+        ("read the gauge carefully", "carefully read the gauge"),
     ],
 )
 def test_it_is_the_same_command(farm: IntentEngine, said: str, usual: str) -> None:
@@ -54,6 +63,14 @@ def test_it_is_the_same_command(farm: IntentEngine, said: str, usual: str) -> No
         "at noon water the north bed",
         "for ten minutes, or twenty, water the north bed",
         "quickly water the north bed",
+        "read the gauge quickly",
+        "turn the crank hardly",
+        "turn the crank. Slowly drive",
+        "turn the crank slowly?",
+        "she turns the crank slowly",
+        "don't turn the crank slowly",
+        "turn slowly the crank",
+        "push the box gently",  # no pace of this grammar, and no box
     ],
 )
 def test_what_may_be_when_or_of_something_else_is_none(farm: IntentEngine, said: str) -> None:
