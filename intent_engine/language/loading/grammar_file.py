@@ -270,9 +270,10 @@ class _Builder:
         grammar = Grammar(
             language=self.language,
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
-            around=self._said(default_around(self.language)) if self.fillers is None else (),
-            counting=self._said(default_counting(self.language)) if self.fillers is None else (),
-            counted=self._said(default_counted(self.language)) if self.fillers is None else (),
+            # Beside a number, whatever else a file takes for fillers; but none where it wants none at all.
+            around=self._said(default_around(self.language)) if self.fillers != [] else (),
+            counting=self._said(default_counting(self.language)) if self.fillers != [] else (),
+            counted=self._said(default_counted(self.language)) if self.fillers != [] else (),
             wording=default_wording(self.language, self._said),
             phrases=self.phrases,
             slots=self.slots,

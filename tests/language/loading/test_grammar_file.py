@@ -184,6 +184,25 @@ def test_politeness_needs_no_line(language, sentence, said):
     assert [engine.parse(one).intent for one in said] == [None] * len(said)
 
 
+@pytest.mark.parametrize(
+    ("language", "sentence", "said"),
+    [
+        ("en", "order {n} coffees", ["order about two coffees", "order two more coffees"]),
+        ("de", "bestelle {n} kaffees", ["bestelle etwa zwei kaffees", "bestelle zwei weitere kaffees"]),
+        ("fr", "commande {n} cafés", ["commande environ deux cafés", "commande deux cafés de plus"]),
+    ],
+)
+def test_what_says_nothing_beside_a_number_needs_no_line_either(language, sentence, said):
+    """Whoever lists fillers thinks of "please"."""
+    text = (
+        f"language: {language}\nslots: {{n: number}}\nintents: {{a: {{action: custom, sentences: ['{sentence}']}}}}\n"
+    )
+    for fillers, known in (("", True), ("fillers: [hey]\n", True), ("fillers: []\n", False)):
+        load(text + fillers)
+        engine = IntentEngine.from_files("grammar.yaml")
+        assert [bool(engine.parse(one).actions) for one in said] == [known] * len(said)
+
+
 def test_a_file_that_is_included_twice_is_read_once():
     grammar = load(
         "include: [a.yaml, b.yaml]\nintents:\n" + STOP,

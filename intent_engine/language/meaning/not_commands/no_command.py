@@ -11,6 +11,7 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
+from intent_engine.language.meaning.not_commands.one_of_a_range import one_of_a_range
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
 from intent_engine.language.meaning.told import Understood, as_told, asked_back
@@ -39,7 +40,7 @@ class NoCommand:
         self._phrases = phrases
         self._commands = commands
         self._matcher = commands.matcher
-        self._is_manner = thing_words(commands.matcher.grammar.language).is_manner
+        self._things = thing_words(commands.matcher.grammar.language)
         self._compounds = compounds
         self._corrections = corrections
         self._nearest = nearest
@@ -66,6 +67,8 @@ class NoCommand:
         told = clause is not None and (clause.ambiguous or manner in clause.at_fault)
         if manner and not told:
             reason = f"{manner!r} says how it is done, and this command has no word for that; say it without"
+            return Interpretation(text, Status.REJECTED, reason=reason), ()
+        if (clause is None or not clause.ambiguous) and (reason := self._range(words, state)):
             return Interpretation(text, Status.REJECTED, reason=reason), ()
         if not self._phrases.change_meaning(words) and not (clause is not None and clause.ambiguous):
             # Before what a name is not: "go to the" is unfinished, not a place called "the".
@@ -125,10 +128,14 @@ class NoCommand:
             (
                 word
                 for place, word in enumerate(words)
-                if self._is_manner(word) and self._commands.accepts([*words[:place], *words[place + 1 :]], state)
+                if self._things.is_manner(word) and self._commands.accepts([*words[:place], *words[place + 1 :]], state)
             ),
             "",
         )
+
+    def _range(self, words: Sequence[str], state: Collection[str]) -> str:
+        language = self._matcher.grammar.language
+        return one_of_a_range(words, self._things.ranging, language, lambda said: self._commands.accepts(said, state))
 
     def _not_all(self, text: str, part: Utterance, clause: Clause | None) -> Understood:
         """One part of what was said is no command, so nothing of it is done."""
