@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from difflib import SequenceMatcher
+from itertools import pairwise
 
 from rapidfuzz.distance import Levenshtein
 
@@ -184,6 +185,21 @@ def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]
     for said, meant, after in _all_instead(words, heard):
         if len(meant) == 1 == len(said) and said[0] in _told(meant[0], after):
             return said
+    return _told_before(words, heard)
+
+
+def _told_before(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
+    """The same, where the models heard what is before it each in another way: "all of us *went* to the lounge", of which
+    one heard "Olavas went". Every one heard it before the word that the sentence goes on with."""
+    own = [word for word in words if word not in ARTICLES]
+    if len(heard) < 2:
+        return ()
+    each = [set(pairwise(word for word in one if word not in ARTICLES)) for one in heard]
+    shared, any_of_them = set.intersection(*each), set.union(*each)
+    for verb, after in pairwise(own):
+        told = sorted({said for said, next_word in shared if next_word == after}.intersection(_told(verb, [after])))
+        if told and (verb, after) not in any_of_them:
+            return told[:1]
     return ()
 
 

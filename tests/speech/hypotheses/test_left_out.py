@@ -182,6 +182,8 @@ def test_a_sentence_that_was_heard_begins_with_nothing_else(words, lead):
         ("otter one take six samples", ["otter one took six samples", "author one took six samples"], "took"),
         ("take six samples", ["took six samples", "take six samples"], ""),
         ("bring two towels", ["brought two towels"] * 2, "brought"),
+        ("oh let us go to the lounge", ["i love us went to the lounge", "olavas went to the lounge"], "went"),
+        ("let us go to the lounge", ["he loves us went to the lounge", "olavas go to the lounge"], ""),
         ("send in the cart", ["sent in the cart"] * 2, "sent"),
         ("send two carts", ["sent two carts"] * 2, ""),
         # One of two may have misheard,
