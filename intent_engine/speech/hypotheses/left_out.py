@@ -189,8 +189,8 @@ def tells(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]
 
 
 def _told_before(words: Sequence[str], heard: Sequence[Sequence[str]]) -> Sequence[str]:
-    """The same, where the models heard what is before it each in another way: "all of us *went* to the lounge", of which
-    one heard "Olavas went". Every one heard it before the word that the sentence goes on with."""
+    """The same, where the models heard what is before it each in another way: "all of us *went* to the lounge", of
+    which one heard "Olavas went". Every one heard it before the word that the sentence goes on with."""
     own = [word for word in words if word not in ARTICLES]
     if len(heard) < 2:
         return ()

@@ -20,7 +20,17 @@ from intent_engine.language.words.thing_words import ARTICLES
 if TYPE_CHECKING:
     from intent_engine.language.grammar import Grammar
 
-__all__ = ["NARRATING", "SUBJECTS", "SUBJECTS_IN", "leaves_out", "lets_another", "narrating", "told", "verbless"]
+__all__ = [
+    "NARRATING",
+    "SUBJECTS",
+    "SUBJECTS_IN",
+    "asks_whether",
+    "leaves_out",
+    "lets_another",
+    "narrating",
+    "told",
+    "verbless",
+]
 
 NARRATING = frozenset(
     {"when", "why", "how", "what", "where", "who", "which", "if", "unless", "until", "because", "did", "didnt", "was"}
@@ -48,6 +58,8 @@ TELLING = frozenset(
 ASKING = frozenset(("who", "whose", "what", "which", "where", "when", "why", "how"))
 """Words with which a question begins. A command that is one ("where are you") may begin with another of them than was
 heard."""
+DOING = frozenset(("do", "does", "did"))
+"""With a subject they ask whether somebody does something."""
 OTHERS = frozenset(("he", "she", "they"))
 """Subjects that no command begins with, whoever is meant."""
 LET = frozenset(("me", "him", "her", "them"))
@@ -124,6 +136,24 @@ def lets_another(words: Sequence[str], lead: int, heard: Iterable[tuple[Sequence
         if len(first) == 3 and first[0] == "let" and first[1] in LET and [first[2]] == [*words[lead : lead + 1]]:
             return first[:2]
     return ()
+
+
+def asks_whether(words: Sequence[str], lead: int, heard: Collection[tuple[Sequence[str], int]]) -> Sequence[str]:
+    """The first words that one of several models heard, where they ask whether somebody does what a sentence says, and
+    each of the others heard something before the verb too: "do you go to the kitchen", of which one heard "bee go".
+    Empty: none heard such.
+
+    Args:
+        words: of the sentence.
+        lead: how many of them say nothing at its beginning.
+        heard: the words that each model heard, and how many of these say nothing.
+    """
+    verb = words[lead : lead + 1]
+    begins = [one[nothing : one.index(verb[0])] for one, nothing in heard if verb and verb[0] in one[nothing + 1 :]]
+    if len(begins) < max(len(heard), 2):
+        return ()
+    asking = (begin for begin in begins if len(begin) == 2 and begin[0] in DOING and begin[1] in {*SUBJECTS, *OTHERS})
+    return next(asking, ())
 
 
 def verbless(words: Sequence[str], lead: int, heard: Sequence[Sequence[str]]) -> bool:

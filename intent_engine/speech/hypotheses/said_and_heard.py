@@ -21,7 +21,15 @@ from intent_engine.speech.hypotheses.left_out import (
     told_of,
     unheard,
 )
-from intent_engine.speech.hypotheses.narration import ASKING, OTHERS, SUBJECTS, lets_another, told, verbless
+from intent_engine.speech.hypotheses.narration import (
+    ASKING,
+    OTHERS,
+    SUBJECTS,
+    asks_whether,
+    lets_another,
+    told,
+    verbless,
+)
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 __all__ = ["SaidAndHeard"]
@@ -141,7 +149,8 @@ class SaidAndHeard:
     def _told_of(self) -> Sequence[str]:
         led = [(one, self.grammar.lead(one, self.language)) for one in self.heard]
         persons = {*SUBJECTS, *OTHERS, *ASKING}.difference(self.words, ("it",))  # a "let's" is heard as "it"
-        return told_of(self.words, self._lead, led, persons) or lets_another(self.words, self._lead, led)
+        said = told_of(self.words, self._lead, led, persons) or lets_another(self.words, self._lead, led)
+        return said or asks_whether(self.words, self._lead, led)
 
     @property
     def _free(self) -> bool:

@@ -12,6 +12,7 @@ from intent_engine.speech.hypotheses.narration import (
     NARRATING,
     SUBJECTS,
     TELLING,
+    asks_whether,
     leaves_out,
     narrating,
     told,
@@ -137,3 +138,22 @@ def test_a_thing_of_which_something_is_said_is_no_command_for_it(sentence, heard
 )
 def test_a_number_of_things_without_a_verb_is_no_command_for_them(sentence, heard, without):
     assert verbless(sentence.split(), 0, [one.split() for one in heard]) is without
+
+
+@pytest.mark.parametrize(
+    ("heard", "asked"),
+    [
+        (["do you go to the kitchen", "bee go to the kitchen"], "do you"),
+        (["please do you go to the kitchen", "bee go to the kitchen"], "do you"),
+        (["do you go to the kitchen", "go to the kitchen"], ""),  # one of them heard nothing before it
+        (["do you go to the kitchen", "please go to the kitchen"], ""),
+        (["do you go to the kitchen", "be gone to the kitchen"], ""),
+        (["two go to the kitchen", "bee go to the kitchen"], ""),
+        (["do you go to the kitchen"], ""),
+        ([], ""),
+    ],
+)
+def test_what_asks_whether_somebody_does_it(heard, asked):
+    """One model in noise hears a question, and the other some word in its place."""
+    led = [(one.split(), one.startswith("please")) for one in heard]
+    assert " ".join(asks_whether(["go", "to", "the", "kitchen"], 0, led)) == asked
