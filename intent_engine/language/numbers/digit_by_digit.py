@@ -1,4 +1,5 @@
-"""Numbers whose digits are said one by one, as pilots and sailors do: "heading one eight zero", "kanal eins sechs"."""
+"""Numbers whose digits are said one by one, as pilots and sailors do: "heading one eight zero", "kanal eins sechs"; and
+in English two by two, as those of rooms, gates and years are: "room eleven thirty", "nineteen oh five"."""
 
 from __future__ import annotations
 
@@ -35,6 +36,9 @@ def said_together(words: Sequence[str], language: str) -> Sequence[str]:
     """Words that begin with digits, with these as one numeral: "180 degrees" of "one eight zero degrees". Others as
     they are, and so are digits that go on to be another number: "one two hundred"."""
     start = int(language == "en" and bool(words) and words[0] in _SIGNS)
+    if language == "en" and (pairs := _in_pairs(words, start)) is not None:
+        number, end = pairs
+        return [*words[:start], number, *words[end:]]
     digits = ""
     end = start
     while end < len(words) and (digit := digit_of(words[end], language)):
@@ -51,6 +55,34 @@ def said_together(words: Sequence[str], language: str) -> Sequence[str]:
         return words
     number = f"{int(digits)}.{decimals}" if decimals else str(int(digits))
     return [*words[:start], number, *words[end:]]
+
+
+def _in_pairs(words: Sequence[str], start: int) -> tuple[str, int] | None:
+    """The number that is said by two digits at a time, and where it ends; None: there is none. The first two are no
+    "oh five", and one pair alone is a number like any other."""
+    digits, end = "", start
+    while pair := _pair(words, end, first=end == start):
+        digits += pair[0]
+        end = pair[1]
+    if not 2 < len(digits) <= MOST_DIGITS or (end < len(words) and _goes_on(words[end], "en")):
+        return None
+    return digits, end
+
+
+def _pair(words: Sequence[str], at: int, *, first: bool) -> tuple[str, int] | None:
+    """Two digits that stand at a place, as figures, and where they end: "thirty", "thirty five", "oh five", "05"."""
+    word = words[at] if at < len(words) else ""
+    if len(word) == 2 and word.isdecimal() and word.isascii():
+        return (word, at + 1) if word[0] != "0" or not first else None
+    digit = english_words.DIGITS.get(words[at + 1]) if at + 1 < len(words) else None
+    if word in english_words.TEENS:
+        return str(int(english_words.TEENS[word])), at + 1
+    if word in english_words.TENS:
+        tens = int(english_words.TENS[word])
+        return (str(tens), at + 1) if digit is None else (str(tens + int(digit)), at + 2)
+    if word in english_words.ZERO and digit is not None and not first:
+        return f"0{int(digit)}", at + 2
+    return None
 
 
 def _goes_on(word: str, language: str) -> bool:
@@ -73,4 +105,16 @@ def template_of(language: str) -> Node:
     if language != "en":
         return digits
     decimals: Node = TemplateSequence((Word("point"), digit, Optional(digit), Optional(digit)))
-    return TemplateSequence((Optional(Choice(tuple(map(Word, _SIGNS)))), digits, Optional(decimals)))
+    by_one = TemplateSequence((digits, Optional(decimals)))
+    return TemplateSequence((Optional(Choice(tuple(map(Word, _SIGNS)))), Choice((by_one, _pairs_template()))))
+
+
+def _pairs_template() -> Node:
+    """Two or three pairs of digits in words; in figures they are rows of digits."""
+    words = english_words
+    one, zero, teen, ten = (
+        Choice(tuple(map(Word, sorted(some)))) for some in (words.DIGITS, words.ZERO, words.TEENS, words.TENS)
+    )
+    pair = Choice((teen, TemplateSequence((ten, Optional(one)))))
+    later = Choice((pair, TemplateSequence((zero, one))))
+    return TemplateSequence((pair, later, Optional(later)))

@@ -113,7 +113,8 @@ class SlotValues:
         slot, said = found.slot, words[found.start : found.end]
         if found.problem or len(said) < LEAST_OF_TWO:
             return found
-        if slot.type == "number" and english.may_be_from_to(said) and not self._is_name(found, words):
+        a_row = slot.digits and len(said_together(said, "en")) == 1
+        if slot.type == "number" and not a_row and english.may_be_from_to(said) and not self._is_name(found, words):
             problem = f"{' '.join(said)!r} could be one number or two"
         elif "plus" in said and slot.smallest is not None and slot.smallest >= 0:
             problem = f"{' '.join(said)!r} may add to what it is now; say how much it shall be"

@@ -12,6 +12,7 @@ from intent_engine import IntentEngine
 from intent_engine.engine import PrefixStatus
 from intent_engine.language.normalize import tokenize
 from intent_engine.language.numbers.digit_by_digit import MOST_DIGITS, said_together
+from intent_engine.language.numbers.spelled import in_words
 
 GRAMMAR = """
 language: {language}
@@ -66,6 +67,38 @@ def test_they_are_the_number_that_they_write(engine: IntentEngine, row: list[int
     assert engine.parse(f"sail {said} cables ahead").slots["way"] == pytest.approx(number * 185.2)
     assert not engine.parse(f"sail {said}").actions, "a unit must be said all the same"
     assert bool(engine.parse(f"heading {said} degrees").actions) == (number <= 360)
+
+
+PAIRS = st.tuples(st.integers(10, 99), st.lists(st.integers(1, 99), min_size=1, max_size=2))
+
+
+def in_pairs(first: int, rest: list[int]) -> str:
+    return " ".join(f"oh {ENGLISH[one]}" if one < 10 else " ".join(in_words([str(one)])) for one in (first, *rest))
+
+
+@given(PAIRS)
+def test_two_by_two_they_are_the_number_that_they_write(engine: IntentEngine, pairs: tuple[int, list[int]]) -> None:
+    """As rooms and years are said: "eleven thirty", "nineteen oh five"."""
+    first, rest = pairs
+    said, written = in_pairs(first, rest), "".join(map("{:02}".format, (first, *rest)))
+    assert engine.parse(f"tune {said}").slots == {"channel": int(written)}
+    assert engine.parse(f"tune {' '.join(map('{:02}'.format, (first, *rest)))}").slots == {"channel": int(written)}
+    assert engine.parse(f"sail {said} meters").slots == {"way": int(written)}
+    words = said.split()
+    for count in range(1, len(words)):
+        assert words[count] in engine.prefix("tune " + " ".join(words[:count])).next_words
+
+
+@given(PAIRS)
+def test_so_only_where_the_slot_says_so_too(without: IntentEngine, pairs: tuple[int, list[int]]) -> None:
+    assert not without.parse(f"tune {in_pairs(*pairs)}").actions
+
+
+@pytest.mark.parametrize(
+    "said", ["eleven three", "oh five eleven", "twenty thirty hundred", "eleven thirty four hundred"]
+)
+def test_what_is_no_row_of_pairs(engine: IntentEngine, said: str) -> None:
+    assert not engine.parse(f"tune {said}").actions
 
 
 @given(st.lists(st.integers(1, 9), min_size=2, max_size=MOST_DIGITS))
