@@ -209,7 +209,8 @@ class Runtime:
         unsubscribe = self.executor.subscribe(self._asked.happened)
         try:
             self._begin(source)
-            frames = source.frames()
+            # Who closed it before the source was known has not closed that, which may give its first frame late.
+            frames = source.frames() if not self._closing.is_set() else iter(())
             for frame in frames:
                 if self._closing.is_set():
                     break
@@ -255,6 +256,7 @@ class Runtime:
         self._deaf = False
         self._onset.reset()
         self._key.reset()
+        self._decoding.begin_source()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._taking_up.forget()
 
@@ -267,6 +269,7 @@ class Runtime:
         if self._key.up:
             if utterance is not None:
                 self._key.let_go(frame.time)
+                utterance.short = self._endpoint.short
                 self._end(utterance, frame.time)
             self._endpoint.reset()
             self._onset.pass_over()
@@ -307,11 +310,13 @@ class Runtime:
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
         """End an utterance, if the signal says so."""
-        if signal not in (Signal.ENDED, Signal.SHORT):
+        if signal not in (Signal.ENDED, Signal.SHORT, Signal.CUT):
             return False
         utterance.short = signal is Signal.SHORT
         self._onset.over(utterance, time)
         self._end(utterance, time)
+        if signal is Signal.CUT:
+            self._onset.lost(time)
         return True
 
     def _gap(self, frame: Frame, utterance: SpokenUtterance | None) -> None:

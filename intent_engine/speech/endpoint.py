@@ -59,6 +59,8 @@ class Signal(StrEnum):
     """The utterance is over: act on it."""
     SHORT = "short"
     """It is over, and was so short that it can be nothing but a stop."""
+    CUT = "cut"
+    """It is over, since it lasted longer than any command: what is said next may be the rest of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +99,7 @@ class Settings:
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
-    """An utterance longer than any command is ended."""
+    """An utterance longer than any command is ended; what follows at once is not acted on, unless it is a stop."""
 
     def __post_init__(self) -> None:
         for one in fields(self):
@@ -165,6 +167,11 @@ class Endpointer:
         return self._silent
 
     @property
+    def short(self) -> bool:
+        """Whether so little of the utterance so far is speech that it can be nothing but a stop."""
+        return self._spoken < self.settings.min_speech
+
+    @property
     def faded_long(self) -> bool:
         """Whether the voice has been fading for so long that a quiet word may have been said since."""
         return self._faded > LONG_FADED
@@ -200,7 +207,7 @@ class Endpointer:
         self._whole += FRAME_SECONDS
         if self._whole >= settings.max_speech:
             self.reset()
-            return Signal.ENDED
+            return Signal.CUT
         if probability >= (settings.onset if self._silent else settings.offset):
             return self._voice(probability)
         first = self._silent == 0
@@ -215,7 +222,7 @@ class Endpointer:
         # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
         if not quiet or quiet + FRAME_SECONDS / 2 < self.settings.wait(self._outlook, self._asked):
             return Signal.NONE
-        short = self._spoken < self.settings.min_speech
+        short = self.short
         self.reset()
         return Signal.SHORT if short else Signal.ENDED
 

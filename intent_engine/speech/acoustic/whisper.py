@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 import time
 import warnings
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +25,8 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
 __all__ = ["WhisperRecognizer", "logits_row", "max_length"]
+
+_Answer = TypeVar("_Answer")
 
 FRAMES_PER_SECOND = 100
 MIN_SECONDS = 4.0
@@ -139,14 +141,18 @@ class WhisperRecognizer:
         if samples.size == 0:
             return Transcript("")
         began = time.perf_counter()
+        heard = self.despite_cuda(lambda: self._heard(samples, final=final))
+        return replace(heard, decode_seconds=time.perf_counter() - began)
+
+    def despite_cuda(self, ask: Callable[[], _Answer]) -> _Answer:
+        """What the model is asked; where CUDA fails at it the processor answers, and all that is asked from then on."""
         try:
-            heard = self._heard(samples, final=final)
+            return ask()
         except RuntimeError as error:
             if self.device != "cuda":
                 raise
             self._leave_cuda(error)
-            heard = self._heard(samples, final=final)
-        return replace(heard, decode_seconds=time.perf_counter() - began)
+        return ask()
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         encoded = self.encode(samples)

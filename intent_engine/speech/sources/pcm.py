@@ -16,10 +16,11 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
+from intent_engine.execution.clock import Clock
 from intent_engine.speech.audio import Frame, to_float
 from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
-from intent_engine.speech.sources.live import Clock, Inbox, Reporter
+from intent_engine.speech.sources.live import Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
 
 __all__ = ["FORMATS", "PcmFormat", "PcmSource"]

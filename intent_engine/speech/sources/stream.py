@@ -10,10 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
+from intent_engine.execution.clock import Clock
 from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float
 from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
-from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
+from intent_engine.speech.sources.live import CAPACITY, Inbox, Reporter
 
 __all__ = ["StreamSource"]
 
