@@ -410,6 +410,13 @@ def test_a_reflex_that_gives_no_yes_or_no_is_a_failure(engine, gives):
         ({"unclear": None}, "unclear are a tuple, not None"),
         ({"left_out": "do you"}, "left_out are a tuple, not 'do you'"),
         ({"alternatives": "turn right"}, "alternatives are a tuple, not 'turn right'"),
+        ({"alternatives": (None,)}, "alternatives are texts, not (None,)"),
+        ({"unclear": (15,)}, "unclear are texts, not (15,)"),
+        ({"alternatives": ("stop",), "behind": ("near",)}, "behind are numbers, not ('near',)"),
+        ({"score": None}, "score is a number, not None"),
+        ({"decode_seconds": None}, "decode_seconds is a number, not None"),
+        ({"decode_seconds": float("nan")}, "decode_seconds is a time in s, not nan"),
+        ({"language": ["en"]}, "language is a str or None, not ['en']"),
     ],
 )
 def test_a_transcript_that_holds_what_it_cannot_moves_nothing(listen, go_forward, wrong, told):
