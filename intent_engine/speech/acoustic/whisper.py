@@ -238,10 +238,11 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
         sound: Any = model.feature_extractor
         sound.mel_filters = MelFilters(sound.mel_filters)
         return model, wanted
-    except (RuntimeError, ValueError) as error:
-        if wanted == "cuda":
+    except Exception as error:  # those of the tokenizer have no class of their own
+        if wanted == "cuda" and isinstance(error, RuntimeError | ValueError):
             warnings.warn(f"CUDA cannot be used ({error}); recognising on the CPU", RuntimeWarning, stacklevel=3)
-            return _load(weights, "cpu", None if compute_type == "float16" else compute_type, threads)
+            able = ctranslate2.get_supported_compute_types("cpu")
+            return _load(weights, "cpu", compute_type if compute_type in able else None, threads)
         raise WeightsError(
             f"model {weights.name} at {weights.path} cannot be loaded: {error}\n"
             "    copy, download or convert its files again; another model: --model NAME"
