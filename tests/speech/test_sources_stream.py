@@ -253,6 +253,19 @@ def test_close_from_another_thread_ends_both_sides():
     assert source.push(np.zeros(10)) is False
 
 
+def test_channels_that_cancel_each_other_are_told(time):
+    """The mean of a sound and its opposite, as of a balanced cable, is silence: no stop would be heard."""
+    reports = []
+    source = StreamSource(16_000, clock=time, capacity=10, on_report=reports.append)
+    tone = 0.3 * np.sin(np.arange(4 * 16_000) / 5)
+    source.push(np.stack([tone, -tone], axis=1))
+    source.end(cut=False)
+    assert not sound_of(source.frames()).any()
+    (told,) = reports
+    assert told.kind is ReportKind.MUTE
+    assert "channels that cancel each other out" in told.detail
+
+
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_integers_that_are_called_floats_are_refused(dtype):
     """All of them would be clipped, and no word of it told."""

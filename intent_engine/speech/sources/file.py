@@ -14,7 +14,7 @@ from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, Resampler
 from intent_engine.speech.scale import check_scale, faint, holds_16_bits
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
-from intent_engine.speech.sources.whole import check_mp3, check_whole
+from intent_engine.speech.sources.whole import ENDLESS, check_mp3, check_whole
 from intent_engine.values import check_path
 
 __all__ = ["FileSource", "is_headerless"]
@@ -93,6 +93,11 @@ class FileSource:
             raise AudioError(f"{path}: {_unreadable(self.path)}") from None
         if self.rate <= 0 or channels <= 0 or frames <= 0:
             raise AudioError(f"{path}: holds no sound\n    record it again")
+        if frames >= ENDLESS:
+            raise AudioError(
+                f"{path}: does not say how long it is, as a FLAC file that was written into a pipe\n"
+                f"    convert it: ffmpeg -i {self.path.name} speech.wav"
+            )
         self.seconds: float = frames / self.rate
         """Length of the recording in s."""
         if self.seconds > MAX_SECONDS:

@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.execution.clock import Clock, MonotonicClock
-from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler
+from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler, clean
 from intent_engine.speech.scale import faint
 
 __all__ = ["Inbox", "Reporter"]
@@ -132,7 +132,9 @@ class Inbox:
         self._inaudible = 0.0
         """s of sound so far of which nothing can be heard; infinite: something could be, or this was told,"""
         self._zeros = True
-        """and whether all of it was zeros."""
+        """and whether all of it was zeros;"""
+        self._opposite = False
+        """and whether its channels were each other's opposite."""
 
     # -- the thread that brings sound ----------------------------------------------------------------
 
@@ -365,18 +367,21 @@ class Inbox:
 
     def _look_for_mute(self, block: _Block, told_at: float) -> None:
         """Look whether any sound so far could be heard; tell it after so many s. A recording may begin with silence."""
-        if self._inaudible == np.inf or not faint(block.samples):
+        if self._inaudible == np.inf or not faint(heard := clean(block.samples)):
             self._inaudible = np.inf
             return
         self._inaudible += block.seconds
-        self._zeros = self._zeros and not block.samples.any()
+        self._zeros = self._zeros and not heard.any()
+        self._opposite = self._opposite or (block.samples.ndim > 1 and not faint(np.nan_to_num(block.samples)))
         if self._inaudible >= told_at:
             self._tell_mute()
 
     def _tell_mute(self) -> None:
         """Tell, once, that nothing can be heard of it."""
         self._inaudible = np.inf
-        if self._zeros:
+        if self._opposite:
+            what = "has channels that cancel each other out, of which the mean is heard: bring one of them alone"
+        elif self._zeros:
             what = (
                 "gives nothing but zeros: it is muted, or this program may not use it; "
                 "intent-engine doctor says what to do"
