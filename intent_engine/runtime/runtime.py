@@ -231,6 +231,7 @@ class Runtime:
                 if utterance is not None:
                     self._end(utterance, self._acting.summary.seconds)
                 self._taking_up.drain()
+                self._holding.release(self._acting.summary.seconds, "the sound ended")
             finished = True
         finally:
             unsubscribe()
@@ -240,8 +241,6 @@ class Runtime:
                 self._decoding.leave()
                 if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
                     frames.close()
-            else:
-                self._holding.release(self._acting.summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
             self._decoding.settle(LAST_DECODE)
         return self._acting.summary

@@ -101,5 +101,8 @@ class DecodeThread:
             except BaseException as error:  # whatever a recogniser raises must come back to the caller
                 future.set_exception(error)
 
-        start_beside(work, "recogniser", patience=self.patience)
+        try:
+            start_beside(work, "recogniser", patience=self.patience)
+        except RuntimeError as error:  # the system has no more threads: as if the recogniser had raised it
+            future.set_exception(error)
         return future

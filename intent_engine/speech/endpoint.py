@@ -18,6 +18,11 @@ LONG_FADED = 0.16
 """s of a fading voice, with the silence after it, in which a quiet word may have been said: 2 to 3 frames are usual in
 noise (docs/decisions/speech-fading.md)."""
 
+MOST_FRAMES = 30
+"""Frames, a second, after which anybody has begun to speak: a robot that waits for more hears no stop."""
+MOST_PRE_ROLL = 10.0
+"""s of sound that are kept at most from before anybody speaks."""
+
 
 class Outlook(StrEnum):
     """What the grammar thinks of the words so far."""
@@ -110,6 +115,10 @@ class Settings:
                     raise ValueError(f"{one.name} is a probability, at most 1, not {value}")
             else:
                 check_number(one.name, value, "frames" if one.name == "onset_frames" else "s")
+        if self.onset_frames < 1 or self.onset_frames != int(min(self.onset_frames, MOST_FRAMES)):
+            raise ValueError(f"onset_frames is a whole number from 1 to {MOST_FRAMES}, not {self.onset_frames}")
+        if self.pre_roll > MOST_PRE_ROLL:
+            raise ValueError(f"pre_roll is at most {MOST_PRE_ROLL:g} s, not {self.pre_roll}")
 
     def wait(self, outlook: Outlook, asked: float | None = None) -> float:
         """Silence after which an utterance with this outlook is over.
