@@ -96,7 +96,8 @@ class TakingUp:
             return
         late = time - oldest.now
         self._waiting.clear()
-        self._decoding.leave()
+        if oldest.job is not None:  # else the one under way may be of what was said last
+            self._decoding.leave()
         self._acting.failed(time, f"the recogniser is too slow: what was said {late:.0f} s ago still waits for it")
 
     def collect(self, time: float, utterance: SpokenUtterance | None) -> None:
