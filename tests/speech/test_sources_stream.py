@@ -120,6 +120,8 @@ def test_a_rate_that_is_none(rate):
     ("bad", "says"),
     [
         (b"\0\0" * 100, r"given bytes.*\n    push np.frombuffer\(data, np.int16\)"),
+        (bytearray(200), "given bytes"),
+        (memoryview(bytes(200)), "given bytes"),
         ([[1.0], [1.0, 2.0]], "lists of different lengths"),
         ([1, 2, 3], r"int64.*\n.*astype\(np.int16\)"),
         (np.zeros(9, np.uint64), r"uint64.*\n.*astype"),

@@ -90,7 +90,7 @@ class StreamSource:
         )
 
     def _given(self, samples: npt.ArrayLike) -> npt.NDArray[Any]:
-        if isinstance(samples, (bytes, bytearray)):
+        if _are_bytes(samples):
             raise AudioError(
                 "the stream was given bytes, which may be samples of any kind\n"
                 "    push np.frombuffer(data, np.int16), or take a PcmSource"
@@ -135,6 +135,17 @@ class StreamSource:
 
     def wake(self) -> None:
         self._inbox.wake()
+
+
+def _are_bytes(samples: object) -> bool:
+    """Whether nothing tells what kind of numbers they are: bytes, or a buffer of them, as PortAudio's raw streams
+    give."""
+    if isinstance(samples, np.ndarray):
+        return False
+    try:
+        return memoryview(samples).format in ("B", "c")  # type: ignore[arg-type]
+    except TypeError:  # no buffer
+        return False
 
 
 def checked_rate(rate: int) -> int:
