@@ -229,7 +229,7 @@ class Runtime:
                     utterance = None
             if not self._closing.is_set():
                 if utterance is not None:
-                    self._end(utterance, self._acting.summary.seconds)
+                    self._break_off(utterance, self._acting.summary.seconds)
                 self._taking_up.drain()
                 self._holding.release(self._acting.summary.seconds, "the sound ended")
             finished = True
@@ -268,8 +268,7 @@ class Runtime:
         if self._key.up:
             if utterance is not None:
                 self._key.let_go(frame.time)
-                utterance.short = self._endpoint.short
-                self._end(utterance, frame.time)
+                self._break_off(utterance, frame.time)
             self._endpoint.reset()
             self._onset.pass_over()
             self._key.pass_over(frame.samples, frame.time, voice=probability >= self._endpoint.settings.onset)
@@ -317,6 +316,11 @@ class Runtime:
         if signal is Signal.CUT:
             self._onset.lost(time)
         return True
+
+    def _break_off(self, utterance: SpokenUtterance, time: float) -> None:
+        """End an utterance before it is known to be over, which makes it no longer than it was."""
+        utterance.short = self._endpoint.short
+        self._end(utterance, time)
 
     def _gap(self, frame: Frame, utterance: SpokenUtterance | None) -> None:
         """Sound is missing, and a "don't" may be what is missing: the utterance under way is not acted on.

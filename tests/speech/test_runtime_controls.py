@@ -401,6 +401,12 @@ def test_a_knock_of_the_key_itself_is_no_command(engine):
     assert meant.stops, "a stop may be as short"
 
 
+@pytest.mark.parametrize(("said", "acts"), [("go forward two meters", 0), ("stop", 1)])
+def test_nor_is_a_knock_with_which_the_sound_ends(listen, said, acts):
+    found = listen(framed(np.zeros(int(0.6 * SAMPLE_RATE), np.float32)), Says(said), voice=Voiced((0.5, 9.0)))
+    assert len(found.of(HeardKind.SUBMITTED)) == acts
+
+
 def test_a_key_that_bounces_in_the_midst_of_a_word_does_not_join_the_pieces(engine):
     """ "Go", a gap, "four meters" may have been "go forward two meters"."""
     sound = loud(6, (0.5, 2.5, 0.1))
