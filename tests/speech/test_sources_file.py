@@ -157,6 +157,11 @@ def test_an_hour_takes_the_room_of_a_moment(tmp_path):
     assert peak < 4_000_000, "an hour of float samples would be 230 MB"
 
 
+def test_a_name_too_long_for_a_file_is_told_as_any_that_cannot_be_read():
+    with pytest.raises(AudioError, match="cannot be read: file name too long|no such file"):
+        FileSource(300 * "x" + ".wav")
+
+
 @pytest.mark.parametrize("name", ["a.raw", "a.PCM", "a.s16le"])
 @pytest.mark.parametrize(
     ("form", "dtype"),
