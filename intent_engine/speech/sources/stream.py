@@ -31,7 +31,8 @@ class StreamSource:
     Args:
         rate: Hz of what is pushed.
         live: sound is pushed as it is heard, and it is too late for what cannot be taken in time: the oldest is
-            dropped, and this is told. Else it is a recording: ``push`` waits for room, and times are counts.
+            dropped, and this is told. Else it is a recording: ``push`` waits for room, or until it is closed, and
+            times are counts.
         patience: s without a push after which a live stream counts as deaf, which stops the robot: it could not be
             told to stop. None: silence stands in, for programs that push nothing while nobody speaks.
         capacity: s of sound that may wait.
