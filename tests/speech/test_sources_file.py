@@ -158,7 +158,7 @@ def test_an_hour_takes_the_room_of_a_moment(tmp_path):
 
 
 def test_a_name_too_long_for_a_file_is_told_as_any_that_cannot_be_read():
-    with pytest.raises(AudioError, match="cannot be read: file name too long|no such file"):
+    with pytest.raises(AudioError, match=r"cannot be read: file name too long|no such file"):
         FileSource(300 * "x" + ".wav")
 
 

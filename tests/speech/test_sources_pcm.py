@@ -120,7 +120,7 @@ def test_a_wav_header_says_better(tmp_path, rate, channels, subtype):
     ],
 )
 def test_a_format_by_the_name_of_alsa(name, encoding):
-    assert PcmFormat(encoding=name) == PcmFormat(encoding=encoding)
+    assert PcmFormat(16_000.0, name, np.int64(1)) == PcmFormat(encoding=encoding)
     assert heard(encoded(SOUND, encoding), PcmFormat(encoding=name))[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
 
 

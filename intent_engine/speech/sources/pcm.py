@@ -14,6 +14,7 @@ import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -77,8 +78,9 @@ class PcmFormat:
         object.__setattr__(self, "rate", checked_rate(self.rate))
         object.__setattr__(self, "encoding", _plain(self.encoding))
         channels = self.channels
-        if isinstance(channels, bool) or not isinstance(channels, int) or not 1 <= channels <= MAX_CHANNELS:
+        if isinstance(channels, bool) or not isinstance(channels, Integral) or not 1 <= channels <= MAX_CHANNELS:
             raise AudioError(f"{channels} channels cannot be\n    give 1 for mono, 2 for stereo")
+        object.__setattr__(self, "channels", int(channels))
 
     @property
     def frame_bytes(self) -> int:
