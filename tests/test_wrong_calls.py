@@ -202,6 +202,10 @@ def test_guards_ask_for_the_states():
         ({"max_speech": float("nan")}, "max_speech must be a number, not nan"),
         ({"onset": 50}, "onset is a probability, at most 1, not 50"),
         ({"onset_frames": None}, "onset_frames is a number of frames"),
+        ({"onset_frames": 0}, "onset_frames is a whole number from 1 to 30, not 0"),
+        ({"onset_frames": 2.5}, "onset_frames is a whole number from 1 to 30, not 2.5"),
+        ({"onset_frames": float("inf")}, "onset_frames is a whole number from 1 to 30, not inf"),
+        ({"pre_roll": float("inf")}, "pre_roll is at most 10 s, not inf"),
     ],
 )
 def test_what_no_endpoint_is_set_to(given, says):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import functools
-import os
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -201,8 +200,7 @@ def _pcm(where: str, form: PcmFormat, *, realtime: bool = False, session: Sessio
                 f"standard input is {what}, and no sound comes from it\n"
                 "    pipe sound into it: arecord -f S16_LE -r 16000 -t raw | intent-engine ..."
             )
-        # A reader of its own: Python takes sys.stdin down at its end, and aborts if a thread is still reading it.
-        file, name = os.fdopen(os.dup(sys.stdin.fileno()), "rb"), "standard input"
+        file, name = sys.stdin.buffer, "standard input"
     else:
         try:
             file, name = Path(where).open("rb"), where  # noqa: SIM115 - it ends with the process

@@ -136,9 +136,9 @@ class RawSamples:
         encoding = usual.encoding if self.format is None else self.format
         channels = usual.channels if self.channels is None else self.channels
         options = {
-            "--rate": functools.partial(PcmFormat.of, rate),
-            "--format": functools.partial(PcmFormat.of, encoding=encoding),
-            "--channels": functools.partial(PcmFormat.of, channels=channels),
+            "--rate": functools.partial(PcmFormat, rate),
+            "--format": functools.partial(PcmFormat, encoding=encoding),
+            "--channels": functools.partial(PcmFormat, channels=channels),
         }
         problems = []
         for option, form in options.items():
@@ -149,7 +149,7 @@ class RawSamples:
                 problems.append(Problem(f"{option}: {message}", hint=hint.strip()))
         if problems:
             raise ConfigError(problems)
-        return PcmFormat.of(rate, encoding, channels)
+        return PcmFormat(rate, encoding, channels)
 
 
 @dataclass(frozen=True)

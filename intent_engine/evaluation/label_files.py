@@ -42,9 +42,13 @@ def find_labels(folder: Path) -> Path:
     Raises:
         ConfigError: there is none.
     """
-    if folder.is_file():
+    try:
+        is_file, is_folder = folder.is_file(), folder.is_dir()
+    except OSError as error:  # of a name too long for any file, or in a folder that may not be looked into
+        raise ConfigError(Problem(f"cannot be read: {error.strerror}", file=str(folder))) from None
+    if is_file:
         return folder
-    if not folder.is_dir():
+    if not is_folder:
         raise ConfigError(Problem("no such folder", file=str(folder), hint="give a folder with audio and labels.jsonl"))
     if (folder / FILE).is_file():
         return folder / FILE

@@ -52,7 +52,7 @@ class Onset:
         self._recent.clear()
 
     def lost(self, time: float) -> None:
-        """Sound is missing up to ``time``, and a "don't" may be what is missing."""
+        """Sound is missing up to ``time``, or belongs to what was said before: a "don't" may be in it."""
         self._recent.clear()
         self._called = None
         self._torn = time + TORN

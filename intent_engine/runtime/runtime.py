@@ -209,7 +209,8 @@ class Runtime:
         unsubscribe = self.executor.subscribe(self._asked.happened)
         try:
             self._begin(source)
-            frames = source.frames()
+            # Who closed it before the source was known has not closed that, which may give its first frame late.
+            frames = source.frames() if not self._closing.is_set() else iter(())
             for frame in frames:
                 if self._closing.is_set():
                     break
@@ -228,8 +229,9 @@ class Runtime:
                     utterance = None
             if not self._closing.is_set():
                 if utterance is not None:
-                    self._end(utterance, self._acting.summary.seconds)
+                    self._break_off(utterance, self._acting.summary.seconds)
                 self._taking_up.drain()
+                self._holding.release(self._acting.summary.seconds, "the sound ended")
             finished = True
         finally:
             unsubscribe()
@@ -239,8 +241,6 @@ class Runtime:
                 self._decoding.leave()
                 if isinstance(frames, Generator):  # who holds the exception would hold the device open, too
                     frames.close()
-            else:
-                self._holding.release(self._acting.summary.seconds, "the sound ended")
             # A thread that is still inside the model when the interpreter ends would abort the process.
             self._decoding.settle(LAST_DECODE)
         return self._acting.summary
@@ -255,6 +255,7 @@ class Runtime:
         self._deaf = False
         self._onset.reset()
         self._key.reset()
+        self._decoding.begin_source()
         self._decoding.on_end = source.wake if isinstance(source, Wakeable) and not self._stepped else None
         self._taking_up.forget()
 
@@ -267,7 +268,7 @@ class Runtime:
         if self._key.up:
             if utterance is not None:
                 self._key.let_go(frame.time)
-                self._end(utterance, frame.time)
+                self._break_off(utterance, frame.time)
             self._endpoint.reset()
             self._onset.pass_over()
             self._key.pass_over(frame.samples, frame.time, voice=probability >= self._endpoint.settings.onset)
@@ -307,12 +308,19 @@ class Runtime:
 
     def _over(self, signal: Signal, time: float, utterance: SpokenUtterance) -> bool:
         """End an utterance, if the signal says so."""
-        if signal not in (Signal.ENDED, Signal.SHORT):
+        if signal not in (Signal.ENDED, Signal.SHORT, Signal.CUT):
             return False
         utterance.short = signal is Signal.SHORT
         self._onset.over(utterance, time)
         self._end(utterance, time)
+        if signal is Signal.CUT:
+            self._onset.lost(time)
         return True
+
+    def _break_off(self, utterance: SpokenUtterance, time: float) -> None:
+        """End an utterance before it is known to be over, which makes it no longer than it was."""
+        utterance.short = self._endpoint.short
+        self._end(utterance, time)
 
     def _gap(self, frame: Frame, utterance: SpokenUtterance | None) -> None:
         """Sound is missing, and a "don't" may be what is missing: the utterance under way is not acted on.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from time import monotonic
 from typing import Any
 
 from intent_engine.runtime.acting import Acting
@@ -15,6 +16,9 @@ from intent_engine.speech.spoken_utterance import SpokenUtterance
 from intent_engine.speech.utterance_decoder import UtteranceDecoder
 
 __all__ = ["TakingUp"]
+
+LAG = 2.0
+"""Times the patience with a decode, after which what was said waits in vain: for one that hung, and for its own."""
 
 
 class TakingUp:
@@ -69,12 +73,32 @@ class TakingUp:
 
     def ended(self, utterance: SpokenUtterance, time: float) -> None:
         """An utterance is over; what was decoded at its last pause is good enough, if it was."""
+        self._see_to_lag(time)
+        utterance.over_at = monotonic()
         if utterance.glance and not utterance.judged:
             self.outdated(utterance, time)
         if utterance.job is None:
             self._decoding.decode(utterance, final=True)
         self._waiting.append(utterance)
         self.collect(time, None)
+
+    def _see_to_lag(self, time: float) -> None:
+        """Leave what waits, if the recogniser is slower than people speak: it would be later with each utterance, and
+        do what was said a minute ago. A stop may be among it, so the robot is stopped.
+
+        Both clocks must say so: a recording may be played faster than it was said, and one that is waited for slower.
+        """
+        most = LAG * self._decoding.patience
+        oldest = next(iter(self._waiting), None)
+        if oldest is None or self._stepped or time - oldest.now <= most:
+            return
+        if monotonic() - oldest.over_at <= most:
+            return
+        late = time - oldest.now
+        self._waiting.clear()
+        if oldest.job is not None:  # else the one under way may be of what was said last
+            self._decoding.leave()
+        self._acting.failed(time, f"the recogniser is too slow: what was said {late:.0f} s ago still waits for it")
 
     def collect(self, time: float, utterance: SpokenUtterance | None) -> None:
         """Take up decodes that are ready: judge an utterance under way, act on those that ended."""

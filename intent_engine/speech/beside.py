@@ -10,15 +10,17 @@ import atexit
 import contextlib
 import os
 import threading
+import weakref
 from collections.abc import Callable
 from concurrent.futures import Future
 from queue import Empty, SimpleQueue
-from typing import ParamSpec, TypeVar
+from typing import ParamSpec, TypeAlias, TypeVar
 
 __all__ = ["PATIENCE", "Beside", "cores", "start_beside"]
 
 _Result = TypeVar("_Result")
 _Asked = ParamSpec("_Asked")
+_Waiting: TypeAlias = SimpleQueue[Callable[[], None] | None]
 
 PATIENCE = 20.0
 """s that the end of the process waits for such a thread: a model that is loaded with both cores busy takes several."""
@@ -67,7 +69,7 @@ def start_beside(
 
 
 class Beside:
-    """Does one piece of work after the other in one thread.
+    """Does one piece of work after the other in one thread, which ends with it: closed, or forgotten by all.
 
     Args:
         name: of the thread.
@@ -75,11 +77,17 @@ class Beside:
     """
 
     def __init__(self, name: str, *, patience: float = PATIENCE) -> None:
-        self._waiting: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
-        start_beside(self._work, name, self._end, patience=patience)
+        waiting: _Waiting = SimpleQueue()
+        self._waiting = waiting
+        self._closed = False
+        self._closing = threading.Lock()
+        # The thread knows nothing but what waits: it would keep all that it works for.
+        start_beside(lambda: _work(waiting), name, lambda: _drop(waiting), patience=patience)
+        weakref.finalize(self, waiting.put, None)
 
     def submit(self, ask: Callable[_Asked, _Result], *args: _Asked.args, **kwargs: _Asked.kwargs) -> Future[_Result]:
-        """Call something there, after what was submitted before; the future holds what it returns or raises."""
+        """Call something there, after what was submitted before; the future holds what it returns or raises, or
+        a ``RuntimeError``, if this is closed."""
         future: Future[_Result] = Future()
 
         def answer() -> None:
@@ -88,20 +96,30 @@ class Beside:
             except BaseException as error:  # whatever it raises must come back to the caller
                 future.set_exception(error)
 
-        self._waiting.put(answer)
+        with self._closing:
+            if self._closed:
+                future.set_exception(RuntimeError("it is closed, and nothing more is asked of it"))
+            else:
+                self._waiting.put(answer)
         return future
 
     def close(self) -> None:
         """Let the thread end after what was submitted. Idempotent."""
-        self._waiting.put(None)
+        with self._closing:
+            self._closed = True
+            self._waiting.put(None)
 
-    def _end(self) -> None:
-        """Let the thread end after what it does now."""
-        with contextlib.suppress(Empty):
-            while True:
-                self._waiting.get_nowait()
-        self.close()
 
-    def _work(self) -> None:
-        while (answer := self._waiting.get()) is not None:
-            answer()
+def _work(waiting: _Waiting) -> None:
+    """Do what waits, one after the other."""
+    while (answer := waiting.get()) is not None:
+        answer()
+        del answer  # it holds whom it was asked by, and the next may never come
+
+
+def _drop(waiting: _Waiting) -> None:
+    """Let the thread end after what it does now."""
+    with contextlib.suppress(Empty):
+        while True:
+            waiting.get_nowait()
+    waiting.put(None)

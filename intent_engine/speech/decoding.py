@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
@@ -27,7 +28,7 @@ class DecodeThread:
 
     def __init__(self, recognizer: Recognizer, patience: float = 10.0) -> None:
         self.recognizer = recognizer
-        self.patience = patience
+        self.patience = min(patience, threading.TIMEOUT_MAX)  # no thread can wait longer
         self.on_end: Callable[[], object] | None = None
         """Called in that thread when a decode has ended."""
         self._busy: Future[Transcript] | None = None
@@ -100,5 +101,8 @@ class DecodeThread:
             except BaseException as error:  # whatever a recogniser raises must come back to the caller
                 future.set_exception(error)
 
-        start_beside(work, "recogniser", patience=self.patience)
+        try:
+            start_beside(work, "recogniser", patience=self.patience)
+        except RuntimeError as error:  # the system has no more threads: as if the recogniser had raised it
+            future.set_exception(error)
         return future

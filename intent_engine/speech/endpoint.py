@@ -18,6 +18,11 @@ LONG_FADED = 0.16
 """s of a fading voice, with the silence after it, in which a quiet word may have been said: 2 to 3 frames are usual in
 noise (docs/decisions/speech-fading.md)."""
 
+MOST_FRAMES = 30
+"""Frames, a second, after which anybody has begun to speak: a robot that waits for more hears no stop."""
+MOST_PRE_ROLL = 10.0
+"""s of sound that are kept at most from before anybody speaks."""
+
 
 class Outlook(StrEnum):
     """What the grammar thinks of the words so far."""
@@ -59,6 +64,8 @@ class Signal(StrEnum):
     """The utterance is over: act on it."""
     SHORT = "short"
     """It is over, and was so short that it can be nothing but a stop."""
+    CUT = "cut"
+    """It is over, since it lasted longer than any command: what is said next may be the rest of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +104,7 @@ class Settings:
     pre_roll: float = 0.5
     """Sound kept from before the onset: the detector hears a word 48-80 ms after it begins."""
     max_speech: float = 20.0
-    """An utterance longer than any command is ended."""
+    """An utterance longer than any command is ended; what follows at once is not acted on, unless it is a stop."""
 
     def __post_init__(self) -> None:
         for one in fields(self):
@@ -108,6 +115,10 @@ class Settings:
                     raise ValueError(f"{one.name} is a probability, at most 1, not {value}")
             else:
                 check_number(one.name, value, "frames" if one.name == "onset_frames" else "s")
+        if self.onset_frames < 1 or self.onset_frames != int(min(self.onset_frames, MOST_FRAMES)):
+            raise ValueError(f"onset_frames is a whole number from 1 to {MOST_FRAMES}, not {self.onset_frames}")
+        if self.pre_roll > MOST_PRE_ROLL:
+            raise ValueError(f"pre_roll is at most {MOST_PRE_ROLL:g} s, not {self.pre_roll}")
 
     def wait(self, outlook: Outlook, asked: float | None = None) -> float:
         """Silence after which an utterance with this outlook is over.
@@ -165,6 +176,11 @@ class Endpointer:
         return self._silent
 
     @property
+    def short(self) -> bool:
+        """Whether so little of the utterance so far is speech that it can be nothing but a stop."""
+        return self._spoken < self.settings.min_speech
+
+    @property
     def faded_long(self) -> bool:
         """Whether the voice has been fading for so long that a quiet word may have been said since."""
         return self._faded > LONG_FADED
@@ -200,7 +216,7 @@ class Endpointer:
         self._whole += FRAME_SECONDS
         if self._whole >= settings.max_speech:
             self.reset()
-            return Signal.ENDED
+            return Signal.CUT
         if probability >= (settings.onset if self._silent else settings.offset):
             return self._voice(probability)
         first = self._silent == 0
@@ -215,7 +231,7 @@ class Endpointer:
         # Half a frame of tolerance: sums of 32 ms are not exact in floating point.
         if not quiet or quiet + FRAME_SECONDS / 2 < self.settings.wait(self._outlook, self._asked):
             return Signal.NONE
-        short = self._spoken < self.settings.min_speech
+        short = self.short
         self.reset()
         return Signal.SHORT if short else Signal.ENDED
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
 from intent_engine.speech.audio import Samples
+from intent_engine.values import is_number
 
 __all__ = ["Encoded", "Following", "Glancing", "Recognizer", "Transcript"]
 
@@ -20,9 +21,9 @@ class Transcript:
     """What was heard in one stretch of speech.
 
     Raises:
-        TypeError: a text is none, or words are no list of them: one text would be taken letter by letter.
-        ValueError: the confidence is no probability, or the score or gap no number. NaN would be less than no
-            threshold, and all would be acted on.
+        TypeError: a text or number is none, or words are no list of texts: one text would be taken letter by letter.
+        ValueError: the confidence is no probability, or a number is NaN, which would be less than no threshold, and all
+            would be acted on.
     """
 
     text: str
@@ -62,11 +63,20 @@ class Transcript:
         for name in ("alternatives", "behind", "unclear", "left_out"):
             if not isinstance(several := getattr(self, name), (tuple, list)):
                 raise TypeError(f"a transcript's {name} are a tuple, not {several!r:.80}")
+            kind, right = ("numbers", is_number) if name == "behind" else ("texts", _is_text)
+            if not all(map(right, several)):
+                raise TypeError(f"a transcript's {name} are {kind}, not {several!r:.80}")
         if self.confidence is not None and not -SLACK <= self.confidence <= 1.0 + SLACK:  # NaN is in no range
             raise ValueError(f"a transcript's confidence is from 0 to 1 or None, not {self.confidence!r}")
-        for name in ("score", "gap"):
-            if (value := getattr(self, name)) is not None and math.isnan(value):
-                raise ValueError(f"a transcript's {name} is a log probability, not {value!r}")
+        if self.language is not None and not isinstance(self.language, str):
+            raise TypeError(f"a transcript's language is a str or None, not {self.language!r:.80}")
+        gap = 0.0 if self.gap is None else self.gap
+        for name, value in (("score", self.score), ("gap", gap), ("decode_seconds", self.decode_seconds)):
+            if not is_number(value):
+                raise TypeError(f"a transcript's {name} is a number, not {value!r:.80}")
+            if math.isnan(value):
+                what = "a time in s" if name == "decode_seconds" else "a log probability"
+                raise ValueError(f"a transcript's {name} is {what}, not {value!r}")
 
     @property
     def word_by_word(self) -> bool:
@@ -93,6 +103,10 @@ class Transcript:
             {"text": text, "behind": None if nats is None else round(nats, 3)}
             for text, nats in zip(self.alternatives, behind, strict=False)
         ]
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str)
 
 
 @dataclass(frozen=True, slots=True)

@@ -238,6 +238,8 @@ class _Worker:
         self._condition = threading.Condition()
         self._task: tuple[int, _View] | None = None
         self._utterance = 0
+        self._failed = -1
+        """The utterance in which it was last told that a look failed."""
         self._busy = False
         self._closed = False
         self.found = False
@@ -273,8 +275,9 @@ class _Worker:
             try:
                 found = self._look(view)
             except Exception:  # a reflex that fails must go on: the recogniser still hears the stop
-                logging.getLogger(__name__).exception("the reflex could not look at the sound")
-                found = False
+                if self._failed != utterance:  # some fifteen looks a second would fail as the first
+                    logging.getLogger(__name__).exception("the reflex could not look at the sound")
+                self._failed, found = utterance, False
             with self._condition:
                 self._busy = False
                 if found and utterance == self._utterance:

@@ -111,7 +111,7 @@ class SecondOpinion:
         self._first.stay()
         self._left = Event()
         try:
-            transcript = self._transcribe(samples, final=final)
+            transcript = self._first.despite_cuda(lambda: self._transcribe(samples, final=final))
         except LeftError:
             self._left.set()
             self._beside.submit(lambda: None).exception()  # the second model has to leave it too before the next
@@ -212,7 +212,7 @@ class SecondOpinion:
         def answer() -> _Answer:
             second = self._second.result()
             second.left = left
-            return ask(second)
+            return second.despite_cuda(lambda: ask(second))
 
         return self._beside.submit(answer)
 

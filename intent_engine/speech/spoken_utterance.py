@@ -43,6 +43,8 @@ class SpokenUtterance:
     glance: bool = False
     """Whether it is no more than a glance, while the voice faded."""
     ended: bool = False
+    over_at: float = 0.0
+    """s on the machine's clock: when it was over."""
     short: bool = False
     """Whether it was so short that it can be nothing but a stop."""
     judged: bool = False

@@ -50,6 +50,11 @@ class UtteranceDecoder(DecodeThread):
         self._along: tuple[float, Future[Transcript]] | None = None
         """When the recogniser began to listen along, and what it will have heard; None: it does not."""
 
+    def begin_source(self) -> None:
+        """Another source begins, whose times have nothing to do with those before."""
+        self._now = self._next = 0.0
+        self._along = None
+
     def follow(self, utterance: SpokenUtterance) -> Transcript | None:
         """Listen along while somebody speaks, now and then. Returns what was heard so, when it is known."""
         self._now = utterance.now
@@ -80,10 +85,9 @@ class UtteranceDecoder(DecodeThread):
         if heard is not None and self._stepped and self._now < began + heard.decode_seconds:
             return None
         self._along = None
-        if heard is None:  # whoever is asked next has the same trouble, and tells it
-            return None
-        self._next = began + max(OFTEN, REST * heard.decode_seconds)
-        return heard if heard.text else None
+        self._next = began + max(OFTEN, REST * (heard.decode_seconds if heard is not None else 0.0))
+        # Where it failed, whoever is asked next has the same trouble, and tells it.
+        return heard if heard is not None and heard.text else None
 
     def _begin(self, decode: Callable[[], Transcript]) -> Future[Transcript]:
         if self._along is None:

@@ -22,6 +22,7 @@ __all__ = [
     "check_digest",
     "find_weights",
     "folder_of",
+    "given_folder",
     "is_called",
     "no_such_model",
     "on_this_machine",
@@ -93,9 +94,9 @@ def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:
     Raises:
         WeightsError: nothing was found, files are missing, or the digest is wrong; says what to install.
     """
-    folder = Path(name).expanduser()
-    another = name in HUB and not any((folder / file).is_file() for file in NEEDED)  # a folder "base" of some robot
-    if folder.is_dir() and not another:
+    folder = given_folder(name)
+    # There may be a folder "base" of some robot.
+    if folder is not None and (name not in HUB or any((folder / file).is_file() for file in NEEDED)):
         _complete(folder, name)
         return Weights(folder.name, folder, "path", False)
     if os.sep in name and name not in HUB.values():
@@ -108,9 +109,18 @@ def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:
     return _from_hub(name, packaged, download)
 
 
+def given_folder(name: str) -> Path | None:
+    """The folder whose path somebody gave as a model; None: there is none."""
+    try:
+        folder = Path(name).expanduser()
+        return folder if folder.is_dir() else None
+    except (OSError, RuntimeError, ValueError):  # too long for any path; ``~somebody`` who is not there; a zero byte
+        return None
+
+
 def is_called(name: str) -> bool:
     """Whether there may be a model of this name: a known one, a folder, or somebody's on the hub."""
-    return name in HUB or name == MOONSHINE or "/" in name or os.sep in name or Path(name).expanduser().is_dir()
+    return name in HUB or name == MOONSHINE or "/" in name or os.sep in name or given_folder(name) is not None
 
 
 def no_such_model(name: str, option: str = "--model", others: Sequence[str] = ()) -> WeightsError:

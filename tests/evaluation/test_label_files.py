@@ -328,6 +328,8 @@ def test_labels_in_another_form_are_told(tmp_path):
 def test_which_file_holds_the_labels(tmp_path):
     with pytest.raises(ConfigError, match="no such folder"):
         find_labels(tmp_path / "nowhere")
+    with pytest.raises(ConfigError, match=r"cannot be read: File name too long|no such folder"):
+        find_labels(tmp_path / (300 * "x"))
     with pytest.raises(ConfigError, match=r"has no labels.jsonl\n    write one"):
         find_labels(tmp_path)
     (tmp_path / "mine.jsonl").touch()

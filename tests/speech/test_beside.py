@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 import subprocess
 import sys
 import textwrap
 import threading
+import weakref
 
 import pytest
 from hypothesis import given
@@ -42,6 +44,21 @@ def test_a_closed_thread_ends():
         if thread.name == "ends":
             thread.join(timeout=10)
             assert not thread.is_alive()
+
+
+def test_a_forgotten_thread_ends_and_keeps_nobody_whom_it_worked_for():
+    class Model:
+        def hears(self) -> None: ...
+
+    model, beside = Model(), Beside("forgotten")
+    gone = weakref.ref(model)
+    beside.submit(model.hears).result(timeout=10)
+    (thread,) = (one for one in threading.enumerate() if one.name == "forgotten")
+    del model, beside
+    gc.collect()
+    thread.join(timeout=10)
+    assert not thread.is_alive()
+    assert gone() is None
 
 
 def ended(program):

@@ -57,6 +57,16 @@ def test_what_it_raises_comes_back(error):
     assert decodes.free
 
 
+def test_a_system_without_more_threads_is_a_failure_of_the_recogniser(monkeypatch):
+    def refused(*args, **kwargs):
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(decoding, "start_beside", refused)
+    decodes = DecodeThread(Waits())
+    assert "can't start new thread" in str(decodes.begin(SOUND, final=True).exception(timeout=1))
+    assert decodes.free
+
+
 def test_it_counts_as_hung_only_after_its_patience(now):
     waits = Waits()
     decodes = DecodeThread(waits, patience=10.0)

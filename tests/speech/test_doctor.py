@@ -22,7 +22,7 @@ def machine(monkeypatch):
     def look(*plugs: Plug) -> dict[str, doctor.Check]:
         time = FakeTime()
         monkeypatch.setitem(sys.modules, "sounddevice", FakePortAudio(time, *plugs))
-        monkeypatch.setattr(live, "RealTime", lambda: time)
+        monkeypatch.setattr(live, "MonotonicClock", lambda: time)
         monkeypatch.setattr(doctor.time, "monotonic", time.now)
         for later in ("_voice", "_noise_filter", "_cuda"):
             monkeypatch.setattr(doctor, later, lambda: doctor.Check("", Verdict.OK, ""))

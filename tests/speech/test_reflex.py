@@ -29,6 +29,8 @@ from intent_engine.speech.reflex import (
     THRESHOLD,
     WINDOW_FRAMES,
     WhisperReflex,
+    _View,
+    _Worker,
     reflex_for,
 )
 from intent_engine.speech.voice import SileroVoice
@@ -214,6 +216,22 @@ def test_longer_phrases_are_heard_at_their_beginning(reflex) -> None:
     assert not any(words[0] == "stop" and len(words) > 1 for words in reflex.phrases)
     with pytest.raises(ValueError, match="no stop phrase"):
         WhisperReflex([])
+
+
+def test_a_look_that_fails_is_told_once_for_an_utterance_and_the_next_is_looked_at(caplog):
+    def fails(view) -> bool:
+        raise RuntimeError("gone")
+
+    worker = _Worker(fails)
+    for _ in range(2):
+        worker.reset()
+        for _ in range(3):
+            assert worker.offer(_View((), True, ()))
+            with worker._condition:
+                assert worker._condition.wait_for(lambda: not worker._busy, timeout=60.0)
+    worker.close()
+    assert not worker.found
+    assert [record.message for record in caplog.records] == ["the reflex could not look at the sound"] * 2
 
 
 def test_in_the_background_the_same_is_heard(engine, reflex, demo, spoken) -> None:

@@ -255,6 +255,54 @@ def test_nothing_is_begun_after_a_listener_has_closed_it(engine, kind):
     assert summary.accepted == 0
 
 
+def test_what_was_closed_asks_for_no_sound(engine):
+    """A recording of which nothing has come yet would be waited for, for ever."""
+    clock = VirtualClock()
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        runtime = Runtime(engine, executor, Says(), voice=Voiced(), noise_filter=None)
+        runtime.close()
+        source = StreamSource(SAMPLE_RATE, live=False)
+        thread = threading.Thread(target=runtime.run, args=(source,), daemon=True)
+        thread.start()
+        thread.join(timeout=10)
+        source.close()
+        assert not thread.is_alive()
+
+
+def test_it_listens_along_to_the_second_source_as_to_the_first(engine):
+    class Follows(Says):
+        asked = 0
+
+        def follow(self, samples):
+            self.asked += 1
+            return Transcript("go", free_text="go", draft=True, decode_seconds=0.05)
+
+        def lose(self) -> None: ...
+
+    clock = VirtualClock()
+    counted = []
+    with Executor(SimulatedRobot(clock), clock=clock) as executor:
+        follows = Follows()
+        runtime = Runtime(engine, executor, follows, voice=Voiced((5.0, 8.0)), noise_filter=None)
+        for _ in range(2):
+            runtime.run(Frames(framed(np.zeros(9 * SAMPLE_RATE, np.float32))))
+            counted.append(follows.asked)
+    assert 0 < counted[0] == counted[1] - counted[0]
+
+
+@pytest.mark.parametrize("patience", [float("inf"), 1e300])
+def test_a_recogniser_may_be_waited_for_as_long_as_it_takes(listen, patience):
+    class Late(Says):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            threading.Event().wait(0.01)
+            return super().transcribe(samples, final=final)
+
+    sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
+    late = Late("go forward two meters")
+    found = listen(sound, late, voice=Voiced((0.5, 1.5)), noise_filter=None, patience=patience)
+    assert found.robot.pose().x == pytest.approx(2.0)
+
+
 def test_it_hears_one_source_at_a_time(engine, go_forward):
     """Two would share one endpoint, and close() would end the second alone."""
     clock = VirtualClock()
@@ -342,6 +390,21 @@ def test_who_presses_the_key_in_time_is_heard(engine, voice, levels, down, why):
     sound = loud(6, *((begin, end, level) for (begin, end), level in zip(spans, levels, strict=True)))
     x, _ = keyed(engine, ["go forward two meters"], spans, [(down, 5.0)], sound)
     assert x == pytest.approx(2.0), why
+
+
+def test_a_knock_of_the_key_itself_is_no_command(engine):
+    """Letting go ends the utterance at once, which makes it no longer than it was."""
+    sound = loud(3, (0.5, 0.58, 0.1))
+    x, _ = keyed(engine, ["go forward two meters"], [(0.5, 0.58)], [(0.3, 0.6)], sound)
+    assert x == 0.0
+    x, (meant,) = keyed(engine, ["stop"], [(0.5, 0.58)], [(0.3, 0.6)], sound)
+    assert meant.stops, "a stop may be as short"
+
+
+@pytest.mark.parametrize(("said", "acts"), [("go forward two meters", 0), ("stop", 1)])
+def test_nor_is_a_knock_with_which_the_sound_ends(listen, said, acts):
+    found = listen(framed(np.zeros(int(0.6 * SAMPLE_RATE), np.float32)), Says(said), voice=Voiced((0.5, 9.0)))
+    assert len(found.of(HeardKind.SUBMITTED)) == acts
 
 
 def test_a_key_that_bounces_in_the_midst_of_a_word_does_not_join_the_pieces(engine):

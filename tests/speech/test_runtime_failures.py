@@ -15,10 +15,11 @@ from intent_engine import Executor, Reason, Runtime, SimulatedRobot
 from intent_engine.actions import Move
 from intent_engine.errors import AudioError
 from intent_engine.execution.clock import MonotonicClock, VirtualClock
-from intent_engine.runtime import HeardKind
+from intent_engine.runtime import HeardKind, taking_up
 from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.recognizer import Transcript
+from intent_engine.speech.utterance_decoder import OFTEN
 
 
 def twice(sound: np.ndarray) -> tuple[list[Frame], int]:
@@ -345,6 +346,46 @@ def test_in_real_time_utterances_queue_for_a_slow_recogniser(engine, whisper, go
     assert slow.most == 1
 
 
+def test_a_recogniser_slower_than_people_speak_does_not_do_what_was_said_long_ago(engine, monkeypatch):
+    """Each utterance would be later than the one before; and one of those that wait may be a stop."""
+    now = [0.0]
+    monkeypatch.setattr(taking_up, "monotonic", lambda: now[0])
+    go = threading.Event()
+
+    class Slow(Says):
+        def transcribe(self, samples: np.ndarray, *, final: bool = True) -> Transcript:
+            go.wait(30)
+            return super().transcribe(samples, final=final)
+
+    def played():
+        for frame in framed(np.zeros(30 * SAMPLE_RATE, np.float32)):
+            now[0] = frame.time
+            yield frame
+        go.set()
+
+    events = []
+    with Executor(SimulatedRobot()) as executor:
+        runtime = Runtime(
+            engine,
+            executor,
+            Slow(*["go forward two meters"] * 9),
+            voice=Voiced(*((at, at + 0.5) for at in range(1, 26, 3))),
+            noise_filter=None,
+            speculate=False,
+            on_event=events.append,
+            patience=5.0,
+        )
+        executor.submit(Move(0.5, 5.0, 10.0))
+        summary = runtime.run(Frames(played()))
+        (told, *_) = [event for event in events if event.kind is HeardKind.ERROR]
+        assert "too slow: what was said" in told.detail
+        assert 11.0 < told.time < 15.0
+        waited = [event.speech_ended for event in events if event.kind is HeardKind.TRANSCRIPT]
+        assert min(waited) > 11.0, "what was said before it is not done"
+        assert summary.errors > 0
+        assert executor.idle or executor.stop() is None
+
+
 @pytest.mark.parametrize("gives", [None, "no", float("nan"), np.array([False, True])])
 def test_a_reflex_that_gives_no_yes_or_no_is_a_failure(engine, gives):
     class Strange(Jumpy):
@@ -369,6 +410,13 @@ def test_a_reflex_that_gives_no_yes_or_no_is_a_failure(engine, gives):
         ({"unclear": None}, "unclear are a tuple, not None"),
         ({"left_out": "do you"}, "left_out are a tuple, not 'do you'"),
         ({"alternatives": "turn right"}, "alternatives are a tuple, not 'turn right'"),
+        ({"alternatives": (None,)}, "alternatives are texts, not (None,)"),
+        ({"unclear": (15,)}, "unclear are texts, not (15,)"),
+        ({"alternatives": ("stop",), "behind": ("near",)}, "behind are numbers, not ('near',)"),
+        ({"score": None}, "score is a number, not None"),
+        ({"decode_seconds": None}, "decode_seconds is a number, not None"),
+        ({"decode_seconds": float("nan")}, "decode_seconds is a time in s, not nan"),
+        ({"language": ["en"]}, "language is a str or None, not ['en']"),
     ],
 )
 def test_a_transcript_that_holds_what_it_cannot_moves_nothing(listen, go_forward, wrong, told):
@@ -381,18 +429,35 @@ def test_a_transcript_that_holds_what_it_cannot_moves_nothing(listen, go_forward
     assert told in found.of(HeardKind.ERROR)[0].detail
 
 
+def test_what_is_said_at_once_after_a_talk_that_was_cut_may_be_the_rest_of_it(listen):
+    """Of a talk without a pause, that is longer than any command, the next words may be "go forward" of "don't go
+    forward"."""
+    sound = framed(np.zeros(27 * SAMPLE_RATE, np.float32))
+    voice = Voiced((0.5, 22.0), (24.0, 25.0))
+    found = listen(sound, Says("and so on", *["go forward two meters"] * 2), voice=voice, noise_filter=None)
+    rest, later = found.of(HeardKind.INTERPRETATION)[1:]
+    assert "perhaps its beginning; say it again" in rest.interpretation.reason
+    assert later.interpretation.actions, "what is said after a pause is heard"
+    stopped = listen(sound, Says("and so on", "stop"), voice=Voiced((0.5, 22.0)), noise_filter=None)
+    assert [event.interpretation.stops for event in stopped.of(HeardKind.SUBMITTED)] == [True]
+
+
 def test_what_is_heard_along_and_is_no_transcript_is_left_alone(listen):
     """The decode at the end has the same trouble, if it has, and tells it."""
 
     class Strange(Says):
+        asked = 0
+
         def follow(self, samples):
-            return None
+            self.asked += 1
 
         def lose(self): ...
 
     sound = framed(np.zeros(3 * SAMPLE_RATE, np.float32))
-    found = listen(sound, Strange("go forward two meters"), voice=Voiced((0.5, 2.0)), noise_filter=None)
+    strange = Strange("go forward two meters")
+    found = listen(sound, strange, voice=Voiced((0.5, 2.0)), noise_filter=None)
     assert found.robot.pose().x == pytest.approx(2.0)
+    assert strange.asked <= 1.5 / OFTEN + 1, "nor is it asked more often than another"
 
 
 def test_a_source_that_cannot_be_opened_stops_the_robot(engine):

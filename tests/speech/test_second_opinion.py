@@ -311,8 +311,20 @@ def test_a_second_model_that_cannot_be_made_is_told_by_each_decode_that_needs_it
     both.close()
 
 
+@pytest.mark.parametrize("lost", [(1, 0), (0, 1), (1, 1)])
+def test_a_model_whose_cuda_device_is_lost_goes_on_with_the_processor(engine, lost):
+    both, one, other = two(engine, UNSURE, UNSURE)
+    whole = both.transcribe(SOUND)
+    one.lost, other.lost = lost
+    assert replace(both.transcribe(SOUND), decode_seconds=0.0) == replace(whole, decode_seconds=0.0)
+    both.close()
+
+
 def test_both_are_closed(engine):
     both, one, other = two(engine, heard(FORWARD, 0.5), heard(FORWARD, 1.0))
     both.close()
     assert one.closed
     assert other.closed
+    with pytest.raises(RuntimeError, match="it is closed"):
+        both.transcribe(SOUND)
+    both.close()

@@ -117,6 +117,28 @@ def test_chunks_before_and_after_the_sound_are_no_cut(tmp_path):
     assert FileSource(tmp_path / "a.wav").seconds == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("size", [0x7FFF_F000, 0x7FFF_FF00, 0x8000_0000, 0xFFFF_FFFF], ids=hex)
+def test_a_wav_file_that_was_written_into_a_pipe_is_whole(tmp_path, size):
+    """SoX, arecord and ffmpeg have not known its length: ``arecord -t wav | tee talk.wav``."""
+    data = (TONE * 32_767).astype("<i2").tobytes()
+    head = b"RIFF" + struct.pack("<I", min(size + 36, 0xFFFF_FFFF)) + b"WAVE"
+    head += b"fmt " + struct.pack("<IHHIIHH", 16, 1, 1, SAMPLE_RATE, 2 * SAMPLE_RATE, 2, 16)
+    (tmp_path / "a.wav").write_bytes(head + b"data" + struct.pack("<I", size) + data)
+    source = FileSource(tmp_path / "a.wav")
+    assert source.seconds == pytest.approx(1.0)
+    assert sum(1 for _ in source.frames()) * FRAME_SECONDS == pytest.approx(1.8, abs=FRAME_SECONDS)
+
+
+def test_a_flac_file_that_does_not_know_its_length_says_so(tmp_path):
+    soundfile.write(tmp_path / "a.flac", TONE, SAMPLE_RATE)
+    data = bytearray((tmp_path / "a.flac").read_bytes())
+    data[21] &= 0xF0  # the upper bits of the number of samples
+    data[22:26] = bytes(4)
+    (tmp_path / "a.flac").write_bytes(data)
+    with pytest.raises(AudioError, match=r"does not say how long it is.*pipe\n    convert it: ffmpeg -i a.flac"):
+        FileSource(tmp_path / "a.flac")
+
+
 def test_an_hour_takes_the_room_of_a_moment(tmp_path):
     """Sparse, so that the disk does not take it either."""
     size = 3600 * SAMPLE_RATE * 2
@@ -133,6 +155,11 @@ def test_an_hour_takes_the_room_of_a_moment(tmp_path):
         tracemalloc.stop()
     assert count == pytest.approx((3600 + TAIL_SECONDS) / FRAME_SECONDS, abs=2)
     assert peak < 4_000_000, "an hour of float samples would be 230 MB"
+
+
+def test_a_name_too_long_for_a_file_is_told_as_any_that_cannot_be_read():
+    with pytest.raises(AudioError, match=r"cannot be read: file name too long|no such file"):
+        FileSource(300 * "x" + ".wav")
 
 
 @pytest.mark.parametrize("name", ["a.raw", "a.PCM", "a.s16le"])

@@ -46,7 +46,7 @@ def cuts(data: bytes, form: PcmFormat | None = None) -> tuple[list[float], list[
 
 @pytest.mark.parametrize("encoding", FORMATS)
 def test_an_end_in_the_midst_of_a_sound_is_told(encoding):
-    form = PcmFormat.of(encoding=encoding)
+    form = PcmFormat(encoding=encoding)
     (when,), lost = cuts(encoded(SOUND, encoding), form)
     assert when == pytest.approx(1.0, abs=FRAME_SECONDS)
     assert lost == []
@@ -71,28 +71,28 @@ def test_silence_and_a_moment_of_sound_are_not_cut():
 
 @pytest.mark.parametrize("encoding", FORMATS)
 def test_every_format(encoding):
-    sound = heard(encoded(SOUND, encoding), PcmFormat.of(encoding=encoding))
+    sound = heard(encoded(SOUND, encoding), PcmFormat(encoding=encoding))
     assert sound[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
     assert not np.abs(sound[SOUND.size :]).max() > 0.01
 
 
 @pytest.mark.parametrize("name", ["S16_LE", "s16le", "s16", "S16LE"])
 def test_spellings_of_alsa_and_ffmpeg(name):
-    assert PcmFormat.of(encoding=name).encoding == "s16le"
+    assert PcmFormat(encoding=name).encoding == "s16le"
 
 
 def test_stereo_at_another_rate():
     rate = 44_100
     sound = 0.5 * np.sin(2 * np.pi * 440 * np.arange(rate * 2) / rate)
     data = encoded(np.stack([sound, sound], axis=1).reshape(-1), "f32le")
-    found = heard(data, PcmFormat.of(rate, "f32le", 2))[: 2 * SAMPLE_RATE]
+    found = heard(data, PcmFormat(rate, "f32le", 2))[: 2 * SAMPLE_RATE]
     assert np.argmax(np.abs(np.fft.rfft(found))) / 2 == pytest.approx(440, abs=1)
 
 
 @pytest.mark.parametrize("cut", [1, 2, 3, 5, 1_001])
 def test_an_end_in_the_middle_of_a_sample(cut):
     data = encoded(np.stack([SOUND, SOUND], axis=1).reshape(-1), "s16le")[:-cut]
-    assert heard(data, PcmFormat.of(channels=2))[: SOUND.size - 600] == pytest.approx(SOUND[:-600], abs=0.01)
+    assert heard(data, PcmFormat(channels=2))[: SOUND.size - 600] == pytest.approx(SOUND[:-600], abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -104,6 +104,60 @@ def test_a_wav_header_says_better(tmp_path, rate, channels, subtype):
     found = heard((tmp_path / "tone.wav").read_bytes())
     assert found.size == pytest.approx(1.8 * SAMPLE_RATE, abs=1_100)
     assert np.argmax(np.abs(np.fft.rfft(found[:SAMPLE_RATE]))) == pytest.approx(440, abs=1)
+
+
+@pytest.mark.parametrize(
+    ("name", "encoding"),
+    [
+        ("S16_LE", "s16le"),
+        ("S16", "s16le"),
+        ("U8", "u8"),
+        ("S24_3LE", "s24le"),
+        ("S32_BE", "s32be"),
+        ("FLOAT_LE", "f32le"),
+        ("FLOAT64_BE", "f64be"),
+        ("flt", "f32le"),
+    ],
+)
+def test_a_format_by_the_name_of_alsa(name, encoding):
+    assert PcmFormat(16_000.0, name, np.int64(1)) == PcmFormat(encoding=encoding)
+    assert heard(encoded(SOUND, encoding), PcmFormat(encoding=name))[: SOUND.size] == pytest.approx(SOUND, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"encoding": "S24_LE"}, "24 bits that lie in 32.*\n.*S24_3LE"),
+        ({"encoding": "mp3"}, "mp3 is no format"),
+        ({"encoding": None}, "None is no format"),
+        ({"channels": 0}, "0 channels cannot be"),
+        ({"channels": 1.5}, "1.5 channels cannot be"),
+        ({"rate": 0}, "0 Hz is no sample rate"),
+    ],
+)
+def test_what_is_no_format_is_told_when_it_is_made(wrong, told):
+    with pytest.raises(AudioError, match=told):
+        PcmFormat(**wrong)
+
+
+@pytest.mark.parametrize("file", [io.StringIO("text"), "talk.raw", None])
+def test_what_gives_no_bytes_is_told_when_it_is_given(file):
+    with pytest.raises(TypeError, match=r"read from sys.stdin.buffer, or open\(path, 'rb'\)"):
+        PcmSource(file)
+
+
+def test_standard_input_is_read_by_a_reader_of_its_own(monkeypatch):
+    """A process that ends while a thread waits in that of ``sys.stdin`` is aborted."""
+    get, put = os.pipe()
+    with open(get) as stdin, os.fdopen(put, "wb") as talk:  # noqa: PTH123 - of a descriptor
+        monkeypatch.setattr("sys.stdin", stdin)
+        source = PcmSource(stdin.buffer, live=True)
+        talk.write(encoded(SOUND, "s16le"))
+        talk.flush()
+        source.check()
+        assert stdin.buffer.raw.readable(), "it is left open"
+        assert source._file is not stdin.buffer
+        source.close()
 
 
 def test_a_streamed_wav_whose_length_nobody_knew():
@@ -144,7 +198,7 @@ def test_what_is_no_pcm(data, says):
 )
 def test_formats_that_there_are_not(options, says):
     with pytest.raises(AudioError) as caught:
-        PcmFormat.of(**options)
+        PcmFormat(**options)
     assert says in str(caught.value)
 
 
@@ -282,19 +336,19 @@ def loud(source: PcmSource) -> int:
 def test_integers_that_are_called_floats_are_refused():
     data = np.round(SOUND * 32_768).astype("<f4").tobytes()
     with pytest.raises(AudioError, match=r"the pipe holds floats that are whole numbers.*\n.*--format s16le"):
-        list(PcmSource(io.BytesIO(data), PcmFormat.of(encoding="f32le"), name="the pipe").frames())
+        list(PcmSource(io.BytesIO(data), PcmFormat(encoding="f32le"), name="the pipe").frames())
 
 
 def test_integers_that_were_resampled_are_refused():
     data = (SOUND * 32_767.3).astype("<f4").tobytes()
     with pytest.raises(AudioError, match=r"the pipe holds floats up to \d+, .*\n.*--format s16le"):
-        list(PcmSource(io.BytesIO(data), PcmFormat.of(encoding="f32le"), name="the pipe").frames())
+        list(PcmSource(io.BytesIO(data), PcmFormat(encoding="f32le"), name="the pipe").frames())
 
 
 def test_integers_of_16_bits_in_32_are_told():
     reports = []
     data = np.round(SOUND * 32_767).astype("<i4").tobytes()
-    form = PcmFormat.of(encoding="s32le")
+    form = PcmFormat(encoding="s32le")
     list(PcmSource(io.BytesIO(data), form, name="the pipe", on_report=reports.append).frames())
     assert [report.kind for report in reports] == [ReportKind.MUTE]
     assert "the pipe gives next to nothing" in reports[0].detail
@@ -331,7 +385,6 @@ class _Odd(io.RawIOBase):
         raise RuntimeError("the decoder is lost")
 
 
-@pytest.mark.parametrize("file", [io.StringIO("no bytes"), _Odd()], ids=["text", "fails"])
-def test_a_file_that_is_no_file_of_bytes_is_told_and_does_not_just_end(file):
-    with pytest.raises(AudioError, match="the pipe cannot be read: "):
-        list(PcmSource(file, name="the pipe").frames())
+def test_a_file_that_fails_as_no_file_does_is_told_and_does_not_just_end():
+    with pytest.raises(AudioError, match="the pipe cannot be read: the decoder is lost"):
+        list(PcmSource(_Odd(), name="the pipe").frames())

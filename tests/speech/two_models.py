@@ -103,14 +103,25 @@ class Says:
         """What is heard a moment later; None: the same."""
         self.compared = self.searched = self.dug = 0
         self.closed = False
+        self.lost = 0
+        """How many more times it fails, as a device that is gone."""
         self.left: threading.Event | None = None
         self.prepared = threading.Event()
 
     def prepare(self) -> None:
         self.prepared.set()
 
+    def despite_cuda(self, ask):
+        try:
+            return ask()
+        except RuntimeError:
+            return ask()
+
     def listen(self, samples: np.ndarray, *, told=None) -> Thinks:
         assert self.prepared.is_set()
+        if self.lost:
+            self.lost -= 1
+            raise RuntimeError("CUDA failed with error out of memory")
         if samples[:LATER].any():
             self.listened.append(samples.size)
             return self.opinion

@@ -9,7 +9,15 @@ from pathlib import Path
 
 from intent_engine.errors import WeightsError
 from intent_engine.speech.acoustic.block_products import blocks_are_quick
-from intent_engine.speech.weights import MOONSHINE, Packaged, cache_folder, check_digest, folder_of, sha256
+from intent_engine.speech.weights import (
+    MOONSHINE,
+    Packaged,
+    cache_folder,
+    check_digest,
+    folder_of,
+    given_folder,
+    sha256,
+)
 
 __all__ = ["MOONSHINE", "MoonshineFiles", "find_moonshine", "find_moonshine_files", "is_moonshine", "moonshine_package"]
 
@@ -38,7 +46,8 @@ class MoonshineFiles:
 
 def is_moonshine(model: str) -> bool:
     """Whether a name, or a folder, is that of a Moonshine model."""
-    return model == MOONSHINE or (Path(model).expanduser() / DECODER).is_file()
+    folder = given_folder(model)
+    return model == MOONSHINE or (folder is not None and (folder / DECODER).is_file())
 
 
 def moonshine_package() -> Path | None:
@@ -67,7 +76,7 @@ def find_moonshine_files(model: str = MOONSHINE) -> Path:
     Raises:
         WeightsError: it is not there, or not the published one.
     """
-    folder = Path(model).expanduser()
+    folder = given_folder(model) or Path(model)
     if model == MOONSHINE:
         packaged = moonshine_package()
         if packaged is None:

@@ -8,7 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 
 __all__ = ["Scoring"]
 
+_Answer = TypeVar("_Answer")
 _NONE: Mapping[str, str] = MappingProxyType({})
 _NOTHING = PhraseSet(())
 
@@ -97,6 +98,10 @@ class Scoring(Leaving, ABC):
         self.drafts.keep(samples, self.pieces_written(encoded))
         seconds = time.perf_counter() - began
         return Transcript(text, score, text, language=self.language, decode_seconds=seconds, draft=True)
+
+    def despite_cuda(self, ask: Callable[[], _Answer]) -> _Answer:
+        """What the model is asked; where its device fails, answered by the processor."""
+        return ask()
 
     def lose(self) -> None:
         """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 import time
 import warnings
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -25,6 +25,8 @@ from intent_engine.speech.recognizer import Encoded, Transcript
 from intent_engine.speech.weights import Weights, find_weights
 
 __all__ = ["WhisperRecognizer", "logits_row", "max_length"]
+
+_Answer = TypeVar("_Answer")
 
 FRAMES_PER_SECOND = 100
 MIN_SECONDS = 4.0
@@ -139,14 +141,18 @@ class WhisperRecognizer:
         if samples.size == 0:
             return Transcript("")
         began = time.perf_counter()
+        heard = self.despite_cuda(lambda: self._heard(samples, final=final))
+        return replace(heard, decode_seconds=time.perf_counter() - began)
+
+    def despite_cuda(self, ask: Callable[[], _Answer]) -> _Answer:
+        """What the model is asked; where CUDA fails at it the processor answers, and all that is asked from then on."""
         try:
-            heard = self._heard(samples, final=final)
+            return ask()
         except RuntimeError as error:
             if self.device != "cuda":
                 raise
             self._leave_cuda(error)
-            heard = self._heard(samples, final=final)
-        return replace(heard, decode_seconds=time.perf_counter() - began)
+        return ask()
 
     def _heard(self, samples: Samples, *, final: bool) -> Transcript:
         encoded = self.encode(samples)
@@ -232,10 +238,11 @@ def _load(weights: Weights, device: str, compute_type: str | None, threads: int)
         sound: Any = model.feature_extractor
         sound.mel_filters = MelFilters(sound.mel_filters)
         return model, wanted
-    except (RuntimeError, ValueError) as error:
-        if wanted == "cuda":
+    except Exception as error:  # those of the tokenizer have no class of their own
+        if wanted == "cuda" and isinstance(error, RuntimeError | ValueError):
             warnings.warn(f"CUDA cannot be used ({error}); recognising on the CPU", RuntimeWarning, stacklevel=3)
-            return _load(weights, "cpu", None if compute_type == "float16" else compute_type, threads)
+            able = ctranslate2.get_supported_compute_types("cpu")
+            return _load(weights, "cpu", compute_type if compute_type in able else None, threads)
         raise WeightsError(
             f"model {weights.name} at {weights.path} cannot be loaded: {error}\n"
             "    copy, download or convert its files again; another model: --model NAME"

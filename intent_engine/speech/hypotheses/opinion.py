@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from threading import Event
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from intent_engine.actions import Action
 from intent_engine.language.networks.approximate import FreeWord
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from intent_engine.speech.steering import Steering
 
 __all__ = ["Opinion", "Reading", "Steered", "as_read", "read_alone"]
+
+_Answer = TypeVar("_Answer")
 
 ALTERNATIVES = 3
 """Further readings of a transcript; and the likeliest that goes the other way."""
@@ -130,6 +132,10 @@ class Steered(Recognizer, Protocol):
 
     def lose(self) -> None:
         """As :meth:`~intent_engine.speech.recognizer.Following.lose`."""
+        ...
+
+    def despite_cuda(self, ask: Callable[[], _Answer]) -> _Answer:
+        """As :meth:`~intent_engine.speech.acoustic.scoring.Scoring.despite_cuda`."""
         ...
 
     def stay(self) -> None:

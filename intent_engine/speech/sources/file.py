@@ -14,7 +14,7 @@ from intent_engine.errors import AudioError
 from intent_engine.speech.audio import Frame, Resampler
 from intent_engine.speech.scale import check_scale, faint, holds_16_bits
 from intent_engine.speech.sources.pcm import FORMATS, OTHERS, PcmFormat
-from intent_engine.speech.sources.whole import check_mp3, check_whole
+from intent_engine.speech.sources.whole import ENDLESS, check_mp3, check_whole
 from intent_engine.values import check_path
 
 __all__ = ["FileSource", "is_headerless"]
@@ -64,19 +64,10 @@ class FileSource:
         self._realtime = realtime
         self._form = _libsndfile(form) if form is not None else {}
         self._closed = False
-        if not self.path.exists():
-            raise AudioError(f"{path}: no such file\n    give the path of a WAV or FLAC file")
-        if self.path.is_dir():
-            raise AudioError(f"{path}: is a folder\n    give the path of a WAV or FLAC file")
-        if not self.path.is_file():
-            raise AudioError(f"{path}: is a pipe or a device, not a file\n    pipe it in: intent-engine run - < {path}")
         try:
-            with self.path.open("rb"):
-                pass
-        except OSError as error:
+            _check_there(self.path)
+        except OSError as error:  # also of a name too long for any file, and in a folder that may not be looked into
             raise AudioError(f"{path}: cannot be read: {(error.strerror or str(error)).lower()}") from None
-        if self.path.stat().st_size == 0:
-            raise AudioError(f"{path}: is empty (0 bytes)\n    record it again")
         if form is None and is_headerless(self.path):
             raise AudioError(
                 f"{path}: holds raw samples, by its name, and nothing says how they lie in it\n"
@@ -93,6 +84,11 @@ class FileSource:
             raise AudioError(f"{path}: {_unreadable(self.path)}") from None
         if self.rate <= 0 or channels <= 0 or frames <= 0:
             raise AudioError(f"{path}: holds no sound\n    record it again")
+        if frames >= ENDLESS:
+            raise AudioError(
+                f"{path}: does not say how long it is, as a FLAC file that was written into a pipe\n"
+                f"    convert it: ffmpeg -i {self.path.name} speech.wav"
+            )
         self.seconds: float = frames / self.rate
         """Length of the recording in s."""
         if self.seconds > MAX_SECONDS:
@@ -157,6 +153,25 @@ class FileSource:
 
     def close(self) -> None:
         self._closed = True
+
+
+def _check_there(path: Path) -> None:
+    """See that a file is there, with something in it.
+
+    Raises:
+        AudioError: it is not.
+        OSError: it cannot be read.
+    """
+    if not path.exists():
+        raise AudioError(f"{path}: no such file\n    give the path of a WAV or FLAC file")
+    if path.is_dir():
+        raise AudioError(f"{path}: is a folder\n    give the path of a WAV or FLAC file")
+    if not path.is_file():
+        raise AudioError(f"{path}: is a pipe or a device, not a file\n    pipe it in: intent-engine run - < {path}")
+    with path.open("rb"):
+        pass
+    if path.stat().st_size == 0:
+        raise AudioError(f"{path}: is empty (0 bytes)\n    record it again")
 
 
 def _holds_16_bits(blocks: Iterable[npt.NDArray[np.int32]]) -> bool:

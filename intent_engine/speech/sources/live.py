@@ -11,19 +11,19 @@ from __future__ import annotations
 
 import logging
 import threading
-import time
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler
+from intent_engine.execution.clock import Clock, MonotonicClock
+from intent_engine.speech.audio import FRAME_SAMPLES, FRAME_SECONDS, Frame, Report, ReportKind, Resampler, clean
 from intent_engine.speech.scale import faint
 
-__all__ = ["Clock", "Inbox", "RealTime", "Reporter"]
+__all__ = ["Inbox", "Reporter"]
 
 _log = logging.getLogger(__name__)
 
@@ -46,25 +46,6 @@ FIRST = 4.0
 """s that a source is given for its first sound: PulseAudio and Bluetooth take more than one."""
 TAIL_SECONDS = 0.8
 """s of silence after the last sound, so that the last command is heard to end."""
-
-
-class Clock(Protocol):
-    """Time, and a wait that can be interrupted, as :class:`intent_engine.execution.clock.Clock` has them."""
-
-    def now(self) -> float: ...
-
-    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool: ...
-
-
-class RealTime:
-    """The machine's monotonic clock."""
-
-    def now(self) -> float:
-        return time.monotonic()
-
-    def wait_until(self, condition: threading.Condition, deadline: float | None) -> bool:
-        condition.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
-        return deadline is not None and time.monotonic() >= deadline
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +111,7 @@ class Inbox:
         clock: Clock | None = None,
     ) -> None:
         self.name = name
-        self.clock: Clock = clock or RealTime()
+        self.clock: Clock = clock or MonotonicClock()
         self._patience = patience
         self._capacity = capacity
         self._on_report = on_report
@@ -143,6 +124,7 @@ class Inbox:
         self._closed = False
         self._failed = False
         self._woken = False
+        self._listened = False
         self._longest = 0.0
         self._began = self.clock.now()
         self._reported = -REPORT_EVERY
@@ -150,7 +132,9 @@ class Inbox:
         self._inaudible = 0.0
         """s of sound so far of which nothing can be heard; infinite: something could be, or this was told,"""
         self._zeros = True
-        """and whether all of it was zeros."""
+        """and whether all of it was zeros;"""
+        self._opposite = False
+        """and whether its channels were each other's opposite."""
 
     # -- the thread that brings sound ----------------------------------------------------------------
 
@@ -160,7 +144,8 @@ class Inbox:
         """Bring sound; quick, unless told to wait.
 
         Args:
-            samples: ``(n,)`` or ``(n, channels)``; copied by the caller if it is to change.
+            samples: ``(n,)`` or ``(n, channels)``; copied by the caller if it is to change. Where there is none of
+                them, no sound has come.
             rate: Hz.
             lost: s of sound known to be missing before it.
             early: s of sound before it that came before anybody listened, and is not heard: missing too.
@@ -175,6 +160,8 @@ class Inbox:
                 self._changed.wait()
             if self._closed or self._ended:
                 return False
+            if not len(samples):
+                return True
             self._blocks.append(block)
             self._waiting += block.seconds
             while self._waiting > self._capacity and len(self._blocks) > 1 and not wait:
@@ -230,7 +217,8 @@ class Inbox:
         return self.clock.now() - self._began
 
     def frames(self, reopen: Callable[[], object] | None = None, *, counted: bool = False) -> Iterator[Frame]:
-        """Frames as they come, until the end.
+        """Frames as they come, until the end. Asked for again, as by a program that listens once more after an error,
+        it gives nothing that has come since: that is too old to act on, and what comes next may be the rest of it.
 
         Args:
             reopen: called again and again while no sound comes, to bring it back.
@@ -238,6 +226,9 @@ class Inbox:
         """
         flow = _Flow()
         self._began = self.clock.now()
+        if self._listened and not counted:
+            flow.lost = self._pass_over()
+        self._listened = True
         while True:
             block = self._take(None if counted else self._limit(flow.away))
             if block is not None:
@@ -271,12 +262,7 @@ class Inbox:
         if flow.away:
             flow.away = False
             self._tell(ReportKind.BACK, f"{self.name} is back")
-        if block.early:
-            self._tell(
-                ReportKind.EARLY,
-                f"{block.early:.1f} s of sound from {self.name} came before it was listened to and are not "
-                "heard; what was being said when listening began is not acted on",
-            )
+        self._tell_early(block.early)
         self._tell_lost(block.lost)
         self._look_for_mute(block, told_at=np.inf if counted else MUTE_SECONDS)
         for frame in flow.resampler.push(block.samples):
@@ -294,6 +280,15 @@ class Inbox:
         for frame in flow.resampler.push(silence, last=True):
             yield replace(flow.passed(frame), cut=cut)
             cut = False
+
+    def _pass_over(self) -> float:
+        """Leave what waits. Returns s of sound that are missing before what comes next: at least one frame."""
+        with self._changed:
+            seconds = sum(block.seconds + block.lost for block in self._blocks)
+            self._blocks.clear()
+            self._waiting = 0.0
+        self._tell_early(seconds)
+        return max(seconds, FRAME_SECONDS)
 
     def _deaf(self, flow: _Flow) -> Frame:
         """A frame in place of the sound that does not come; that it does not is told once."""
@@ -350,6 +345,14 @@ class Inbox:
         else:
             _log.log(logging.INFO if kind is ReportKind.BACK else logging.WARNING, "%s", detail)
 
+    def _tell_early(self, seconds: float) -> None:
+        if seconds:
+            self._tell(
+                ReportKind.EARLY,
+                f"{seconds:.1f} s of sound from {self.name} came before it was listened to and are not "
+                "heard; what was being said when listening began is not acted on",
+            )
+
     def _tell_lost(self, seconds: float) -> None:
         """Add to what was lost, and tell it, but not with every block."""
         self._lost += seconds
@@ -364,18 +367,21 @@ class Inbox:
 
     def _look_for_mute(self, block: _Block, told_at: float) -> None:
         """Look whether any sound so far could be heard; tell it after so many s. A recording may begin with silence."""
-        if self._inaudible == np.inf or not faint(block.samples):
+        if self._inaudible == np.inf or not faint(heard := clean(block.samples)):
             self._inaudible = np.inf
             return
         self._inaudible += block.seconds
-        self._zeros = self._zeros and not block.samples.any()
+        self._zeros = self._zeros and not heard.any()
+        self._opposite = self._opposite or (block.samples.ndim > 1 and not faint(np.nan_to_num(block.samples)))
         if self._inaudible >= told_at:
             self._tell_mute()
 
     def _tell_mute(self) -> None:
         """Tell, once, that nothing can be heard of it."""
         self._inaudible = np.inf
-        if self._zeros:
+        if self._opposite:
+            what = "has channels that cancel each other out, of which the mean is heard: bring one of them alone"
+        elif self._zeros:
             what = (
                 "gives nothing but zeros: it is muted, or this program may not use it; "
                 "intent-engine doctor says what to do"

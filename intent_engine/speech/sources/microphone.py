@@ -12,9 +12,10 @@ from dataclasses import replace
 from typing import Any
 
 from intent_engine.errors import DeviceError
+from intent_engine.execution.clock import Clock
 from intent_engine.speech.audio import FRAME_SECONDS, SAMPLE_RATE, Frame
 from intent_engine.speech.sources.devices import InputDevice, choose, hint_for_permission, portaudio
-from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
+from intent_engine.speech.sources.live import CAPACITY, Inbox, Reporter
 
 __all__ = ["Microphone"]
 

@@ -5,22 +5,29 @@ What begins with a WAV header is read by its header, since programs that pipe so
 
 from __future__ import annotations
 
+import io
+import os
+import re
 import struct
+import sys
 import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any, BinaryIO
 
 import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
+from intent_engine.execution.clock import Clock
 from intent_engine.speech.audio import Frame, to_float
 from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
-from intent_engine.speech.sources.live import Clock, Inbox, Reporter
+from intent_engine.speech.sources.live import Inbox, Reporter
 from intent_engine.speech.sources.stream import MAX_CHANNELS, checked_rate
+from intent_engine.speech.sources.whole import UNKNOWN
 
 __all__ = ["FORMATS", "PcmFormat", "PcmSource"]
 
@@ -50,36 +57,30 @@ OTHERS = {
 """First bytes of files that are no raw samples."""
 MAX_HEADER = 1 << 20
 """Bytes of one chunk before the sound; more is no header."""
-UNKNOWN = 0x7FFF0000
-"""Lengths from here on are written by programs that do not know them yet."""
 
 
 @dataclass(frozen=True, slots=True)
 class PcmFormat:
-    """How samples lie in a stream of bytes."""
+    """How samples lie in a stream of bytes.
+
+    Raises:
+        AudioError: there is no such format; lists those that there are.
+    """
 
     rate: int = 16_000
     """Hz."""
     encoding: str = "s16le"
-    """One of ``FORMATS``; ALSA's spelling (``S16_LE``) is understood too."""
+    """One of ``FORMATS``; ALSA's names (``S16_LE``, ``S24_3LE``, ``FLOAT_LE``) are understood too."""
     channels: int = 1
     """Interleaved."""
 
-    @classmethod
-    def of(cls, rate: int = 16_000, encoding: str = "s16le", channels: int = 1) -> PcmFormat:
-        """A format that was checked.
-
-        Raises:
-            AudioError: there is no such format; lists those that there are.
-        """
-        plain = encoding.lower().replace("_", "").replace("float", "f").replace("flt", "f")
-        if plain not in FORMATS and f"{plain}le" in FORMATS:
-            plain += "le"
-        if plain not in FORMATS:
-            raise AudioError(f"{encoding} is no format of raw samples\n    there is {', '.join(FORMATS)}")
-        if not 1 <= channels <= MAX_CHANNELS:
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rate", checked_rate(self.rate))
+        object.__setattr__(self, "encoding", _plain(self.encoding))
+        channels = self.channels
+        if isinstance(channels, bool) or not isinstance(channels, Integral) or not 1 <= channels <= MAX_CHANNELS:
             raise AudioError(f"{channels} channels cannot be\n    give 1 for mono, 2 for stereo")
-        return cls(checked_rate(rate), plain, channels)
+        object.__setattr__(self, "channels", int(channels))
 
     @property
     def frame_bytes(self) -> int:
@@ -96,6 +97,24 @@ class PcmFormat:
         else:
             samples = np.frombuffer(data, dtype)
         return to_float(samples).reshape(-1, self.channels)
+
+
+def _plain(encoding: str) -> str:
+    """The name in ``FORMATS`` of an encoding that somebody calls so."""
+    name = str(encoding).lower()
+    if name in ("s24_le", "s24_be"):
+        raise AudioError(
+            f"{encoding} is what ALSA calls 24 bits that lie in 32, which would be heard as noise\n"
+            "    record S24_3LE (s24le) or S32_LE (s32le)"
+        )
+    plain = re.sub("^s243", "s24", name.replace("_", ""))
+    plain = re.sub("^fl(oa)?t", "f", plain)
+    plain = re.sub("^f(?=[lb]e|$)", "f32", plain)
+    if plain not in FORMATS and f"{plain}le" in FORMATS:
+        plain += "le"
+    if plain not in FORMATS:
+        raise AudioError(f"{encoding} is no format of raw samples\n    there is {', '.join(FORMATS)}")
+    return plain
 
 
 AHEAD = 4.0
@@ -120,7 +139,7 @@ class PcmSource:
     a recording, though it was called live: nothing of it is missing, and it is played at its own speed.
 
     Args:
-        file: binary; a pipe, standard input, a file.
+        file: binary; a pipe, standard input (from where it stands now), a file.
         form: how the samples lie in it. A WAV header at its beginning says better.
         live: it comes as it is heard: what cannot be taken in time is dropped and told, and times are those of arrival.
             Else it waits and times are counts, as of a recording.
@@ -129,6 +148,9 @@ class PcmSource:
         patience: s without sound after which a live source counts as deaf.
         on_report: is told what was lost, went away, came back or is too quiet to be heard; None: the log is.
         clock: None: the machine's.
+
+    Raises:
+        TypeError: ``file`` is none that gives bytes.
     """
 
     def __init__(
@@ -143,7 +165,11 @@ class PcmSource:
         on_report: Reporter | None = None,
         clock: Clock | None = None,
     ) -> None:
-        self._file = file
+        if isinstance(file, io.TextIOBase) or not hasattr(file, "read"):
+            raise TypeError(f"raw samples are read from sys.stdin.buffer, or open(path, 'rb'), not from {file!r:.80}")
+        # A reader of its own: Python takes that of sys.stdin down at its end, and aborts if a thread still reads it.
+        own = sys.stdin is not None and file is getattr(sys.stdin, "buffer", None)
+        self._file = os.fdopen(os.dup(file.fileno()), "rb") if own else file
         self._form = form or PcmFormat()
         self._live = live
         self._realtime = realtime
@@ -163,7 +189,7 @@ class PcmSource:
         """Set from when on what comes is heard."""
         self._early = 0.0
         """s of sound that came before."""
-        self._kept: list[bytes] = []
+        self._kept: list[npt.NDArray[Any]] = []
         """That sound, as long as it may be a recording's."""
         self._recording = not live
         self._deciding = threading.Lock()
@@ -272,43 +298,43 @@ class PcmSource:
                 ending.take(sound := form.decode(rest[:whole]))
                 hint = "write the integers as they are (--format s16le), or divide them by 32768"
                 check_scale(sound, f"{self._name} holds", hint)
-                if not self._bring(rest[:whole], form):
+                if not self._bring(sound, form):
                     return
                 rest = rest[whole:]
             if not data:
                 self._cut = ending.abrupt
                 self._missing = left / form.frame_bytes / form.rate if np.isfinite(left) else 0.0
-                self._keep(b"", form, ended=True)
+                self._keep(np.zeros((0, form.channels)), form, ended=True)
                 self._put_kept(form)
                 return
 
-    def _bring(self, data: bytes, form: PcmFormat) -> bool:
+    def _bring(self, sound: npt.NDArray[Any], form: PcmFormat) -> bool:
         """Put sound into the box, or drop it; False when nobody wants it any more."""
-        if self._keep(data, form):
+        if self._keep(sound, form):
             return not self._inbox.closed
         if not self._put_kept(form):
             return False
         early, self._early = (0.0 if self._recording else self._early), 0.0
-        return self._inbox.put(form.decode(data), form.rate, early=early, wait=self._recording)
+        return self._inbox.put(sound, form.rate, early=early, wait=self._recording)
 
-    def _keep(self, data: bytes, form: PcmFormat, *, ended: bool = False) -> bool:
+    def _keep(self, sound: npt.NDArray[Any], form: PcmFormat, *, ended: bool = False) -> bool:
         """Keep what comes before anybody listens, until it is known what it is; False: it is to be heard."""
         with self._deciding:
             if self._recording or self._listened.is_set():
                 return False
-            seconds = len(data) / form.frame_bytes / form.rate
+            seconds = len(sound) / form.rate
             if ended or self._early + seconds > time.monotonic() - self._since + AHEAD:
                 self._recording = True
                 return False
             self._early += seconds
-            self._kept.append(data)
+            self._kept.append(sound)
             return True
 
     def _put_kept(self, form: PcmFormat) -> bool:
         """Put what was kept of a recording into the box; it is taken when somebody listens."""
-        kept = b"".join(self._kept)
+        kept = [*self._kept]
         self._kept.clear()
-        return not kept or self._inbox.put(form.decode(kept), form.rate, wait=True)
+        return not kept or self._inbox.put(np.concatenate(kept), form.rate, wait=True)
 
     def _some(self, size: int) -> bytes:
         """What there is, at most ``size``; waits for one byte, not for all of them. Empty: the end."""
@@ -344,7 +370,7 @@ def _wav_header(file: BinaryIO, name: str) -> tuple[PcmFormat, float]:
             if code == 0xFFFE and len(chunk) >= 26:  # WAVE_FORMAT_EXTENSIBLE: the code stands further on
                 (code,) = struct.unpack_from("<H", chunk, 24)
             letter = {1: "u" if bits == 8 else "s", 3: "f"}.get(code, "?")
-            form = PcmFormat.of(rate, f"{letter}{bits}{'' if bits == 8 else 'le'}", channels)
+            form = PcmFormat(rate, f"{letter}{bits}{'' if bits == 8 else 'le'}", channels)
     if form is None:
         raise AudioError(f"{name} is a WAV file that does not say its format\n    record it again")
     return form, length if 0 < length < UNKNOWN else np.inf

@@ -10,10 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from intent_engine.errors import AudioError
+from intent_engine.execution.clock import Clock
 from intent_engine.speech.audio import MAX_RATE, Frame, clean, to_float
 from intent_engine.speech.scale import check_scale
 from intent_engine.speech.sources.ending import Ending
-from intent_engine.speech.sources.live import CAPACITY, Clock, Inbox, Reporter
+from intent_engine.speech.sources.live import CAPACITY, Inbox, Reporter
 
 __all__ = ["StreamSource"]
 
@@ -30,7 +31,8 @@ class StreamSource:
     Args:
         rate: Hz of what is pushed.
         live: sound is pushed as it is heard, and it is too late for what cannot be taken in time: the oldest is
-            dropped, and this is told. Else it is a recording: ``push`` waits for room, and times are counts.
+            dropped, and this is told. Else it is a recording: ``push`` waits for room, or until it is closed, and
+            times are counts.
         patience: s without a push after which a live stream counts as deaf, which stops the robot: it could not be
             told to stop. None: silence stands in, for programs that push nothing while nobody speaks.
         capacity: s of sound that may wait.
@@ -89,7 +91,7 @@ class StreamSource:
         )
 
     def _given(self, samples: npt.ArrayLike) -> npt.NDArray[Any]:
-        if isinstance(samples, (bytes, bytearray)):
+        if _are_bytes(samples):
             raise AudioError(
                 "the stream was given bytes, which may be samples of any kind\n"
                 "    push np.frombuffer(data, np.int16), or take a PcmSource"
@@ -134,6 +136,17 @@ class StreamSource:
 
     def wake(self) -> None:
         self._inbox.wake()
+
+
+def _are_bytes(samples: object) -> bool:
+    """Whether nothing tells what kind of numbers they are: bytes, or a buffer of them, as PortAudio's raw streams
+    give."""
+    if isinstance(samples, np.ndarray):
+        return False
+    try:
+        return memoryview(samples).format in ("B", "c")  # type: ignore[arg-type]
+    except TypeError:  # no buffer
+        return False
 
 
 def checked_rate(rate: int) -> int:

@@ -12,12 +12,12 @@ from pathlib import Path
 
 from intent_engine.errors import AudioError
 
-__all__ = ["check_mp3", "check_whole"]
+__all__ = ["ENDLESS", "UNKNOWN", "check_mp3", "check_whole"]
 
-UNKNOWN = {0, 0xFFFFFFFF, 0x7FFFFFFF}
-"""Sizes that programs write into a header when they stream and do not know yet."""
+UNKNOWN = 0x7FFF0000
+"""Sizes from here on are written into a header by programs that stream and do not know yet: SoX, arecord, ffmpeg."""
 ENDLESS = 1 << 62
-"""Bytes from which on a size of 64 bits is none either."""
+"""Bytes or samples from which on a size of 64 bits is none either."""
 OGG_PAGE = 65_307
 """Bytes of the largest page of an Ogg file."""
 BLOCK = 1 << 14
@@ -41,7 +41,7 @@ def check_whole(path: Path) -> None:
         _check_chunks(path, head, ">", b"SSND")
     elif head[:4] == b".snd" and len(head) >= 12:
         begin, length = struct.unpack_from(">II", head, 4)
-        _check_size(path, 0 if length in UNKNOWN else begin + length)
+        _check_size(path, begin + length if _known(length) else 0)
     elif head[:4] == b"RF64" and head[12:16] == b"ds64" and len(head) == 28:
         _check_size(path, 8 + struct.unpack_from("<Q", head, 20)[0])
     elif head[:4] == b"riff" and len(head) >= 24:  # Sony Wave64
@@ -72,6 +72,10 @@ def check_mp3(path: Path) -> None:
     _check_size(path, begin + declared)
 
 
+def _known(size: int) -> bool:
+    return 0 < size < UNKNOWN
+
+
 def _check_size(path: Path, declared: int) -> None:
     """Bytes of a whole file against those that are there."""
     there = path.stat().st_size
@@ -90,7 +94,7 @@ def _check_chunks(path: Path, head: bytes, order: str, sound: bytes) -> None:
     """
     size = path.stat().st_size
     (declared,) = struct.unpack_from(f"{order}I", head, 4)
-    if declared in UNKNOWN:
+    if not _known(declared):
         return
     with path.open("rb") as file:
         place = 12
@@ -98,7 +102,7 @@ def _check_chunks(path: Path, head: bytes, order: str, sound: bytes) -> None:
             file.seek(place)
             name, length = struct.unpack(f"{order}4sI", file.read(8))
             if name == sound:
-                if length not in UNKNOWN and place + 8 + length > size:
+                if _known(length) and place + 8 + length > size:
                     there = (size - place - 8) / length
                     raise AudioError(f"{path}: is cut off: {there:.0%} of its sound is there\n    {_ADVICE}")
                 return
