@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from contextvars import ContextVar
 from dataclasses import replace
 
 from intent_engine.actions import Action
@@ -32,6 +33,10 @@ from intent_engine.language.words.unit_symbols import UnitSymbols
 from intent_engine.language.words.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
+
+
+_UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
+"""What is being understood as something else, so that none of it is tried again within: "kilos" as "kilo", as "kilos"."""
 
 
 def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
@@ -219,9 +224,14 @@ class WrittenOtherwise:
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
     ) -> Understood | None:
         """What was said as it is written otherwise, if it is a command so."""
-        if other is None:
+        under_way = _UNDER_WAY.get()
+        if other is None or tuple(other.words) in under_way:
             return None
-        found, parts = self._meant(text, other, state)
+        before = _UNDER_WAY.set((*under_way, tuple(core.words)))
+        try:
+            found, parts = self._meant(text, other, state)
+        finally:
+            _UNDER_WAY.reset(before)
         if found.status is not Status.ACCEPTED:
             return None
         changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
