@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import replace
 
@@ -17,6 +17,7 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.joined import Joined
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
@@ -28,6 +29,7 @@ from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
 from intent_engine.language.words.owners import owners
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unit_symbols import UnitSymbols
 from intent_engine.language.words.verb_forms import infinitives
@@ -35,8 +37,9 @@ from intent_engine.language.words.verb_forms import infinitives
 __all__ = ["WrittenOtherwise"]
 
 
+_FORM_AND_VERB = 2
 _UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
-"""What is being understood as something else, so that none of it is tried again within: "kilos" as "kilo", as "kilos"."""
+"""What is being understood as something else, so that none is tried again within: "kilos" as "kilo", as "kilos"."""
 
 
 def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
@@ -72,7 +75,15 @@ class WrittenOtherwise:
         self._meant = meant
         self._phrases = phrases
         self._behind = BehindTheVerb(phrases, self._matcher)
-        self._formal = Formal(phrases, commands)
+        wording = self._matcher.grammar.wording
+        self._formal = Formal(phrases, commands, wording.formal)
+        self._asking = Formal(phrases, commands, wording.asking)
+        self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
+        forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
+        self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
+        self._wishing = PhraseSet(wording.wishing)
+        self._kindly = PhraseSet(wording.kindly)
+        self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
@@ -91,9 +102,9 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
-        if written is None and "?" not in text:  # "schalten Sie die Lampe ein?" asks
-            other = self._formal.to_a_friend(core)
-            written = self._understood_as(text, core, other, state)
+        for other in self._with_other_verbs(text, core):
+            if written is None:
+                written = self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
@@ -118,6 +129,19 @@ class WrittenOtherwise:
                 written = rule(text, core, state)
         return written
 
+    def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
+        """An utterance with its verbs in other forms in which the same may be told."""
+        if "?" not in text:  # "schalten Sie die Lampe ein?" asks
+            yield self._formal.told(core)
+        yield self._told_as.told(core)
+        yield self._joined.apart(core)
+        asks = self._asking.told(core)
+        if asks is not None and (self._kindly.find(self._said(text).words) or self._joined.for_whom(core)):
+            yield asks
+
+    def _said(self, text: str) -> Utterance:
+        return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
+
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Den Ball aufheben": "kannst du den Ball aufheben" without what asks for it. The verb is one that would be
         parted, were it told of somebody, and a question asks whether."""
@@ -138,15 +162,26 @@ class WrittenOtherwise:
         das Licht an". What asks for it are fillers
         of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
-        said = self._matcher.as_written(Utterance.of(text, grammar.language))
+        said = self._said(text)
+        if not grammar.wording.parted and (wish := self._wishing.at(core.words, 0)):
+            other = self._infinitives.told(core.part(wish, len(core)))
+            return self._understood_as(text, core, other, state)
+        requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
-        if not asks or ("?" in text and not self._phrases.requests(said.words)):
+        if not (asks or requests) or ("?" in text and not requests):
             return None
+        if not grammar.wording.parted:
+            return self._understood_as(text, core, self._infinitives.told(core), state)
         for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
             told = self._told(text, said, core.part(begin, len(core)), state)
             if told is not None:
                 return told
         return None
+
+    def _begs(self, said: Utterance) -> bool:
+        """Whether a word anywhere makes an order of it that is a filler by itself: "die Pumpe *bitte* ausschalten"."""
+        grammar = self._matcher.grammar
+        return any((word,) in grammar.fillers for word in said.words if word in grammar.wording.requests)
 
     def _told(self, text: str, said: Utterance, asked: Utterance, state: Collection[str]) -> Understood | None:
         """The order that is asked for, with its verb first; None: it is none, or could be two."""
