@@ -78,7 +78,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     },
     "things": {
         "qualities": "de en",  # elsewhere they stand behind the noun
-        "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",
+        "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "of_several": "de", "sayings": "en",
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.
         "dating": "en", "where": "en", "days": "en", "repeating": "en",

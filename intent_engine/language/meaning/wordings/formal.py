@@ -74,7 +74,11 @@ class Formal:
         grammar = self._commands.matcher.grammar
         for form, told in self._forms:
             words = said.words[place : place + len(form)]
-            if len(words) < len(form) or any(said.breaks[place + 1 : place + len(form)]):
+            if (
+                len(words) < len(form)
+                or (len(form) == 1 and words[0] in verbs)
+                or any(said.breaks[place + 1 : place + len(form)])
+            ):
                 continue
             at = next((at for at, part in enumerate(form) if part.startswith("-")), None)
             if any(part != word for other, (part, word) in enumerate(zip(form, words, strict=True)) if other != at):
