@@ -95,6 +95,10 @@ class Wording:
     """Vowels of a verb, each with those that it has where it is told: "r*e*gar", "r*ie*ga"."""
     joined: frozenset[str] = frozenset()
     """Words for whom something is done that are written with the verb: "apága*me* la bomba"."""
+    ways_on: frozenset[str] = frozenset()
+    """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
+    ways_to: frozenset[str] = frozenset()
+    """Prepositions of where a way goes."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()

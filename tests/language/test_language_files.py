@@ -71,7 +71,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
-        "asking": "de es fr", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
+        "asking": "de es fr", "ways_on": "de en", "ways_to": "de en", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
         "leads": "en", "particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them

@@ -33,7 +33,7 @@ _WORDING = (
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
     "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "asking",
-    "kindly", "told_as", "joined",    "parted",
+    "kindly", "told_as", "joined", "ways_on", "ways_to",    "parted",
     "thanking", "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
     "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished", "particles",
 )  # fmt: skip
@@ -179,6 +179,8 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         told_as=lists.get("told_as", ()),
         vowels=_pairs(language, "vowels"),
         joined=words("joined"),
+        ways_on=words("ways_on"),
+        ways_to=words("ways_to"),
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),

@@ -22,8 +22,10 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
+from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
+from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
@@ -51,6 +53,7 @@ _NUMBERS = (
     (figures_joined, _always),
     (every_one, is_every_one),
     (without_number, is_called_so),
+    (without_of, is_counted_with_of),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
@@ -83,6 +86,7 @@ class WrittenOtherwise:
         self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
         self._wishing = PhraseSet(wording.wishing)
         self._kindly = PhraseSet(wording.kindly)
+        self._ways_on = WaysOn(self._matcher.grammar)
         self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
@@ -124,7 +128,7 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, _readings(written), language):
                     written = None
-        for rule in (self._counted_otherwise, self._for_each, self._named_again):
+        for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         return written
@@ -230,6 +234,11 @@ class WrittenOtherwise:
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
         return next(iter(found.values())) if len(found) == 1 else None
+
+    def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
+        found = self._understood_as(text, core, self._ways_on.without(core), state)
+        return found if found is not None and self._ways_on.means(core, _readings(found)) else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""
