@@ -120,6 +120,7 @@ class Corrections:
                 if not before and self._stand_ins.lacks_noun(piece):
                     full = self._stand_ins.replaced(current, piece, state)
                 replaced = full or replaced or self._opposites.replaced(current, piece, state)
+                replaced = replaced or (None if before else self._number_alone(current, piece, state))
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words
@@ -147,6 +148,30 @@ class Corrections:
         if clause is None or not clause.accepted:
             return clause
         return self.told(clause, words)
+
+    def _number_alone(self, said: Utterance, piece: Utterance, state: Collection[str]) -> Utterance | None:
+        """A command with a number corrected that is said without its noun, be it with its article, and with what goes
+        on behind it: "put ten boxes, no, twelve on the shelf", "poda la hilera 14, no, la 15". None: it is none,
+        or free words would be among it."""
+        is_number, first = self._matcher.is_number, piece.words[0]
+        start = int(first in thing_words(self._matcher.grammar.language).articles and not is_number(first))
+        end = next((at for at in range(start, len(piece)) if not is_number(piece.words[at])), len(piece))
+        if end == start or (not start and end == len(piece)) or not self._commands.accepts(said.words, state):
+            return None
+        number = self._replacements.replaced(said, piece.part(start, end), state, "")
+        if number is None or len(number) <= end - start:
+            return None
+        both = enumerate(zip(said.words, number.words, strict=False))
+        place = next((at for at, (old, new) in both if old != new), 0)
+        if start and [first] != said.words[max(place - 2, 0) : max(place - 1, 0)]:
+            return None  # "ten boxes to the cellar, no, the 15"
+        more = piece.part(end, len(piece))
+        whole = Utterance([*number.words, *more.words], [*number.breaks, *[False] * len(more)])
+        clause = self._commands.exact(whole.words, state)
+        reading = clause.reading if clause is not None and clause.accepted else None
+        if reading is None or any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+            return None
+        return whole
 
     def told(self, clause: Clause, words: list[str]) -> Clause:
         """A command that was corrected to some words, with a reason that says so."""
