@@ -18,6 +18,7 @@ slots: {n: {type: number, whole: true}, sitio: [bodega, cocina], modo: [despacio
 intents:
   podar: {action: custom, sentences: ["poda la hilera {n} [{modo}]"]}
   llevar: {action: custom, sentences: ["lleva {n} cajas a la {sitio}"]}
+  cenar: {action: custom, sentences: ["lleva la cena a la habitación {n}"]}
 """,
 }
 
@@ -27,6 +28,8 @@ intents:
     [
         ("en", "put ten boxes, no, twelve on the shelf", "put twelve boxes on the shelf"),
         ("es", "poda la hilera 14, no, la 15", "poda la hilera 15"),
+        ("es", "lleva la cena a la habitación 14, no, a la 15", "lleva la cena a la habitación 15"),
+        ("es", "lleva diez cajas, no, doce a la bodega", "lleva doce cajas a la bodega"),
         ("es", "poda la hilera 14, perdón, la quince despacio", "poda la hilera 15 despacio"),
     ],
 )
@@ -44,6 +47,7 @@ def test_it_takes_the_place_of_the_number(engine_of, language: str, said: str, m
         ("en", "put ten boxes, no, twelve on the floor"),
         ("en", "hide ten boxes, no, twelve behind the old tree"),
         ("es", "lleva diez cajas a la bodega, no, la 15"),
+        ("es", "lleva diez cajas a la bodega, no, a la 15"),
         ("es", "poda la hilera 14, no, el 15"),
     ],
 )

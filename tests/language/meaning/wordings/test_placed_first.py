@@ -35,6 +35,7 @@ ENGLISH = """
 language: en
 slots: {side: [left, right], far: {type: angle, unit: deg}, time: duration, n: number, m: number, thing: text}
 intents:
+  rotate: {action: custom, sentences: ["rotate the mirror [to the] {side} [by] [{far}]"]}
   pan: {action: custom, sentences: ["pan [to the] {side} [by] [{far}]"]}
   wait: {action: custom, sentences: ["wait outside room {n} [for {time}]"]}
   mix: {action: custom, sentences: ["mix {n} with {m}"]}
@@ -64,6 +65,7 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("en", "pan thirty degrees to the left", "pan to the left thirty degrees"),
         ("en", "pan 15 degrees right", "pan right 15 degrees"),
         ("en", "pan 15 right", "pan right 15"),
+        ("en", "rotate the mirror thirty degrees to the left", "rotate the mirror to the left thirty degrees"),
         ("en", "wait for five minutes outside room 14", "wait outside room 14 for five minutes"),
     ],
 )
@@ -92,6 +94,9 @@ def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> 
         ("de", "bring in den Flur Wasser"),
         ("en", "pan thirty degrees to the left or right"),
         ("en", "mix with 3 5"),
+        ("en", "pan left to the"),
+        ("en", "rotate the mirror by to the left"),
+        ("en", "pan one pan left"),
         ("en", "hide for ten minutes the cup"),
     ],
 )
