@@ -9,6 +9,7 @@ from dataclasses import replace
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
 from intent_engine.language.context.going_on import is_a_list
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.corrections.said_twice import SaidTwice
@@ -199,7 +200,7 @@ class WrittenOtherwise:
         found: dict[tuple[Action | None, ...], Clause] = {}
         for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
-            if clause is not None and clause.accepted:
+            if clause is not None and clause.accepted and not _names(clause.reading, grammar.wording.before_verbs):
                 found.setdefault((clause.action,), clause)
         return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
 
@@ -280,6 +281,13 @@ class WrittenOtherwise:
             return None
         changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
         return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
+
+
+def _names(reading: Reading | None, words: Collection[str]) -> bool:
+    """Whether free words begin with one of some words: "sich Anna" is nobody."""
+    if reading is None:
+        return False
+    return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
 
 
 def _readings(understood: Understood | None) -> list[Reading]:
