@@ -19,6 +19,7 @@ from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.formal import Formal
 from intent_engine.language.meaning.wordings.joined import Joined
+from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
@@ -92,6 +93,7 @@ class WrittenOtherwise:
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
+        self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
@@ -242,8 +244,10 @@ class WrittenOtherwise:
         return found if found is not None and self._ways_on.means(core, _readings(found)) else None
 
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""
-        return self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
+        """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
+        "close the first valve and open the second"."""
+        named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
+        return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
