@@ -42,6 +42,9 @@ class PlacedFirst:
         words = core.words
         if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
+        places = (place for place in range(1, len(words)) if core.breaks[place] is None)
+        if any(is_number(words[place], self._language) for place in places):
+            return  # "five feet, uh, five forward": it may have been said anew
         for begin in range(1, len(words) - 1):
             for end in self._ends(words, begin):
                 if not verbs.isdisjoint(words[begin:end]):

@@ -95,6 +95,8 @@ def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> 
         ("en", "pan thirty degrees to the left or right"),
         ("en", "mix with 3 5"),
         ("en", "pan left to the"),
+        ("en", "pan 5 degrees uh 5 left"),
+        ("en", "pan 5 degrees uh 6 left"),
         ("en", "rotate the mirror by to the left"),
         ("en", "pan one pan left"),
         ("en", "hide for ten minutes the cup"),
