@@ -85,6 +85,20 @@ class Wording:
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
     formal: tuple[str, ...] = ()
     """How a command is told to a stranger, and how to a friend: "-en sie/-e"."""
+    asking: tuple[str, ...] = ()
+    """How a friend is asked for something, and how it is told: "-st du/-e", "-es/-a"."""
+    kindly: tuple[tuple[str, ...], ...] = ()
+    """Fillers that make an order of such a question: "schaltest du *bitte* die Pumpe ein?"."""
+    told_as: tuple[str, ...] = ()
+    """How else a verb may be told that ends so: "-e/-", "hole" for "hol"."""
+    vowels: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Vowels of a verb, each with those that it has where it is told: "r*e*gar", "r*ie*ga"."""
+    joined: frozenset[str] = frozenset()
+    """Words for whom something is done that are written with the verb: "apága*me* la bomba"."""
+    ways_on: frozenset[str] = frozenset()
+    """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
+    ways_to: frozenset[str] = frozenset()
+    """Prepositions of where a way goes."""
     parted: tuple[str, ...] = ()
     """What is parted from a verb where somebody does something ("hebt *auf*"), and begins its infinitive."""
     adverbs: tuple[tuple[str, ...], ...] = ()

@@ -66,11 +66,13 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     },
     "operators": {
         "adds": "en", "agrees": "en", "asked": "de", "behind_verb": "de", "compares": "en es fr it",
-        "denying": "fr", "formal": "de fr", "before_verb": "de es fr it", "forbidding": "en es fr it",
-        "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de",
+        "denying": "fr", "formal": "de es fr it", "before_verb": "de es fr it", "forbidding": "en es fr it",
+        "may_forbid": "en es it", "negated": "en", "none_of": "en es it", "parted": "de", "request": "de es fr it",
         "verb_follows": "en", "another": "en es", "heard_for": "en", "maybe_number": "en", "counted": "es fr it",
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
-        "for_whom": "de en fr", "gives": "en", "once_more": "de en", "wished": "de", "wishing": "de",
+        "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
+        "asking": "de es fr", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
+        "ways_on": "de en", "ways_to": "de en",
         "leads": "en", "particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go
         "asks_for_doing": "en", "asks_to_do": "en",  # to be done: others are fillers, or nobody has written them
@@ -78,6 +80,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
     "things": {
         "qualities": "de en",  # elsewhere they stand behind the noun
         "alone": "en", "bare": "en", "contracted": "de es fr it", "done_to": "de", "had": "en", "sayings": "en",
+        "of_several": "de",  # elsewhere their ends tell
         "telling": "en", "whither": "en", "within": "en",
         # To be done: nobody has written these for all languages.
         "dating": "en", "where": "en", "days": "en", "repeating": "en",

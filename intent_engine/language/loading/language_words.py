@@ -32,13 +32,14 @@ _WORDING = (
     "greeting", "hesitation", "at_first", "besides", "leads", "way_back", "asked", "request", "agrees", "agreeing",
     "compares",
     "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
-    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "parted",
+    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "asking",
+    "kindly", "told_as", "joined", "ways_on", "ways_to",    "parted",
     "thanking", "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
     "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished", "particles",
 )  # fmt: skip
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
-    "said_for_true", "said_for_false",
+    "said_for_true", "said_for_false", "vowels",
 )  # fmt: skip
 KEYS: Keys = dict.fromkeys((*sorted(_OPERATORS), *_WORDING, *_OTHERS))
 """What a file may hold."""
@@ -173,6 +174,13 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
         denying=words("denying"),
         forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
         formal=lists.get("formal", ()),
+        asking=lists.get("asking", ()),
+        kindly=phrases("kindly"),
+        told_as=lists.get("told_as", ()),
+        vowels=_pairs(language, "vowels"),
+        joined=words("joined"),
+        ways_on=words("ways_on"),
+        ways_to=words("ways_to"),
         parted=lists.get("parted", ()),
         adverbs=phrases("adverb"),
         for_whom=words("for_whom"),

@@ -6,6 +6,7 @@ all of these. So only the words before it are understood, and it is kept as it i
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
@@ -18,6 +19,7 @@ from intent_engine.language.reading import Reading, SlotReading
 from intent_engine.language.slots.action_builder import CannotActError, build_action
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Dictated", "Dictation"]
 
@@ -33,6 +35,7 @@ PAUSES = ",;:.!?\u2026"
 """What is written at the end of a word where a pause follows."""
 ANNOUNCES = ":"
 """The one of these behind which the text comes: "say: hello"."""
+_APOSTROPHE = re.compile("['’]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +58,11 @@ class Dictation:
         self._greetings = PhraseSet(commands.matcher.grammar.wording.greetings)
         self._alternatives = commands.matcher.grammar.wording.alternatives
         self._language = commands.matcher.grammar.language
+        known = thing_words(self._language)
+        closed = commands.matcher.grammar.operators.closed
+        self._articles = known.articles
+        self._no_name = known.articles | known.joining | closed
+        """Words of which none stands behind the first of a name: "Anna *is* late", "Anna *the* cup"."""
         self._possible = commands.matcher.grammar.dictates
 
     def __bool__(self) -> bool:
@@ -73,11 +81,48 @@ class Dictation:
         for count in range(min(len(written) - 1, LONGEST), 0, -1):
             if (found := self._parted(written, count, state, spoken)) is None:
                 continue
-            for earlier in self._filled_from(written, count):
+            if _named_before(found) is not None:
+                found = self._where_the_name_ends(written, found, count, state, spoken)
+            for earlier in self._filled_from(written, count) if found.clause.accepted else ():
                 if (longer := self._parted(written, earlier, state, spoken)) is not None:
                     return longer  # "say please wait" says "please wait"
             return found
         return None
+
+    def _where_the_name_ends(
+        self, written: list[str], found: Dictated, count: int, state: Collection[str], spoken: bool
+    ) -> Dictated:
+        """The command with a name of free words that a text follows with no word between: "tell Anna dinner is ready".
+        The name ends before a pause, before a word that no name has, and behind its last capital letter, unless a word
+        follows that may be of the text ("Anna Peter is here"); where it may yet end in several places, nobody is told
+        anything."""
+        fits = {count: found}
+        for other in range(count - 1, 0, -1):
+            shorter = self._parted(written, other, state, spoken)
+            if shorter is not None and _named_before(shorter) is not None:
+                fits[other] = shorter
+        fits = {at: way for at, way in fits.items() if self._may_be_named(_named_before(way) or (), written[:at])}
+        listed = [at for at, way in fits.items() if _lists_it(way)]
+        paused = [at for at in fits if written[at - 1][-1] in PAUSES]
+        capital = [at for at in fits if self._ends_in_capitals(written, at)]
+        clear = (listed or paused or capital or list(fits))[:1]
+        if clear and (listed or paused or capital or len(fits) == 1):
+            return fits[clear[0]]
+        names = " or ".join(repr(" ".join(_named_before(way) or ())) for way in (fits or {count: found}).values())
+        reason = f"whether {names} is told it is not clear; pause before it"
+        return replace(found, clause=Clause(found.clause.reading, reason=reason))
+
+    def _may_be_named(self, name: tuple[str, ...], written: list[str]) -> bool:
+        """Whether words may be a name: behind its first no word stands that no name has, be it shortened ("I'm"), and
+        they are no hesitation."""
+        shortened = (_APOSTROPHE.split(word.lower())[0] for word in written[len(written) - len(name) + 1 :])
+        return self._no_name.isdisjoint((*name[1:], *shortened)) and not self._phrases.fillers.cover([*name])
+
+    def _ends_in_capitals(self, written: list[str], at: int) -> bool:
+        """Whether a name that ends at a place has its last capital letter there."""
+        after = Utterance.of(written[at], self._language).words[:1]
+        follows = self._no_name.isdisjoint(after) or not self._articles.isdisjoint(after)
+        return written[at - 1][:1].isupper() and not written[at][:1].isupper() and follows
 
     def behind(self, text: str, state: Collection[str] = ()) -> Iterator[tuple[str, Dictated]]:
         """What is said before a command in which something is dictated, and that command: "turn left, and write down
@@ -176,6 +221,22 @@ class Dictation:
 def _has_free_name(reading: Reading | None) -> bool:
     """Whether words of any kind stand before what is dictated: "tell {name} that"."""
     return reading is not None and any(slot.slot.type in FREE_KINDS for slot in reading.slots[:-1])
+
+
+def _named_before(found: Dictated) -> tuple[str, ...] | None:
+    """The name of free words straight before what is dictated; None: a word of the sentence stands between."""
+    reading = found.clause.reading
+    if reading is None or len(reading.slots) < 2:
+        return None
+    name, text = reading.slots[-2:]
+    free = name.slot.type in FREE_KINDS and name.end == text.start
+    return tuple(reading.words[name.start : name.end]) if free else None
+
+
+def _lists_it(found: Dictated) -> bool:
+    """Whether the slot of such a name lists it among those that are likely."""
+    reading = found.clause.reading
+    return reading is not None and _named_before(found) in reading.slots[-2].slot.known_names
 
 
 def _dictated(reading: Reading | None) -> SlotReading | None:

@@ -113,7 +113,8 @@ class Interpreter:
         """The stop of a robot that moves, at a "no" with more behind it ("no, the lab", after "go to the kitchen");
         None: it may be said to somebody else. The arguments are those of :meth:`denied_part`."""
         said = self._said(text)
-        if not objects_to_what_is_done(self.phrases, said, before, lambda one: self.understand(one, state)[0]):
+        heard = (said, before, lambda one: self.understand(one, state)[0])
+        if not objects_to_what_is_done(self.phrases, self._commands, *heard):
             return None
         return self._objected(text, said.words)[0]
 

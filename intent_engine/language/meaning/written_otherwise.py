@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextvars import ContextVar
 from dataclasses import replace
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
 from intent_engine.language.context.going_on import is_a_list
+from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.corrections.said_twice import SaidTwice
@@ -16,22 +18,32 @@ from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
 from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.meaning.wordings.joined import Joined
+from intent_engine.language.meaning.wordings.nouns_of_ordinals import NounsOfOrdinals
 from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
+from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
+from intent_engine.language.slots.counted_with_of import is_counted_with_of, without_of
 from intent_engine.language.slots.every_unit import every_one, is_every_one
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.figures_apart import are_apart, figures_apart, figures_joined
 from intent_engine.language.words.owners import owners
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 from intent_engine.language.words.unit_symbols import UnitSymbols
 from intent_engine.language.words.verb_forms import infinitives
 
 __all__ = ["WrittenOtherwise"]
+
+
+_FORM_AND_VERB = 2
+_UNDER_WAY: ContextVar[tuple[tuple[str, ...], ...]] = ContextVar("_UNDER_WAY", default=())
+"""What is being understood as something else, so that none is tried again within: "kilos" as "kilo", as "kilos"."""
 
 
 def _always(said: Utterance, readings: Sequence[Reading], language: str) -> bool:
@@ -43,6 +55,7 @@ _NUMBERS = (
     (figures_joined, _always),
     (every_one, is_every_one),
     (without_number, is_called_so),
+    (without_of, is_counted_with_of),
 )
 """How numbers may be written otherwise, each with whether that is what its readings took them for."""
 
@@ -67,10 +80,20 @@ class WrittenOtherwise:
         self._meant = meant
         self._phrases = phrases
         self._behind = BehindTheVerb(phrases, self._matcher)
-        self._formal = Formal(phrases, commands)
+        wording = self._matcher.grammar.wording
+        self._formal = Formal(phrases, commands, wording.formal)
+        self._asking = Formal(phrases, commands, wording.asking)
+        self._told_as = Formal(phrases, commands, wording.told_as, tells=False)
+        forms = ("/".join(form) for form in wording.forbidden if len(form) == _FORM_AND_VERB)
+        self._infinitives = Formal(phrases, commands, () if wording.parted else forms, tells=False)
+        self._wishing = PhraseSet(wording.wishing)
+        self._kindly = PhraseSet(wording.kindly)
+        self._ways_on = WaysOn(self._matcher.grammar)
+        self._joined = Joined(phrases, commands, self._formal)
         self._said_twice = SaidTwice(commands, phrases)
         self._symbols = UnitSymbols(self._matcher.grammar)
         self._named = NamesListed(self._matcher.grammar, phrases.sequence)
+        self._nouns = NounsOfOrdinals(self._matcher.grammar, phrases.sequence)
         self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
@@ -86,9 +109,9 @@ class WrittenOtherwise:
         """
         language = self._matcher.grammar.language
         written = self._understood_as(text, core, self._matcher.spacing.otherwise(core), state)
-        if written is None and "?" not in text:  # "schalten Sie die Lampe ein?" asks
-            other = self._formal.to_a_friend(core)
-            written = self._understood_as(text, core, other, state)
+        for other in self._with_other_verbs(text, core):
+            if written is None:
+                written = self._understood_as(text, core, other, state)
         for behind_the_verb in (self._behind.ordered, self._behind.said_once, self._behind.for_nobody):
             if written is None:
                 other = behind_the_verb(core, self._commands.first_words)
@@ -108,10 +131,23 @@ class WrittenOtherwise:
                 written = self._understood_as(text, core, otherwise(core, language), state)
                 if not is_meant(core, _readings(written), language):
                     written = None
-        for rule in (self._counted_otherwise, self._for_each, self._named_again):
+        for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
         return written
+
+    def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
+        """An utterance with its verbs in other forms in which the same may be told."""
+        if "?" not in text:  # "schalten Sie die Lampe ein?" asks
+            yield self._formal.told(core)
+        yield self._told_as.told(core)
+        yield self._joined.apart(core)
+        asks = self._asking.told(core)
+        if asks is not None and (self._kindly.find(self._said(text).words) or self._joined.for_whom(core)):
+            yield asks
+
+    def _said(self, text: str) -> Utterance:
+        return self._matcher.as_written(Utterance.of(text, self._matcher.grammar.language))
 
     def _in_the_infinitive(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Den Ball aufheben": "kannst du den Ball aufheben" without what asks for it. The verb is one that would be
@@ -133,15 +169,26 @@ class WrittenOtherwise:
         das Licht an". What asks for it are fillers
         of several words; a question without a verb that requests asks whether."""
         grammar = self._matcher.grammar
-        said = self._matcher.as_written(Utterance.of(text, grammar.language))
+        said = self._said(text)
+        if not grammar.wording.parted and (wish := self._wishing.at(core.words, 0)):
+            other = self._infinitives.told(core.part(wish, len(core)))
+            return self._understood_as(text, core, other, state)
+        requests = self._phrases.requests(said.words) or self._begs(said)
         asks = any(length > 1 for length in self._phrases.fillers.lengths_at(said.words, 0))
-        if not asks or ("?" in text and not self._phrases.requests(said.words)):
+        if not (asks or requests) or ("?" in text and not requests):
             return None
+        if not grammar.wording.parted:
+            return self._understood_as(text, core, self._infinitives.told(core), state)
         for begin in (0, 1) if core.words[0] in grammar.wording.for_whom else (0,):
             told = self._told(text, said, core.part(begin, len(core)), state)
             if told is not None:
                 return told
         return None
+
+    def _begs(self, said: Utterance) -> bool:
+        """Whether a word anywhere makes an order of it that is a filler by itself: "die Pumpe *bitte* ausschalten"."""
+        grammar = self._matcher.grammar
+        return any((word,) in grammar.fillers for word in said.words if word in grammar.wording.requests)
 
     def _told(self, text: str, said: Utterance, asked: Utterance, state: Collection[str]) -> Understood | None:
         """The order that is asked for, with its verb first; None: it is none, or could be two."""
@@ -155,7 +202,7 @@ class WrittenOtherwise:
         found: dict[tuple[Action | None, ...], Clause] = {}
         for told in (one for way in ways for one in (way, *verb_first(way, grammar))):
             clause = self._commands.exact(told.words, state, breaks=told.breaks)
-            if clause is not None and clause.accepted:
+            if clause is not None and clause.accepted and not _names(clause.reading, grammar.wording.before_verbs):
                 found.setdefault((clause.action,), clause)
         return as_told(text, next(iter(found.values()))) if len(found) == 1 else None
 
@@ -193,9 +240,16 @@ class WrittenOtherwise:
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
         return next(iter(found.values())) if len(found) == 1 else None
 
+    def _without_ways_on(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
+        """ "Bring the tray over to the lab" of a grammar that has "to the lab"."""
+        found = self._understood_as(text, core, self._ways_on.without(core), state)
+        return found if found is not None and self._ways_on.means(core, _readings(found)) else None
+
     def _named_again(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
-        """ "Fly to tank 2 and photograph it": with the one name that was said before and fits."""
-        return self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
+        """ "Fly to tank 2 and photograph it": with the one name that was said before and fits; or with the noun of
+        "close the first valve and open the second"."""
+        named = self._named.put_in(core, lambda other: self._understood_as(text, core, other, state))
+        return named or self._nouns.put_in(core, lambda other: self._understood_as(text, core, other, state))
 
     def _counted_otherwise(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "One tip", "two point five bars" and "beers" of a grammar that has "tips", "bar" and "beer"."""
@@ -221,13 +275,25 @@ class WrittenOtherwise:
         self, text: str, core: Utterance, other: Utterance | None, state: Collection[str]
     ) -> Understood | None:
         """What was said as it is written otherwise, if it is a command so."""
-        if other is None:
+        under_way = _UNDER_WAY.get()
+        if other is None or tuple(other.words) in under_way:
             return None
-        found, parts = self._meant(text, other, state)
+        before = _UNDER_WAY.set((*under_way, tuple(core.words)))
+        try:
+            found, parts = self._meant(text, other, state)
+        finally:
+            _UNDER_WAY.reset(before)
         if found.status is not Status.ACCEPTED:
             return None
         changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
         return replace(found, reason="; ".join(filter(None, (changed, found.reason)))), parts
+
+
+def _names(reading: Reading | None, words: Collection[str]) -> bool:
+    """Whether free words begin with one of some words: "sich Anna" is nobody."""
+    if reading is None:
+        return False
+    return any(slot.slot.type in FREE_KINDS and reading.words[slot.start] in words for slot in reading.slots)
 
 
 def _readings(understood: Understood | None) -> list[Reading]:

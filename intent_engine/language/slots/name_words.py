@@ -21,7 +21,7 @@ __all__ = [
     "singular", "without_article",
 ]  # fmt: skip
 
-ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that"))
+ARTICLES = frozenset(("a", "an", "my", "our", "your", "this", "that", "these", "those"))
 """Dropped before a name if the name is not known with it. "the" carries nothing and is dropped
 everywhere but at the end, where what it belongs to was not said."""
 OWNERS = {"my": "us", "our": "us", "your": "you"}

@@ -27,6 +27,8 @@ class ThingWords:
     """Those of them of what something is done to, and not only of who does it."""
     telling_which: frozenset[str] = frozenset()
     """Those of them that are a part of a title or a message: "play *my* way"."""
+    of_several: frozenset[str] = frozenset()
+    """Those of them before more than one thing, in a language whose names end in too many ways to tell: "die"."""
     definite: frozenset[str] = frozenset()
     """Those of them that tell nothing of it."""
     itself: frozenset[str] = frozenset()

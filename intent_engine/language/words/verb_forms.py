@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from intent_engine.language.grammar import Grammar
 
-__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "infinitives", "told_forms_of", "verbs_told"]
+__all__ = ["IRREGULAR", "NEARLY_THE_VERB", "infinitives", "told_forms_of", "verbs_of", "verbs_told"]
 
 ENDINGS = (("s", ""), ("es", ""), ("ies", "y"), ("d", ""), ("ed", ""), ("ied", "y"), ("ing", ""), ("ing", "e"))
 """How English verbs end that tell of something, and how the verb itself ends there."""
 LEAST_LETTERS = 2
+_VOWELS = frozenset("aeiouáéíóúàèìòù")
 NEARLY_THE_VERB: Mapping[str, str] = {
     "led": "lead", "sent": "send", "bent": "bend", "built": "build", "lent": "lend", "spent": "spend",
 }  # fmt: skip
@@ -71,6 +72,18 @@ def verbs_told(words: Sequence[str], grammar: Grammar) -> Iterator[tuple[int, st
             if said == ending:
                 yield len(form), verb
             continue
-        stem = said.removesuffix(ending[1:])
-        if said.endswith(ending[1:]) and len(stem) >= LEAST_LETTERS:
-            yield len(form), stem + verb.removeprefix("-")
+        for told in verbs_of(said, ending, verb, grammar):
+            yield len(form), told
+
+
+def verbs_of(said: str, ending: str, verb: str, grammar: Grammar) -> Iterator[str]:
+    """What a verb with an ending may be where it is told: of "regar", "-ar" and "-a" that is "rega", which is none, and
+    "riega", as the language has other vowels there."""
+    stem = said.removesuffix(ending[1:])
+    if not said.endswith(ending[1:]) or len(stem) < LEAST_LETTERS:
+        return
+    told = verb.removeprefix("-")
+    yield stem + told
+    vowel = next((at for at in range(len(stem) - 1, -1, -1) if stem[at] in _VOWELS), -1)
+    for other in grammar.wording.vowels.get(stem[vowel], ()) if vowel >= 0 else ():
+        yield stem[:vowel] + other + stem[vowel + 1 :] + told

@@ -12,6 +12,7 @@ slots:
   meter: distance
   tür: [Haustür, Hintertür]
   gerät: [Hammer, Zange]
+  person: {type: text, max_words: 2}
   "on": boolean
 intents:
   licht: {action: custom, sentences: ["mach das Licht {on}"]}
@@ -20,6 +21,8 @@ intents:
   räum: {action: custom, sentences: ["räum tisch {tisch} ab"]}
   dreh: {action: custom, sentences: ["dreh dich nach links"]}
   nimm: {action: custom, sentences: ["nimm (den|die) {gerät}"]}
+  begleite: {action: custom, sentences: ["begleite {person} in die {raum}"]}
+  füge: {action: custom, sentences: ["füge {meter} Draht hinzu"]}
 """
 
 
@@ -33,6 +36,8 @@ intents:
         ("Kannst du in die Küche fahren?", "fahr in die Küche"),
         ("Kannst du dich nach links drehen?", "dreh dich nach links"),
         ("Kannst du mir die Zange nehmen?", "nimm die Zange"),
+        ("Könnten Sie Anna in die Küche begleiten?", "begleite Anna in die Küche"),
+        ("Kannst du zwei Meter Draht hinzufügen?", "füge zwei Meter Draht hinzu"),
         ("Du sollst das Licht anmachen.", "mach das Licht an"),
         ("Ich möchte, dass du das Licht anmachst.", "mach das Licht an"),
         ("Ich will, dass du Tisch zehn abräumst", "räum Tisch zehn ab"),

@@ -48,6 +48,52 @@ def test_the_one_name_that_fits_is_meant(plant: IntentEngine, said: str, in_full
     assert plant.parse(said).actions == plant.parse(in_full).actions != ()
 
 
+STORES = {
+    "en": """
+language: en
+slots: {thing: [test tubes, box], place: [lab, hall]}
+intents:
+  get: {action: custom, sentences: ["get [the] {thing}"]}
+  take: {action: custom, sentences: ["take [the] {thing} to the {place}"]}
+""",
+    "de": """
+language: de
+slots: {ding: [Röhrchen, Zange, Kasten], ort: [Labor, Halle]}
+intents:
+  hol: {action: custom, sentences: ["hol (die|den|das) {ding}"]}
+  bring: {action: custom, sentences: ["bring (die|den|das) {ding} (ins|in die) {ort}"]}
+""",
+}
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "in_full"),
+    [
+        ("en", "get the test tubes and take them to the lab", "get the test tubes and take the test tubes to the lab"),
+        ("de", "hol die Röhrchen und bring sie ins Labor", "hol die Röhrchen und bring die Röhrchen ins Labor"),
+        ("de", "hol die Zange und bring sie dann in die Halle", "hol die Zange und bring die Zange in die Halle"),
+        ("de", "hol den Kasten und bring ihn dann ins Labor", "hol den Kasten und bring den Kasten ins Labor"),
+    ],
+)
+def test_more_than_one_of_a_name_is_them(engine_of, language: str, said: str, in_full: str) -> None:
+    engine = engine_of(STORES[language])
+    assert engine.parse(said).actions == engine.parse(in_full).actions != ()
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "get the box and take them to the lab"),
+        ("en", "get the test tubes, get the box and take them to the lab"),
+        ("en", "take them to the lab"),
+        ("de", "hol den Kasten und bring sie ins Labor"),
+        ("de", "hol die Zange, hol die Röhrchen und bring sie ins Labor"),
+    ],
+)
+def test_of_one_or_of_two_names_nobody_knows_what_they_are(engine_of, language: str, said: str) -> None:
+    assert not engine_of(STORES[language]).parse(said).actions
+
+
 @pytest.mark.parametrize(
     "said",
     [

@@ -74,3 +74,21 @@ def test_sentences_in_pieces_are_understood_or_not(grammar, examples):
         engine(grammar).prefix(text)
 
     check()
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence", "said"),
+    [
+        ("fr", "verse {menge}", "bof deux kilos et demi"),
+        ("es", "vierte {menge}", "bah dos kilos y medio"),
+        ("it", "versa {menge}", "boh due chili e mezzo"),
+        ("de", "gieß {menge}", "tja zwei Kilos und ein halbes"),
+    ],
+)
+def test_units_that_may_be_written_as_each_other_end(engine_of, language: str, sentence: str, said: str) -> None:
+    engine = engine_of(f"""
+language: {language}
+slots: {{menge: {{type: number, units: {{1: [gramm], 1000: [kilo, kilos, chilo, chili]}}}}}}
+intents: {{weigh: {{action: custom, sentences: ["{sentence}"]}}}}
+""")
+    assert not engine.parse(said).actions

@@ -23,6 +23,9 @@ from intent_engine.language.words.thing_words import thing_words
 __all__ = ["Corrections"]
 
 
+_MOST_BEFORE_A_NOUN = 3
+
+
 class Corrections:
     """What is meant by one command that was corrected while it was said."""
 
@@ -120,6 +123,7 @@ class Corrections:
                 if not before and self._stand_ins.lacks_noun(piece):
                     full = self._stand_ins.replaced(current, piece, state)
                 replaced = full or replaced or self._opposites.replaced(current, piece, state)
+                replaced = replaced or (None if before else self._number_alone(current, piece, state))
             if replaced is None:
                 return None
             said, meant = current.words, replaced.words
@@ -147,6 +151,32 @@ class Corrections:
         if clause is None or not clause.accepted:
             return clause
         return self.told(clause, words)
+
+    def _number_alone(self, said: Utterance, piece: Utterance, state: Collection[str]) -> Utterance | None:
+        """A command with a number corrected that is said without its noun, be it with what stands before that, and with
+        what goes on behind it: "put ten boxes, no, twelve on the shelf", "poda la hilera 14, no, la 15". None: it is
+        none, or free words would be among it."""
+        is_number = self._matcher.is_number
+        start = next((at for at, word in enumerate(piece.words) if is_number(word)), len(piece))
+        end = next((at for at in range(start, len(piece)) if not is_number(piece.words[at])), len(piece))
+        if start == len(piece) or start > _MOST_BEFORE_A_NOUN or end - start == len(piece):
+            return None
+        more = Utterance.in_one_breath(piece.words[end:])
+        whole = _joined(said, more)
+        base = said if self._commands.accepts(said.words, state) else whole
+        number = self._replacements.replaced(base, piece.part(start, end), state, "")
+        if number is None or len(number) <= end - start or not self._commands.accepts(base.words, state):
+            return None
+        both = enumerate(zip(base.words, number.words, strict=False))
+        noun = next((at for at, (old, new) in both if old != new), 0) - 1
+        if noun >= len(said) - 1 or (start and piece.words[:start] != base.words[max(noun - start, 0) : max(noun, 0)]):
+            return None  # "ten boxes to the cellar, no, the 15"
+        told = number if base is whole else _joined(number, more)
+        clause = self._commands.exact(told.words, state)
+        reading = clause.reading if clause is not None and clause.accepted else None
+        if reading is None or any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+            return None
+        return told
 
     def told(self, clause: Clause, words: list[str]) -> Clause:
         """A command that was corrected to some words, with a reason that says so."""
@@ -355,3 +385,8 @@ def _without(part: Utterance, words: Collection[str]) -> Utterance:
             breaks.append(paused or pause)
             paused = False
     return Utterance(kept, breaks)
+
+
+def _joined(said: Utterance, more: Utterance) -> Utterance:
+    """Two utterances in one breath."""
+    return Utterance([*said.words, *more.words], [*said.breaks, *more.breaks])

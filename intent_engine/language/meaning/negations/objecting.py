@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from intent_engine.interpretation import Interpretation, Status
+from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.verb_forms import verbs_told
 
 __all__ = ["objects_to_what_is_done"]
 
 
 def objects_to_what_is_done(
-    phrases: Phrases, said: Utterance, before: str, parse: Callable[[str], Interpretation]
+    phrases: Phrases, commands: Commands, said: Utterance, before: str, parse: Callable[[str], Interpretation]
 ) -> bool:
     """Whether it is said to the robot: "no" stands twice in one breath, or what follows is a command, or takes the
     place of a part of what was understood before.
 
     Args:
         phrases: of the grammar.
+        commands: of the grammar.
         said: the words.
         before: the text of what was last understood; empty: it is not known.
         parse: what a text means by itself.
@@ -26,6 +29,9 @@ def objects_to_what_is_done(
     core = phrases.without_fillers(said)
     begun, objections = phrases.objected(core)
     if not begun or begun == len(core) or phrases.thanks(said):
+        return False
+    negates = phrases.negation.at(core.words, 0) == begun and not core.breaks[begun]
+    if negates and _is_forbidden(core.words[begun:], commands):
         return False
     if objections > 1:
         return True
@@ -37,3 +43,9 @@ def objects_to_what_is_done(
     ways = (words, phrases.without_standing_for(words)) if before else ()
     corrected = (parse(f"{before}, {' '.join(words)}") for words in ways)
     return any(one.corrected and not one.stops for one in corrected)
+
+
+def _is_forbidden(words: Sequence[str], commands: Commands) -> bool:
+    """Whether a verb is as it is forbidden, "no *limpien* el salón": that says what is not to be done, and not
+    that anything else is to end."""
+    return any(verb in commands.first_words for _, verb in verbs_told(words, commands.matcher.grammar))

@@ -28,7 +28,7 @@ class Questions:
         self._phrases = phrases
         self._commands = commands
         known, requests = thing_words(commands.matcher.grammar.language), commands.matcher.grammar.wording.requests
-        verb_last = bool(requests)
+        verb_last = bool(commands.matcher.grammar.wording.parted)
         self._before_things = (known.articles | known.joining) - requests if verb_last else frozenset[str]()
         """Words with which an order in the infinitive begins, whose verb stands last."""
 

@@ -37,6 +37,8 @@ class BehindTheVerb:
         self._language = matcher.grammar.language
         self._once_more = wording.once_more
         self._of_the_verb = wording.asked | wording.before_verbs
+        known = thing_words(self._language).articles
+        self._pronouns = {word for (word, *more) in matcher.grammar.operators.pronoun if not more} - known
 
     def ordered(self, core: Utterance, verbs: Collection[str]) -> Utterance | None:
         """An utterance whose adverbs stand before the verb ("dann fahr in die Küche"); None: there are none behind it.
@@ -103,7 +105,7 @@ class BehindTheVerb:
     def _moved(self, said: Utterance, verb: int, *, first: bool) -> Utterance:
         """The same with an adverb before the verb at a place that stood behind it, in one breath with it and what
         follows. Two adverbs are one of their own: "fahr erst dann vor" says not before."""
-        at = self._behind(said, verb, self._of_the_verb | self._for_whom)
+        at = self._behind(said, verb, self._of_the_verb | self._for_whom | self._pronouns)
         for length in self._adverb_at(said, at):
             end = at + length
             joins = first or self._phrases.says_later(said.words[at:end])

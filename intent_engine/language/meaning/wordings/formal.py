@@ -1,41 +1,48 @@
-"""Commands as they are told to a stranger: "schalten Sie die Lampe ein" is "schalte die Lampe ein", and "allumez la
-lampe" is "allume la lampe", of a grammar that has no other verb."""
+"""Commands with their verb in another form: "schalten Sie die Lampe ein" tells a stranger what "schalte die Lampe
+ein" tells a friend, and so do "allumez la lampe" and "encienda la lámpara". Understood of a grammar that has no such
+form."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 
 from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.verb_forms import verbs_of
 
 __all__ = ["Formal"]
 
-_LEAST_LETTERS = 2
-"""Of a verb before its ending."""
-
 
 class Formal:
-    """Reads such commands as they are told to a friend."""
+    """Reads such commands as a grammar has them.
 
-    def __init__(self, phrases: Phrases, commands: Commands) -> None:
-        pairs = (pair.partition("/") for pair in commands.matcher.grammar.wording.formal)
+    Args:
+        phrases: of the grammar.
+        commands: of the grammar.
+        forms: the forms that it has not, each with the one that it may have: "-en sie/-e".
+        tells: whether a grammar that has such a form itself says by it of which verbs.
+    """
+
+    def __init__(self, phrases: Phrases, commands: Commands, forms: Iterable[str], *, tells: bool = True) -> None:
+        pairs = (pair.partition("/") for pair in forms)
         self._forms = [(form.split(), told.split()) for form, _, told in pairs]
         self._phrases = phrases
         self._commands = commands
+        self._tells = tells
 
     @cached_property
     def _grammar_says(self) -> bool:
         """Whether the grammar has such a form itself, and so says of which verbs: "finden Sie" may only ask."""
         verbs, strict = self._commands.first_words, self._commands.matcher.strict
-        for verb in verbs:
+        for verb in verbs if self._tells else ():
             said = (Utterance.in_one_breath([verb, *form[1:]]) for form, _ in self._forms)
             if any(self._told(one, 0, verbs) and strict.walk(one.words)[1] is not None for one in said):
                 return True
         return False
 
-    def to_a_friend(self, core: Utterance) -> Utterance | None:
+    def told(self, core: Utterance) -> Utterance | None:
         """What was said, without its fillers, with all verbs with which its commands begin in the form that the grammar
         has. None: none has another form."""
         verbs = self._commands.first_words
@@ -53,25 +60,30 @@ class Formal:
             place = next((at for at in later if said.breaks[at] or self._phrases.goes_on(said.words[at:])), len(said))
         return said if said.words != core.words else None
 
+    def is_one(self, word: str) -> bool:
+        """Whether a word by itself is such a form."""
+        return self._told(Utterance.in_one_breath([word]), 0, self._commands.first_words) is not None
+
     def _told_nowhere(self, core: Utterance) -> bool:
         """A quick look: whether no word could be such a form."""
         verbs = self._commands.first_words
         return not any(self._told(core, place, verbs) for place in range(len(core)))
 
     def _told(self, said: Utterance, place: int, verbs: Collection[str]) -> tuple[int, Sequence[str]] | None:
-        """How many words from a place on are such a form, and how they are told to a friend."""
+        """How many words from a place on are such a form, and how they are told otherwise."""
+        grammar = self._commands.matcher.grammar
         for form, told in self._forms:
             words = said.words[place : place + len(form)]
-            if len(words) < len(form) or list(form[1:]) != words[1:] or any(said.breaks[place + 1 : place + len(form)]):
+            if (
+                len(words) < len(form)
+                or (len(form) == 1 and words[0] in verbs)
+                or any(said.breaks[place + 1 : place + len(form)])
+            ):
                 continue
-            ending, verb = form[0], told[0]
-            if ending.startswith("-"):
-                stem = words[0].removesuffix(ending[1:])
-                if stem == words[0] or len(stem) < _LEAST_LETTERS:
-                    continue
-                verb = stem + verb.removeprefix("-")
-            elif words[0] != ending:
+            at = next((at for at, part in enumerate(form) if part.startswith("-")), None)
+            if any(part != word for other, (part, word) in enumerate(zip(form, words, strict=True)) if other != at):
                 continue
-            if verb in verbs:
+            ways = [told[0]] if at is None else verbs_of(words[at], form[at], told[0], grammar)
+            if (verb := next((way for way in ways if way in verbs and way != words[0]), None)) is not None:
                 return len(form), (verb, *told[1:])
         return None

@@ -1,44 +1,80 @@
-"""Where something is, said before it: "mach im Flur das Licht an" is "mach das Licht im Flur an", in a language whose
-words tell where something is from where it is to go."""
+"""Where, how and how long something is done, said before what it is done to: "mach im Flur das Licht an" is "mach das
+Licht im Flur an", "riega durante diez minutos la huerta" is "riega la huerta durante diez minutos", and "pan thirty
+degrees to the left" is "pan to the left thirty degrees"."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Set
 
-from intent_engine.language.grammar import Grammar
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
+from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["PlacedFirst"]
 
-_MOST_IN_A_NAME = 3
-"""Words of the name of a place."""
-_LISTED = ("choice", "location", "number", "ordinal")
+_MOST_IN_A_NAME = 5
+"""Words of the name of a place, or of an amount."""
+_LEAST, _MOST = 3, 16
+"""Words of such a command."""
+_AMOUNTS = ("distance", "angle", "duration", "speed", "angular_speed", "percent")
+_LISTED = ("choice", "location", "number", "ordinal", *_AMOUNTS)
+_ALONE = ("choice", *_AMOUNTS)
+"""What needs no preposition to be told from what stands beside it: "slowly", "thirty degrees"."""
 
 
 class PlacedFirst:
-    """Reads such an utterance as a grammar has it, with the place behind what is there."""
+    """Reads such an utterance as a grammar has it, with what stands first behind what it is said of."""
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
+        known = thing_words(grammar.language)
         self._placed = PhraseSet(grammar.wording.placed)
+        self._leads = known.joining | known.binding | known.timed | known.delaying
+        self._leading = self._leads | known.articles | known.unfinished
+        self._language = grammar.language
         self._phrases = phrases
 
-    def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[tuple[Utterance, int, int]]:
-        """Ways to say one command with the place later, each with where the words of the place stand then."""
+    def ways(self, core: Utterance, verbs: Set[str]) -> Iterator[tuple[Utterance, int, int]]:
+        """Ways to say one command with such words later, each with where they stand then."""
         words = core.words
-        if len(words) < 4 or words[0] not in verbs or not (length := self._placed.at(words, 1)):
+        if not _LEAST <= len(words) <= _MOST or words[0] not in verbs or any(core.breaks[1:]):
             return
-        if any(core.breaks[1:]) or self._phrases.sequence.find(words) is not None:
-            return
-        for end in range(2 + length, min(len(words), 2 + length + _MOST_IN_A_NAME)):
-            for place in range(end + 1, len(words) + 1):
-                told = [words[0], *words[end:place], *words[1:end], *words[place:]]
-                start = 1 + place - end
-                yield Utterance.in_one_breath(told), start, start + end - 1
+        places = (place for place in range(1, len(words)) if core.breaks[place] is None)
+        if any(is_number(words[place], self._language) for place in places):
+            return  # "five feet, uh, five forward": it may have been said anew
+        for begin in range(1, len(words) - 1):
+            for end in self._ends(words, begin):
+                if not verbs.isdisjoint(words[begin:end]):
+                    continue  # "step one turn left" may be "step one: turn left"
+                numbers = all(is_number(word, self._language) for word in words[end - 1 : end + 1])
+                if numbers or self._phrases.sequence.find([*words[:begin], *words[end:]]) is not None:
+                    continue  # "with 3 5" may be with 35
+                for place in range(end + 1, len(words) + 1) if begin == 1 else (len(words),):
+                    told = [*words[:begin], *words[end:place], *words[begin:end], *words[place:]]
+                    start = begin + place - end
+                    yield Utterance.in_one_breath(told), start, start + end - begin
+
+    def _ends(self, words: list[str], begin: int) -> range:
+        """Where what begins at a place may end; further behind the verb it begins with a preposition or a number."""
+        lead = self._placed.at(words, begin) or (words[begin] in self._leads)
+        counts = is_number(words[begin], self._language)
+        if not (lead or counts or begin == 1):
+            return range(0)
+        most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2
+        return range(begin + 1 + lead, min(len(words), most))
 
     def means(self, reading: Reading, start: int, end: int) -> bool:
-        """Whether the words of the place name one that the grammar lists, and nothing else."""
+        """Whether the words are one value that no free words are said beside, with what leads it, and nothing else."""
         within = [slot for slot in reading.slots if slot.end > start and slot.start < end]
-        return [(slot.slot.type in _LISTED, slot.end) for slot in within] == [(True, end)] and within[0].start > start
+        if len(within) != 1 or within[0].end != end or within[0].start < start:
+            return False
+        led = within[0].start > start
+        if not led and reading.words[start - 1] in self._leading:
+            return False  # "turn left to" leads to what was not said
+        placed = self._placed.at(list(reading.words), start) > 0
+        if not placed and any(slot.slot.type in FREE_KINDS for slot in reading.slots):
+            return False
+        return within[0].slot.type in (_LISTED if led else _ALONE)

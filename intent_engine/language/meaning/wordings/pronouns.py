@@ -23,6 +23,7 @@ from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.told import Understood
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.slots.name_words import singular
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
@@ -126,11 +127,10 @@ class NamesListed:
 
     def __init__(self, grammar: Grammar, sequence: PhraseSet) -> None:
         known, several = thing_words(grammar.language), grammar.wording.several
-        self._pronouns = PhraseSet(
-            words
-            for words in grammar.operators.pronoun
-            if known.articles.isdisjoint(words) and " ".join(words) not in several
-        )
+        self._pronouns = PhraseSet(words for words in grammar.operators.pronoun if known.articles.isdisjoint(words))
+        self._several = several
+        self._plurals = known.plurals
+        self._of_several = known.of_several
         self._definite = known.definite
         self._articles = [(), *((word,) for word in sorted(known.definite) if len(known.definite) == 1)]
         self._sequence = sequence
@@ -148,19 +148,36 @@ class NamesListed:
         wholes = (core.part(0, end) for end in ends if core.breaks[end] or self._sequence.at(core.words, end))
         _, before = next(filter(None, map(as_said, wholes)), (None, ()))
         names: dict[object, Sequence[str]] = {}
+        meant: set[object] = set()
+        led: dict[object, list[Sequence[str]]] = {}
+        one = self._several.isdisjoint(core.words)
         for reading in (part.reading for part in before if part.reading is not None):
             for slot in reading.slots:
                 if slot.slot.type in _LISTED:
+                    if one or self._are_several(reading, slot.start, slot.end):
+                        meant.add(slot.value)
                     names.setdefault(slot.value, reading.words[slot.start : slot.end])
-            for name in self._own_things(reading):
+                    before_it = reading.words[slot.start - 1 : slot.start]
+                    led.setdefault(slot.value, [before_it] if not self._definite.isdisjoint(before_it) else [])
+            for name in self._own_things(reading) if one else ():
+                meant.add(name)
                 names.setdefault(name, name)
         fits: dict[object, Understood] = {}
-        for name in names.values():
-            articles = self._articles if self._definite.isdisjoint(name) else self._articles[:1]
+        fitting: list[object] = []
+        for value, name in names.items():
+            articles = [*self._articles, *led.get(value, ())] if self._definite.isdisjoint(name) else self._articles[:1]
             ways = (as_said(self._with_name(core, (*article, *name))) for article in articles)
             for way in islice(filter(None, ways), 1):
                 fits.setdefault(way[0].actions, way)
-        return next(iter(fits.values())) if len(fits) == 1 else None
+                fitting.append(value)
+        return next(iter(fits.values())) if len(fits) == 1 and meant.issuperset(fitting) else None
+
+    def _are_several(self, reading: Reading, start: int, end: int) -> bool:
+        """Whether a name is one for more than one thing, as its own end or the article before it tell: "the blood
+        samples", "die Rückgaben". That article may be for one that "sie" is as well."""
+        if self._of_several:
+            return not self._of_several.isdisjoint(reading.words[max(start - 1, 0) : start + 1])
+        return bool(self._plurals) and any(singular(tuple(reading.words[end - 1 : end]), self._plurals))
 
     def _own_things(self, reading: Reading) -> Iterator[Sequence[str]]:
         """What may be the names of things in the words of a sentence, each with its article: "the lid"."""

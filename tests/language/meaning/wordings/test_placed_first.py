@@ -21,14 +21,27 @@ intents:
   gießen: {action: custom, sentences: ["gieße die Pflanzen am Fenster {n}"]}
   stellen: {action: custom, sentences: ["stell die {gerät} in den {raum}"]}
   holen: {action: custom, sentences: ["hol {ding}"]}
+  bringen: {action: custom, sentences: ["bring die {gerät} in den {raum}", "bring {ding} in den {raum}"]}
 """
 SPANISH = """
 language: es
-slots: {sala: [cocina, sala], aparato: [lámpara, bomba]}
+slots: {sala: [cocina, sala], aparato: [lámpara, bomba], tiempo: duration, ritmo: [despacio, rápido], n: number}
 intents:
+  mover: {action: custom, sentences: ["mueve la {aparato} [{ritmo}] [durante {tiempo}]"]}
+  llevar: {action: custom, sentences: ["lleva {n} cajas a la {sala}"]}
   encender: {action: custom, sentences: ["enciende la {aparato} [en la {sala}]"]}
 """
-GRAMMARS = {"de": GERMAN, "es": SPANISH}
+ENGLISH = """
+language: en
+slots: {side: [left, right], far: {type: angle, unit: deg}, time: duration, n: number, m: number, thing: text}
+intents:
+  rotate: {action: custom, sentences: ["rotate the mirror [to the] {side} [by] [{far}]"]}
+  pan: {action: custom, sentences: ["pan [to the] {side} [by] [{far}]"]}
+  wait: {action: custom, sentences: ["wait outside room {n} [for {time}]"]}
+  mix: {action: custom, sentences: ["mix {n} with {m}"]}
+  hide: {action: custom, sentences: ["hide {thing} for {time}"]}
+"""
+GRAMMARS = {"de": GERMAN, "es": SPANISH, "en": ENGLISH}
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +58,15 @@ def engines(engine_of) -> dict[str, IntentEngine]:
         ("de", "dimme im Flur das Licht auf 20 Prozent", "dimme das Licht im Flur auf 20 Prozent"),
         ("de", "gieße am Fenster 3 die Pflanzen", "gieße die Pflanzen am Fenster 3"),
         ("es", "enciende en la cocina la bomba", "enciende la bomba en la cocina"),
+        ("es", "mueve durante diez minutos la bomba", "mueve la bomba durante diez minutos"),
+        ("es", "mueve despacio la bomba", "mueve la bomba despacio"),
+        ("es", "lleva a la cocina diez cajas", "lleva diez cajas a la cocina"),
+        ("de", "bring in den Flur die Pumpe", "bring die Pumpe in den Flur"),
+        ("en", "pan thirty degrees to the left", "pan to the left thirty degrees"),
+        ("en", "pan 15 degrees right", "pan right 15 degrees"),
+        ("en", "pan 15 right", "pan right 15"),
+        ("en", "rotate the mirror thirty degrees to the left", "rotate the mirror to the left thirty degrees"),
+        ("en", "wait for five minutes outside room 14", "wait outside room 14 for five minutes"),
     ],
 )
 def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> None:
@@ -67,6 +89,17 @@ def test_it_is_said_behind_it(engines, language: str, said: str, meant: str) -> 
         ("de", "wenn im Flur das Licht an ist"),
         ("es", "no enciendas en la cocina la bomba"),
         ("es", "enciende a la cocina la bomba"),
+        ("es", "mueve despacio, la bomba"),
+        ("es", "mueve despacio y la bomba"),
+        ("de", "bring in den Flur Wasser"),
+        ("en", "pan thirty degrees to the left or right"),
+        ("en", "mix with 3 5"),
+        ("en", "pan left to the"),
+        ("en", "pan 5 degrees uh 5 left"),
+        ("en", "pan 5 degrees uh 6 left"),
+        ("en", "rotate the mirror by to the left"),
+        ("en", "pan one pan left"),
+        ("en", "hide for ten minutes the cup"),
     ],
 )
 def test_what_may_be_meant_otherwise_does_nothing(engines, language: str, said: str) -> None:

@@ -1,0 +1,75 @@
+"""For whom something is done, written with the verb: "apágame la bomba" is "apaga la bomba"."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Sequence
+
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.formal import Formal
+from intent_engine.language.quantities import evaluate
+from intent_engine.language.slots.adjacent_numbers import is_number
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["Joined"]
+
+_AMOUNTS = ("distance", "angle", "duration", "speed")
+_MOST_OF_AN_AMOUNT = 4
+_ACUTE = "\N{COMBINING ACUTE ACCENT}"
+
+
+class Joined:
+    """Reads such verbs as a grammar has them that says for nobody.
+
+    Args:
+        phrases: of the grammar.
+        commands: of the grammar.
+        formal: its verbs as they are told to a stranger, "apágueme".
+    """
+
+    def __init__(self, phrases: Phrases, commands: Commands, formal: Formal) -> None:
+        grammar = commands.matcher.grammar
+        self._joined = grammar.wording.joined
+        self._language = grammar.language
+        self._phrases = phrases
+        self._commands = commands
+        self._formal = formal
+
+    def apart(self, core: Utterance) -> Utterance | None:
+        """An utterance without what is joined to the verbs with which its commands begin, before a thing with its
+        article or number: "súbeme" tells to lift a person. None: there is none."""
+        said, place = core, 0
+        while self._joined and place < len(said) - 1:
+            rest = said.words[place:]
+            place += max(self._phrases.goes_on(rest), self._phrases.opens(rest))
+            verb = self._verb(said.words[place]) if place < len(said) - 1 and not said.breaks[place + 1] else None
+            if verb is not None and self._begins_thing(said.words[place + 1 :]):
+                said = said.with_other(place, place + 1, Utterance.in_one_breath([verb]))
+            later = range(place + 1, len(said))
+            place = next((at for at in later if said.breaks[at] or self._phrases.goes_on(said.words[at:])), len(said))
+        return said if said.words != core.words else None
+
+    def for_whom(self, core: Utterance) -> bool:
+        """Whether an utterance begins with such a word, and so asks for what a friend does: "me riegas la huerta"."""
+        return not self._joined.isdisjoint(core.words[:1])
+
+    def _verb(self, word: str) -> str | None:
+        """The verb to which something is joined, as the grammar has it or a stranger is told it; None: none is."""
+        for joined in self._joined:
+            bare = word.removesuffix(joined)
+            plain = unicodedata.normalize("NFC", unicodedata.normalize("NFD", bare).replace(_ACUTE, ""))
+            for verb in (bare, plain) if bare != word else ():
+                if verb in self._commands.first_words or self._formal.is_one(verb):
+                    return verb
+        return None
+
+    def _begins_thing(self, words: Sequence[str]) -> bool:
+        """Whether words begin with a thing: its article, or how many there are of it, and not how far or how long."""
+        if words[0] in thing_words(self._language).articles:
+            return True
+        if not is_number(words[0], self._language):
+            return False
+        ways = [list(words[:length]) for length in range(2, _MOST_OF_AN_AMOUNT + 1)]
+        return all(evaluate(way, kind, self._language) is None for way in ways for kind in _AMOUNTS)

@@ -1,0 +1,50 @@
+"""Words before the preposition of a way that say no more of it: "bring the tray *over* to the lab"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from intent_engine.language.grammar import Grammar
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["WaysOn"]
+
+_PLACES = ("location", "choice")
+_NOTHING = Utterance([], [])
+_MOST_ARTICLES = 1
+
+
+class WaysOn:
+    """Reads an utterance without such words."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        wording = grammar.wording
+        self._words = wording.ways_on
+        self._to = wording.ways_to
+
+    def without(self, core: Utterance) -> Utterance | None:
+        """The same without those words; None: there are none."""
+        said = core
+        for place in reversed(self._places(core)):
+            said = said.with_other(place, place + 1, _NOTHING)
+        return said if said.words != core.words else None
+
+    def means(self, core: Utterance, readings: Sequence[Reading]) -> bool:
+        """Whether a place stands behind each of them: "turn it *down* to ten percent" says more than how far."""
+        ways = [core.words[place + 1] for place in self._places(core)]
+        for reading in readings:
+            for slot in reading.slots:
+                before = reading.words[max(slot.start - 1 - _MOST_ARTICLES, 0) : slot.start]
+                led = next((way for way in ways if way in before), None)
+                if led is not None and slot.slot.type in _PLACES:
+                    ways.remove(led)
+        return not ways
+
+    def _places(self, core: Utterance) -> list[int]:
+        words, breaks = core.words, core.breaks
+        return [
+            place
+            for place in range(1, len(words) - 1)
+            if words[place] in self._words and words[place + 1] in self._to and not any(breaks[place : place + 2])
+        ]
