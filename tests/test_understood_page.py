@@ -30,11 +30,13 @@ SLOTS = """
   state: [an, aus]
   tool: [Hammer, Zange]
   way: [vor, zurück]
+  side: [left, right]
   row: {type: number, min: 1, max: 40, whole: true}
   count: {type: number, min: 1, max: 40}
   weight: {type: number, min: 1, max: 1000}
   level: {type: percent, max: 100 %}
   distance: distance
+  angle: angle
   time: duration
 """
 PLACES = [
