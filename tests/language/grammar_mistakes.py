@@ -300,6 +300,15 @@ MISTAKES: dict[str, str | bytes] = {
     "a slot of the action, misspelt": wave("sentences: [wave]", before="slots:\n  person: text\n").replace(
         "name: wave}", "name: wave, who: '{persn}'}"
     ),
+    "how far and how long at once": move("defaults: {distance: 1 m, duration: 2 s}"),
+    "no time at all": move("defaults: {duration: 0}"),
+    "a way back with a direction": move("defaults: {distance: -1 m}"),
+    "a factor of nothing": wave("sentences: [slower]").replace(
+        "{type: custom, name: wave}", "{type: change_speed, factor: 0}"
+    ),
+    "a boolean in quotes": wave(
+        "sentences: ['wave [{on}]']", "defaults: {'on': 'true'}", before="slots: {'on': boolean}\n"
+    ),
     # -- many at once
     "everything at once": move("defaults: {sped: 1}", "examples:", "  - yes", sentence="'go {driection} (now'").replace(
         "max: 1 m/s", "max: 1 m"

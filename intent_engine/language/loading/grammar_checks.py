@@ -262,9 +262,14 @@ def _twice(grammar: Grammar, warnings: list[Problem]) -> Iterator[Problem]:
             if other.name == intent.name and dict(earlier.fixed) == dict(sentence.fixed):
                 message = f"the same sentence stands already at {where}"
                 warnings.append(problem_at(sentence.place, message, "remove one of them"))
-            elif (other.requires, other.excludes) == (intent.requires, intent.excludes):
+            elif _standing(other) == _standing(intent):
                 message = f"the same sentence is already in intent {other.name!r} ({where}); it can never be reached"
                 yield problem_at(sentence.place, message, "remove one of them")
+
+
+def _standing(intent: Intent) -> tuple[object, ...]:
+    """When an intent is understood beside others that have the same words."""
+    return intent.requires, intent.excludes, intent.priority
 
 
 def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Problem]:
