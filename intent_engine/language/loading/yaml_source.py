@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from intent_engine.language.loading.json_mistakes import json_problem
 from intent_engine.language.loading.lost_words import lost_words
 from intent_engine.language.loading.spoilt_lines import after_a_quote, section_of_ini, spoilt_before, typographic_quote
 
-__all__ = ["YamlSource", "not_utf8", "read_yaml"]
+__all__ = ["YamlSource", "near_file", "not_utf8", "read_yaml"]
 
 MAX_BYTES = 64 * 1024 * 1024
 """A file beyond this is not one that a person wrote for us."""
@@ -115,9 +115,8 @@ def read_yaml(path: str | Path, *, shortest: str = SHORTEST) -> YamlSource:
             message = f"is a link to {file.readlink()}, which is not there"
             source.problems.append(Problem(message, str(path), hint="mend the link, or give the path of a YAML file"))
             return source
-        alike = [other.name for other in _neighbours(file) if did_you_mean(file.stem, [other.stem])]
-        near = did_you_mean(file.name, alike)
-        source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
+        hint = near_file(file) or "give the path of a YAML file"
+        source.problems.append(Problem("no such file", str(path), hint=hint))
         return source
     except IsADirectoryError:
         source.problems.append(Problem("is a folder, not a file", str(path), hint="give the path of a YAML file"))
@@ -358,8 +357,10 @@ def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
         return node.value
 
 
-def _neighbours(file: Path) -> Iterable[Path]:
+def near_file(file: Path) -> str | None:
+    """A hint which file was probably meant by one that is not there, of those in its folder; None: there is none."""
     try:
-        return list(file.parent.iterdir())
+        neighbours = [other.name for other in file.parent.iterdir() if did_you_mean(file.stem, [other.stem])]
     except OSError:
-        return []
+        return None
+    return did_you_mean(file.name, neighbours)
