@@ -7,6 +7,7 @@ with ``exit_code``.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 __all__ = [
@@ -61,12 +62,16 @@ class ConfigError(IntentEngineError):
 
     exit_code = 2
 
-    def __init__(self, problems: Problem | str | list[Problem] | tuple[Problem, ...]) -> None:
+    def __init__(
+        self, problems: Problem | str | list[Problem] | tuple[Problem, ...], files: Iterable[str] = ()
+    ) -> None:
         if isinstance(problems, str):
             problems = Problem(problems)
         if isinstance(problems, Problem):
             problems = [problems]
         self.problems: tuple[Problem, ...] = tuple(dict.fromkeys(problems))
+        self.files: tuple[str, ...] = tuple(files)
+        """Files that were read or looked for, in any of which it may be mended; empty where nobody kept account."""
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
 

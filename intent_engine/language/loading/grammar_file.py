@@ -75,7 +75,7 @@ def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ..
     problems.extend(problem for _, found in finished for problem in found)
     if problems:
         problems.sort(key=lambda problem: (order.get(problem.file or "", -1), problem.line or 0, problem.column or 0))
-        raise ConfigError(problems)
+        raise ConfigError(problems, [file for source in sources for file in (source.file, *source.absent)])
     return tuple(grammar for grammar, _ in finished)
 
 
@@ -148,12 +148,14 @@ def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
         if path.is_file():
             return path
         if path.is_symlink():
+            source.absent.append(str(path))
             message = f"{path} is a link to {path.readlink()}, which is not there"
             source.problem(at, message, "mend the link, or include another file")
             return None
     except OSError as error:  # a name that is longer than any file's
         source.problem(at, f"this file cannot be included: {error.strerror}", "give the path of a grammar file")
         return None
+    source.absent.append(str(path))
     if Path(name).suffix == "" and "/" not in name:
         from intent_engine.resources import find
 

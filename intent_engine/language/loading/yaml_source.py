@@ -58,6 +58,9 @@ class YamlSource:
     broken: set[YamlPath] = field(default_factory=set)
     """Values of which a problem has been told already; nobody should look at them again."""
 
+    absent: list[str] = field(default_factory=list)
+    """Files that it names and that are not there."""
+
     folded: set[YamlPath] = field(default_factory=set)
     """Texts without quotes that stand on several lines, which YAML reads as one."""
 
