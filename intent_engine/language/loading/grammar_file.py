@@ -119,7 +119,7 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
                     source.problem(at, f"files include each other in a circle: {names}", "remove one of the includes")
                 else:
                     visit(onward, chain)
-        hidden = any(path[:1] == ("include",) or path in (("slots",), ("phrases",)) for path in source.broken)
+        hidden = any(path[:1] == ("include",) or path[-1:] in (("slots",), ("phrases",)) for path in source.broken)
         blind = blind or hidden or not isinstance(source.data, dict)
         done[resolved] = source
 
@@ -225,7 +225,7 @@ class _Builder:
                 source.problem(at, "sound-alikes are single words", "heard: [meant, meant]", key=True)
             else:
                 self.alikes[words_of(heard)[0]] = tuple(words_of(word)[0] for word in words[1:])
-        lost = (path for path in source.broken if len(path) == 1 or (path[:1] == ("intents",) and len(path) == 2))
+        lost = (path for path in source.broken if len(path) == 1 or (len(path) == 2 and "intents" in path))
         self.draft.mute = self.draft.mute or any(lost)
 
     def add_intents(self) -> None:

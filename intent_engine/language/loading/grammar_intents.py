@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
@@ -28,6 +29,7 @@ __all__ = ["amount_labels", "merged", "read_intent", "slot_of_parameter", "slots
 
 RESULTS = ("accepted", "rejected", "ambiguous", "incomplete")
 """What an example may say of a sentence instead of its slots."""
+_SLOT = re.compile(r"\{\w+\}")
 _AMOUNTS: Mapping[str, tuple[str, str]] = {"move": ("distance", "duration"), "turn": ("angle", "duration")}
 
 
@@ -183,6 +185,9 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
         if kind != "custom" and key not in known:
             hint = did_you_mean(key, known) or f"{kind} takes {', '.join(known) or 'nothing'}"
             source.problem(at, f"{kind} has no parameter {key!r}", hint, key=True)
+        elif isinstance(value, str) and (held := _SLOT.search(value)) is not None and held[0] != value:
+            hint = f'write {key}: "{held[0]}", and put together in the program what stands around it'
+            source.problem(at, f"a parameter is one slot or one value, and {value!r} is neither", hint)
         elif known.get(key) in QUANTITY_KINDS and not str(value).startswith("{"):
             parameters[key] = parts.quantity(at, known[key], value, None)
         elif parts.finite(at, value):

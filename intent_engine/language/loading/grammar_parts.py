@@ -148,7 +148,11 @@ class PartReader:
         try:
             node = parse_template(text)
         except TemplateError as error:
-            self.source.problem(path, error.message, error.hint, offset=error.column)
+            if path in self.source.folded and " - " in text:
+                message = "YAML reads these lines as one text"
+                self.source.problem(path, message, "begin every '-' in the same column")
+            else:
+                self.source.problem(path, error.message, error.hint, offset=error.column)
             return None
         self.draft.written.append(Written(kind, name, node, text, self.source, path))
         return node

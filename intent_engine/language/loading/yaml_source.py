@@ -15,7 +15,14 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 from intent_engine.language.loading.json_mistakes import json_problem
 from intent_engine.language.loading.lost_words import lost_words
-from intent_engine.language.loading.spoilt_lines import after_a_quote, section_of_ini, spoilt_before, typographic_quote
+from intent_engine.language.loading.spoilt_lines import (
+    after_a_quote,
+    section_of_ini,
+    spoilt_before,
+    typographic_quote,
+    without_colon,
+    without_dash,
+)
 
 __all__ = ["YamlSource", "near_file", "not_utf8", "read_yaml"]
 
@@ -31,8 +38,8 @@ overflows its stack, and ends the process, on some ten thousand."""
 
 SHORTEST = "the shortest grammar: intents: {wave: {action: custom, sentences: [wave]}}"
 
-_BARE_IN_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$")
-"""Words without quotes within brackets on one line, up to another: "[go {place}", "{1: degrees [celsius"."""
+_BESIDE_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$|[\]}]\s*\w$")
+"""Words without quotes within brackets on one line, beside others: "[go {place}", "{1: degrees [celsius", "[[now] g"."""
 
 NAMED = {("intents",), ("slots",), ("phrases",)}
 """Sections of a grammar whose keys are names that somebody gave."""
@@ -225,21 +232,30 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     what = str(error.problem or error.context)
     message = f"is not valid YAML: {what}"
     indent = shown[: len(shown) - len(shown.lstrip())]
-    if (other := spoilt_before(source.lines, line)) is not None:
+    other = spoilt_before(source.lines, line)
+    if other is None and re.search("mapping values are not allowed|expected (?:key|':')", what):
+        other = without_colon(source.lines, line) or without_dash(source.lines, line)
+    if other is not None:
         return Problem(other[1], source.file, other[0] + 1, None, source.lines[other[0]], other[2])
     if "\t" in indent:
         message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"
     elif "another document" in what:
         message, hint = "a second document begins here", "remove the ---; write a second file and include: it"
+    elif "aliases unfold" in what or "stands within" in what:
+        hint = "write out what is meant in the place of the alias"
     elif "undefined alias" in what:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
     elif "unknown escape" in what:
         hint = "write it in single quotes: between double ones YAML reads \\ as the beginning of a sign"
     elif (quoted := after_a_quote(shown, column) or typographic_quote(shown)) is not None:
         hint = quoted
+    elif re.match(r"\s*-\t", shown):
+        message, hint = "a tab stands behind this '-'", "write a space there"
+    elif re.match(r"\s*-\s+[|>]", shown):
+        hint = "quote a sentence that begins with | or >"
     elif column == len(indent) and re.search("expected (?:'-'|key|<block end>)", what):
         hint = "check that this line is indented like its neighbours"
-    elif opened is not None and _BARE_IN_BRACKETS.search(shown[: column + 1]):
+    elif opened is not None and _BESIDE_BRACKETS.search(shown[: column + 1]):
         hint = "quote a sentence that holds { or ["
     elif opened is not None and what.startswith("did not find expected ',' or"):
         hint = f"the bracket that is opened at line {opened.line + 1}, column {opened.column + 1} is not closed"
@@ -271,6 +287,10 @@ class _Earlier(str):
         return self is not other
 
 
+def _marked(what: str, node: Any) -> yaml.MarkedYAMLError:
+    return yaml.MarkedYAMLError(problem=what, problem_mark=node.start_mark)
+
+
 class _Reader:
     """Nodes of the YAML parser to plain data."""
 
@@ -285,7 +305,7 @@ class _Reader:
         if id(node) in self._met:
             self._copies += 1
             if self._copies > MAX_COPIES:
-                raise ValueError(f"aliases that unfold to more than {MAX_COPIES:,} values")
+                raise _marked(f"aliases unfold to more than {MAX_COPIES:,} values", node)
         else:
             self._met.add(id(node))
         if isinstance(node, yaml.ScalarNode):
@@ -295,7 +315,7 @@ class _Reader:
                 source.problem(path, *lost)
             return _scalar(node, path, source)
         if id(node) in above:
-            raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")
+            raise _marked("an alias *name stands within what its anchor &name holds", node)
         above = above | {id(node)}
         if isinstance(node, yaml.SequenceNode):
             return [self.plain(child, (*path, index), above) for index, child in enumerate(node.value)]

@@ -208,7 +208,17 @@ def test_a_shipped_grammar_is_included_by_its_name():
         load("include: [klingon]\nintents:\n" + STOP)
 
 
-NO_FILES = ("..", "folder", "folder/", "", "a\\0b", "loop.yaml", "no/such/folder/a.yaml", "a" * 300 + ".yaml", "a/" * 3000)
+NO_FILES = (
+    "..",
+    "folder",
+    "folder/",
+    "",
+    "a\\0b",
+    "loop.yaml",
+    "no/such/folder/a.yaml",
+    "a" * 300 + ".yaml",
+    "a/" * 3000,
+)
 
 
 @pytest.mark.parametrize("name", NO_FILES, ids=[name[:20] for name in NO_FILES])
