@@ -267,6 +267,7 @@ MISTAKES: dict[str, str | bytes] = {
     "a regex in capitals": wave("regex: 'Wave'"),
     "a lark grammar that is none": wave("lark: |", '  start: "wave" person', "  person: (", ""),
     "a lark rule that there is not": wave("lark: |", '  start: "wave" person'),
+    "two groups of one name": wave("regex: 'bow (?P<far>up)|(?P<far>down) bow'", before="slots: {far: text}\n"),
     "a lark grammar without a start": wave("lark: |", '  begin: "wave"'),
     "a lark grammar that fits everything": wave("lark: |", "  start: /.*/"),
     # -- examples

@@ -75,12 +75,11 @@ def read_intent(
                 sentences[key].append(Sentence(entry["say"], node, fixed, source.place((*at, "say"))))
             else:
                 sentences[key].append(Sentence(entry, node, {}, source.place(at)))
-    regex = spec.get("regex", ())
     conditions = []
     for at, _, item in source.entries((*path, "when"), spec.get("when")):
         asked = _values(parts, (*at, "slots"), item["slots"], ActionSpec("custom"), slots)
         conditions.append(Condition(asked, _values(parts, (*at, "defaults"), item["defaults"], action, slots)))
-    patterns = [regex] if isinstance(regex, str) else [text for _, _, text in source.entries((*path, "regex"), regex)]
+    patterns = [text for _, _, text in source.entries((*path, "regex"), spec.get("regex"))]
     return Intent(
         name=name,
         action=action,

@@ -39,7 +39,7 @@ overflows its stack, and ends the process, on some ten thousand."""
 SHORTEST = "the shortest grammar: intents: {wave: {action: custom, sentences: [wave]}}"
 
 _BESIDE_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$|[\]}]\s*\w$")
-"""Words without quotes within brackets on one line, beside others: "[go {place}", "{1: degrees [celsius", "[[now] g"."""
+"""Words without quotes within brackets on one line, beside others: "[go {place}", "{1: degrees [celsius", "[[a] b"."""
 
 NAMED = {("intents",), ("slots",), ("phrases",)}
 """Sections of a grammar whose keys are names that somebody gave."""
