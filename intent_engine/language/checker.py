@@ -207,7 +207,8 @@ class _Meetings:
         if (named := one_is_a_name(first, other)) is not None:
             self._names.setdefault(named[0], (words, named[1]))
             return None
-        hint = "let one of them need another word, or give one intent a priority"
+        hint = "let one of them need another word, or "
+        hint += "remove it" if other.intent is first.intent else "give one intent a priority"
         return Finding("warning", "ambiguous", problem_at(other.sentence.place, message, hint))
 
     def _far_fetched(self, reading: Reading) -> bool:

@@ -314,6 +314,11 @@ MISTAKES: dict[str, str | bytes] = {
     ),
     "a line that is too long to be shown": wave("sentences: [" + "wave, " * 60 + "wave (at, " + "wave, " * 60 + "bow]"),
     "a wide sign, and one that takes no room": says("\u65e5cafe\u0301 wave ("),
+    "templates where plain words stand": says(
+        "wave {it}",
+        "fillers: ['(please|kindly)', '...']\nwake: ['[hey] robot']\noperators: {stop: ['(hoho|hola)']}\n"
+        "slots: {it: {type: text, known: ['(red|blue) cup']}}\n",
+    ),
     # -- what other programs call it
     "a whole number by its name in Python": slot("int"),
     "a fraction by its name in Python": slot("float"),

@@ -215,10 +215,10 @@ class _Builder:
         for section in ("phrases", "slots"):
             self.draft.broken.update(str(path[1]) for path in source.broken if path[:1] == (section,) and len(path) > 1)
         if "fillers" in source.data:
-            self.fillers = [*(self.fillers or ()), *(text for _, _, text in _section(source, "fillers"))]
-        self.wake.extend(text for _, _, text in _section(source, "wake"))
+            self.fillers = [*(self.fillers or ()), *parts.plain(("fillers",), source.data["fillers"])]
+        self.wake.extend(parts.plain(("wake",), source.data.get("wake")))
         for at, key, items in _section(source, "operators"):
-            self.operators.setdefault(key, []).extend(text for _, _, text in source.entries(at, items))
+            self.operators.setdefault(key, []).extend(parts.plain(at, items))
         for at, heard, meant in _section(source, "sound_alikes"):
             words = [heard, *(text for _, _, text in source.entries(at, meant))]
             if any(len(words_of(word)) != 1 for word in words):

@@ -210,14 +210,16 @@ def _as_written(value: Any) -> str:
 def _after_a_comma(source: YamlSource, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
     """What to write where a "," in braces was to part a value, and not two keys: ``{x: 1,5}``, ``{aliases: a, b}``;
     None: it parts keys."""
-    keys = list(instance)
     *above, key = path
+    here = source.place(path, key=True)
+    if here.source[: here.column - 1].rstrip()[-1:] != ",":
+        return None
+    keys = list(instance)
     raw = {each: source.raw.get((*above, each), instance[each]) for each in keys}
     at = next(index for index, each in enumerate(keys) if str(each) == str(key))
     first = next((index for index in range(at, -1, -1) if raw[keys[index]] not in ("", None)), at)
     value = raw[keys[first]]
-    here = source.place(path, key=True)
-    if at == first or not isinstance(value, str | int | float) or here.source[: here.column - 1].rstrip()[-1:] != ",":
+    if at == first or not isinstance(value, str | int | float):
         return None
     if str(key).isdigit() and str(value).lstrip("+-").isdigit():
         return f"a number has a point: {value}.{key}"
