@@ -114,6 +114,9 @@ def test_a_priority_decides_an_ambiguity(tmp_path):
 def test_numbers_meet_words(tmp_path):
     text = intents(use=USE, a="'go {d}'", b="'go 7 meters'").replace("slots: {", "slots: {d: distance, ")
     assert ("warning", "ambiguous", 6) in found(check(tmp_path, text))
+    assert ("warning", "ambiguous", 6) in found(check(tmp_path, text.replace("7", "two")))
+    counted = intents(use=USE, a="'lift {n} cups'", b="'lift the two cups', 'lift two cups'")
+    assert ("warning", "ambiguous", 6) in found(check(tmp_path, counted.replace("slots: {", "slots: {n: number, ")))
 
 
 def test_names_that_sound_alike(tmp_path):
