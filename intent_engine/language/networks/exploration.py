@@ -80,9 +80,9 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
     Raises:
         ConfigError: the grammar has more than 20,000 ways to go on after the same words.
     """
-    words = vocabulary(grammar)
-    matcher = Matcher(grammar, _few(locations, words))
-    number = _number(words, grammar.language)
+    own = vocabulary(grammar)
+    matcher = Matcher(grammar, _few(locations, own))
+    number = _number(own, grammar.language)
     trees = spoken_trees(grammar.language)
     for kind in (*QUANTITY_KINDS, "count"):
         # English ordinals are few words, and none is a numeral: "third", "3rd".
@@ -93,7 +93,7 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
         # Any number words may begin one of another language, and alone be none: "ein" of "ein Drittel".
         matcher.networks.add_template("quantity:fraction", part.items[-1], {})
     matcher.networks.add_template("quantity:and_part", Word(NEVER), {})
-    free = next((word for word in FREE_WORDS if word not in words), "qwxz")
+    free = next((word for word in FREE_WORDS if word not in own), "qwxz")
     walk = _Walk(matcher.strict, grammar, free)
     meetings = [Meeting(words, tuple(matcher.read(list(words)))) for words in walk.endings(most)]
     later = []
