@@ -119,6 +119,7 @@ class EngineFiles:
             ConfigError: with everything that is missing, and all that is wrong in what is not.
         """
         problems = list(self.missing)
+        files: list[str] = []
         grammars: tuple[Grammar, ...] = ()
         places = self.places
         if self.grammars or not self.missing:
@@ -126,6 +127,8 @@ class EngineFiles:
                 grammars = load_grammars(self.grammars)
             except ConfigError as error:
                 problems.extend(error.problems)
+                files.extend(error.files)
+        files.extend(file for grammar in grammars for file in grammar.files)
         if self.locations:
             from intent_engine.language.locations import load
 
@@ -137,7 +140,7 @@ class EngineFiles:
             wrong = (wake_that_stops(words, grammar.operators) for grammar in grammars)
             problems.extend(Problem(message, hint=hint) for message, hint in dict.fromkeys(filter(None, wrong)))
         if problems:
-            raise ConfigError(problems)
+            raise ConfigError(problems, files)
         if self.wake:
             grammars = tuple(replace(grammar, wake=(*grammar.wake, *self.wake)) for grammar in grammars)
         return Loaded.of(grammars, places)

@@ -7,6 +7,8 @@ with ``exit_code``.
 
 from __future__ import annotations
 
+import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 __all__ = [
@@ -19,6 +21,10 @@ __all__ = [
     "TextTooLongError",
     "WeightsError",
 ]
+
+
+LONGEST_SHOWN = 200
+"""Characters of a line that are shown; a file that a program wrote may have all of it on one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +48,29 @@ class Problem:
         where = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
         text = f"{where}: {self.message}" if where else self.message
         if self.source is not None:
-            text += f"\n    {self.source}"
+            shown, before = _cut(self.source, self.column or 1)
+            text += f"\n    {shown}"
             if self.column is not None:
-                text += "\n    " + " " * (self.column - 1) + "^"
+                text += f"\n    {''.join(map(_blank, before))}^"
         if self.hint:
             text += f"\n    {self.hint}"
         return text
+
+
+def _cut(source: str, column: int) -> tuple[str, str]:
+    """What is shown of a line, all of it unless it is too long to be seen at once, and what of that stands before a
+    column."""
+    begin = max(0, min(column - 1 - LONGEST_SHOWN // 2, len(source) - LONGEST_SHOWN))
+    head, tail = "..." * (begin > 0), "..." * (len(source) > begin + LONGEST_SHOWN)
+    before = head + source[begin : column - 1] + " " * (column - 1 - len(source))
+    return head + source[begin : begin + LONGEST_SHOWN] + tail, before
+
+
+def _blank(sign: str) -> str:
+    """As much room as a sign takes on a terminal."""
+    if sign == "\t":
+        return sign
+    return "" if unicodedata.combining(sign) else " " * (1 + (unicodedata.east_asian_width(sign) in "WF"))
 
 
 class IntentEngineError(Exception):
@@ -61,12 +84,16 @@ class ConfigError(IntentEngineError):
 
     exit_code = 2
 
-    def __init__(self, problems: Problem | str | list[Problem] | tuple[Problem, ...]) -> None:
+    def __init__(
+        self, problems: Problem | str | list[Problem] | tuple[Problem, ...], files: Iterable[str] = ()
+    ) -> None:
         if isinstance(problems, str):
             problems = Problem(problems)
         if isinstance(problems, Problem):
             problems = [problems]
         self.problems: tuple[Problem, ...] = tuple(dict.fromkeys(problems))
+        self.files: tuple[str, ...] = tuple(files)
+        """Files that were read or looked for, in any of which it may be mended; empty where nobody kept account."""
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
 

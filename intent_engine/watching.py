@@ -26,6 +26,11 @@ RETRY_SECONDS = 2.0
 _log = logging.getLogger(__name__)
 
 
+def _paths(file: Path) -> tuple[Path, Path]:
+    """A file by its own name and, if it is a link, by that of what it leads to: either may change."""
+    return file.absolute(), file.resolve()
+
+
 class Watcher:
     """Watches the files of an engine in a thread of its own.
 
@@ -49,17 +54,19 @@ class Watcher:
     @property
     def files(self) -> frozenset[Path]:
         """The files that are watched: those in use, and those that were refused."""
-        return frozenset(path.resolve() for path in self._engine.files) | self._refused
+        return frozenset(path for file in self._engine.files for path in _paths(file)) | self._refused
 
     def changed(self, paths: Iterable[Path]) -> bool:
         """Reload if any of these files matters; whether it did. For those who find out about changes themselves."""
-        if self.files.isdisjoint(path.resolve() for path in paths):
+        if self.files.isdisjoint(path for changed in paths for path in _paths(changed)):
             return False
         try:
             self._engine.reload()
         except ConfigError as error:
-            # What a refused grammar includes is not in use, and yet it is there that the mistake may be mended.
-            self._refused = frozenset(Path(one.file).resolve() for one in error.problems if one.file)
+            # What a refused grammar includes is not in use, and yet it is there that the mistake may be mended: also
+            # where it is told of another file, or the file is not there yet.
+            told = (one.file for one in error.problems if one.file)
+            self._refused = frozenset(path for file in (*told, *error.files) for path in _paths(Path(file)))
             self._told(error)
         else:
             self._refused = frozenset()

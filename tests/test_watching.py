@@ -176,6 +176,40 @@ def test_a_file_that_was_refused_is_watched_until_it_is_mended(tmp_path, file):
     assert generation(engine) == "g2"
 
 
+WITH = "include: [other.yaml]\nintents:\n  bow: {action: custom, sentences: ['bow [{how}]']}\n"
+
+
+@pytest.mark.parametrize("before", [None, "slots: {who: [me]}\n"], ids=["not there", "there, and without it"])
+def test_what_a_refused_grammar_includes_is_watched(tmp_path, file, before):
+    engine = IntentEngine.from_files(file)
+    told: list[ConfigError | None] = []
+    watcher = Watcher(engine, told.append)
+    other = tmp_path / "other.yaml"
+    if before is not None:
+        other.write_text(before)
+    file.write_text(WITH)
+    assert watcher.changed([file])
+    assert told[-1] is not None
+    other.write_text("slots: {how: [deeply]}\n")
+    assert watcher.changed([other])
+    assert told[1:] == [None]
+    assert engine.parse("bow deeply").actions
+
+
+def test_a_link_that_leads_elsewhere_is_another_grammar(tmp_path, file):
+    (tmp_path / "versions").mkdir()
+    (tmp_path / "versions" / "g2.yaml").write_text(grammar(2))
+    link = tmp_path / "link.yaml"
+    link.symlink_to(file)
+    engine = IntentEngine.from_files(link)
+    watcher = Watcher(engine)
+    assert {link, file} <= watcher.files
+    link.unlink()
+    link.symlink_to(tmp_path / "versions" / "g2.yaml")
+    assert watcher.changed([link])
+    assert generation(engine) == "g2"
+
+
 def test_files_are_watched(tmp_path, file):
     pytest.importorskip("watchfiles")
     engine = IntentEngine.from_files(file)

@@ -207,7 +207,8 @@ class _Meetings:
         if (named := one_is_a_name(first, other)) is not None:
             self._names.setdefault(named[0], (words, named[1]))
             return None
-        hint = "let one of them need another word, or give one intent a priority"
+        hint = "let one of them need another word, or "
+        hint += "remove it" if other.intent is first.intent else "give one intent a priority"
         return Finding("warning", "ambiguous", problem_at(other.sentence.place, message, hint))
 
     def _far_fetched(self, reading: Reading) -> bool:
@@ -319,12 +320,11 @@ def alike(names: Sequence[tuple[tuple[str, ...], str]]) -> Iterator[tuple[tuple[
 
 def _alike_places(locations: LocationMap) -> Iterator[Problem]:
     names = [(name_words(" ".join(words)), name) for words, name in locations.names()]
-    file = locations.files[0] if len(locations.files) == 1 else None
     for one, other, name, rival in alike(names):
         said = f"{' '.join(one)!r} ({name})" if " ".join(one) != name else repr(name)
         told = f"{' '.join(other)!r} ({rival})" if " ".join(other) != rival else repr(rival)
         message = f"{said} and {told} sound alike: either may be heard for the other"
-        yield Problem(message, file, hint="rename one, or give it a number or letter of its own")
+        yield locations.problem(rival, message, "rename one, or give it a number or letter of its own")
 
 
 def _alike_values(grammar: Grammar) -> Iterator[Problem]:

@@ -7,6 +7,7 @@ Three forms are read: our own YAML (``frame:``, ``locations:``), the waypoint fi
 from __future__ import annotations
 
 import json
+import re
 import reprlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,6 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
+from intent_engine.language.grammar import Place as Where
+from intent_engine.language.grammar import problem_at
 from intent_engine.language.loading.file_kind import given_for
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.several_names import on_several_lines
@@ -106,6 +109,23 @@ class LocationMap(Mapping[str, Location]):
             yield name, name
             for alias in place.aliases:
                 yield alias, name
+
+    def problem(self, name: str, message: str, hint: str | None = None) -> Problem:
+        """What is doubtful about a place, at its line where a file has it by its name."""
+        if name in self._lines:
+            return problem_at(self._lines[name], message, hint)
+        return Problem(message, self.files[0] if len(self.files) == 1 else None, hint=hint)
+
+    @cached_property
+    def _lines(self) -> Mapping[str, Where]:
+        """Where each place stands. The files are read for it once more: it is asked for where something is doubtful."""
+        found: dict[str, Where] = {}
+        for file in self.files:
+            source = read_yaml(file) if Path(file).suffix.lower() != ".csv" else YamlSource(file)
+            rows = source.data.get("locations") if isinstance(source.data, dict) else None
+            for name in rows if isinstance(rows, dict) else ():
+                found.setdefault(name, source.place(("locations", name), key=True))
+        return found
 
     @cached_property
     def warnings(self) -> tuple[Problem, ...]:
@@ -293,13 +313,16 @@ def _doubts(places: LocationMap) -> Iterator[tuple[str, Problem]]:
 
     operators = default_operators("en")
     meaning = {words_of(text): why for kind, why in OTHER_MEANINGS.items() for text in operators.get(kind, ())}
-    file = places.files[0] if len(places.files) == 1 else None
     for name, place in places.items():
         for spoken in (name, *place.aliases):
             why = meaning.get(raw_words(spoken))
             if why is not None:
                 hint = "give the place another name; this one will be taken for the order"
-                yield name, Problem(f"{spoken!r}, a name of {name!r}, {why} when it is said", file, hint=hint)
+                yield name, places.problem(name, f"{spoken!r}, a name of {name!r}, {why} when it is said", hint)
             elif all(word.isdigit() for word in name_words(spoken)):
                 hint = 'a number alone is easily taken for a distance; say what it is, as "bay 3"'
-                yield name, Problem(f"{spoken!r}, a name of {name!r}, is only a number", file, hint=hint)
+                yield name, places.problem(name, f"{spoken!r}, a name of {name!r}, is only a number", hint)
+            elif re.search(r"[^\W\d_]/[^\W\d_]", spoken) and (spoken != name or not place.aliases):
+                message = f"{spoken!r}, a name of {name!r}, would have to be said as {' '.join(raw_words(spoken))!r}"
+                first, _, second = spoken.partition("/")
+                yield name, places.problem(name, message, f"write both as aliases: [{first}, {second}]")

@@ -89,6 +89,8 @@ _QUOTES = ('"“”„', "'‘’‚")
 
 _NO_APOSTROPHES = dict.fromkeys(map(ord, "'’ʼ`"))
 
+_BREAK = "\N{ZERO WIDTH SPACE}"
+"""Stands between words where nobody writes blanks."""
 _ONE_GROUP = re.compile(r"[1-9]\d{0,2}([.,])\d{3}")
 UNCLEAR = "?"
 """Ends the word of a number that could be a thousand times as much. No such word has a value."""
@@ -173,6 +175,8 @@ def _composed(text: str) -> tuple[str, list[int]]:
         piece = _FRACTIONS.get(character) or _POWERS.get(character) or (character if character in "°ºª″′" else None)
         if piece is None and character in "\u00a0\u202f\u2009" and text[place - 1 : place].isdigit():
             piece = "" if text[place + 1 : place + 4].isdigit() and place else " "  # thousands, set apart
+        if piece is None and character != _BREAK and unicodedata.category(character) == "Cf":
+            piece = ""  # marks of direction, soft hyphens, joiners: pasted with a text, and seen and said by nobody
         if piece is None:
             piece = unicodedata.normalize("NFKC", character)
         pieces.append(piece)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -24,7 +25,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar, Place, probl
 from intent_engine.language.loading.grammar_intents import all_slots_by_label
 from intent_engine.language.loading.grammar_values import doubtful_numbers
 from intent_engine.language.loading.schema_problems import schema_problems
-from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
+from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, near_file, read_yaml
 from intent_engine.language.normalize import words_of
 from intent_engine.language.templates.template_tree import references
 from intent_engine.resources import default_grammar, default_locations, find
@@ -54,6 +55,8 @@ class Case:
     place: Place | None = None
     needs: tuple[str, ...] = ()
     """Names of places that an example of a grammar speaks of. In a map that has them not, it cannot be tried."""
+    elsewhere: bool = False
+    """Whether the examples of its file are of another map, in which places may have other names as well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,13 +113,18 @@ def load_examples(path: Path, locations: Sequence[Path] = ()) -> Examples:
 
 def grammar_cases(engine: IntentEngine) -> list[Case]:
     """The examples that stand in the grammar files of an engine, included files too."""
-    return [case for grammar in engine.grammars for case in _examples(grammar)]
+    cases = [case for grammar in engine.grammars for case in _examples(grammar)]
+    unknown = [case for case in cases if case.place is not None and not set(case.needs) <= set(engine.locations or ())]
+    elsewhere = {case.place.file for case in unknown if case.place is not None}
+    return [replace(case, elsewhere=case.place is not None and case.place.file in elsewhere) for case in cases]
 
 
 def run_case(engine: IntentEngine, case: Case) -> Outcome:
     """Parse a case's text and compare."""
     found = engine.parse(case.text, state=case.state, language=case.language)
     missing = tuple(name for name in case.needs if _of_another_map(name, engine.locations or (), found))
+    if not missing and case.elsewhere and case.status is Status.ACCEPTED and found.unknown_place:
+        missing = tuple(re.findall("'([^']+)'", found.reason)) or case.needs  # a name of a place that the map has
     if missing:
         return Outcome(case, found, (), missing)
     expected = Interpretation(
@@ -224,8 +232,10 @@ def _tests(path: Path, locations: Sequence[Path]) -> Examples:
     if source.problems:
         raise ConfigError(source.problems)
     data = source.data
-    grammars = [_named(path, "grammars", name) for name in _texts(data.get("grammar", ()))] or [default_grammar()]
-    maps = [_named(path, "locations", name) for name in _texts(data.get("locations", ()))] or list(locations)
+    grammars = list(_named(source, "grammar", "grammars")) or [default_grammar()]
+    maps = list(_named(source, "locations", "locations")) or list(locations)
+    if source.problems:
+        raise ConfigError(source.problems)
     engine = IntentEngine.from_files(grammars, locations=maps or default_locations())
     common = Case("", state=_texts(data.get("state", ())), language=data.get("language"))
     _check_states(source, ("state",), data.get("state", ()), engine)
@@ -257,10 +267,20 @@ def _texts(value: Any) -> tuple[str, ...]:
     return (value,) if isinstance(value, str) else tuple(value)
 
 
-def _named(path: Path, kind: str, name: str) -> Path:
-    """A file beside the test file, or one that comes with the engine."""
-    beside = path.parent / name
-    return beside if beside.exists() else find(kind, name)
+def _named(source: YamlSource, key: str, kind: str) -> Iterator[Path]:
+    """The files that a key names: beside the test file, or such as come with the engine. What there is not is told."""
+    for at, _, name in source.entries((key,), source.data.get(key)):
+        beside = Path(source.file).parent / name
+        try:
+            found = beside if beside.exists() else find(kind, name)
+        except ConfigError as error:
+            source.problem(at, error.problems[0].message, near_file(beside) or error.problems[0].hint)
+            continue
+        if found.is_file():
+            yield found
+        else:
+            hint = near_file(beside) or "the path is taken from this file's folder"
+            source.problem(at, f"there is no file {beside}", hint)
 
 
 def _test_cases(source: YamlSource, engine: IntentEngine, common: Case) -> Iterator[Case]:
@@ -285,7 +305,8 @@ def _check_intent(source: YamlSource, path: YamlPath, intent: Any, engine: Inten
     known = {name for grammar in engine.grammars for name in (*grammar.intents, grammar.stop_intent)}
     if intent in known or intent == "compound":
         return True
-    source.problem(path, f"there is no intent {intent!r}", f"known: {', '.join(sorted(known))}", key=key)
+    hint = did_you_mean(str(intent), known) or f"known: {', '.join(sorted(known))}"
+    source.problem(path, f"there is no intent {intent!r}", hint, key=key)
     return False
 
 
@@ -295,6 +316,12 @@ def _check_states(source: YamlSource, path: YamlPath, states: Any, engine: Inten
         if name not in known:
             hint = did_you_mean(name, known) or f"there is {', '.join(known)}"
             source.problem((*path, index), f"no intent asks for a state {name!r}", hint)
+
+
+_KEYS = frozenset(("status", "intent", "slots", "actions", "state"))
+"""What a test may say besides its sentence."""
+_SAID = ("text", "txt", "sentence", "utterance", "phrase", "input", "query")
+"""What other programs call the sentence."""
 
 
 def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case, engine: IntentEngine) -> Iterator[Case]:
@@ -315,7 +342,13 @@ def _entry(source: YamlSource, path: YamlPath, entry: Any, common: Case, engine:
         elif expected is None or isinstance(expected, dict):
             yield replace(common, text=text, slots=expected)
         else:
-            source.problem((*path, text), f"{expected!r} is no meaning", "write {slot: value}, or rejected")
+            hint = f"write say: {expected}" if text in _SAID else "write {slot: value}, or rejected"
+            source.problem((*path, text), f"{expected!r} is no meaning", hint)
+    elif isinstance(entry, dict) and not _KEYS.isdisjoint(entry):
+        wrong = next((key for key in entry if key in _SAID), None)
+        source.problem(
+            path, "the sentence of this test is missing", f"write say: for {wrong}:" if wrong else "say: ..."
+        )
     else:
         source.problem(path, "a test is one sentence and its meaning", '- "go left": {direction: left}')
 

@@ -58,6 +58,7 @@ intents:
       - go to the lab: {goal: lab}
       - go to the hall: {goal: hall}
       - go to the lab and go to the shed: {steps: [{goal: lab}, {goal: shed}]}
+      - go to the workbench: {goal: lab}
       - go to the moon: rejected
 """
 
@@ -66,11 +67,18 @@ def test_examples_of_places_that_the_map_has_not_are_not_tried(intent_engine, gr
     path, places = grammar(PLACES), grammar("locations: {lab: {x: 1, y: 2}, yard: {x: 3, y: 2}}\n", "map.yaml")
     done = intent_engine("check", "--notes", "--locations", places, path)
     assert done.returncode == 0
-    assert "0 errors, 0 warnings, 2 examples of other places not tried" in done.stdout
+    assert "0 errors, 0 warnings, 3 examples of other places not tried" in done.stdout
     assert f"note: {path}:9:9: the example 'go to the hall' was not tried: no place" in done.stdout
     tested = intent_engine("test", "--locations", places, path)
-    assert (tested.returncode, tested.stdout.strip()) == (0, "4 examples: 2 passed, 0 failed, 2 not tried")
-    assert "places that the map has not: hall, shed;" in tested.stderr
+    assert (tested.returncode, tested.stdout.strip()) == (0, "5 examples: 2 passed, 0 failed, 3 not tried")
+    assert "places that the map has not: hall, shed, workbench;" in tested.stderr
+
+
+def test_a_name_that_its_own_map_has_not_fails(intent_engine, grammar):
+    places = grammar("locations: {lab: {x: 1, y: 2}, hall: {x: 3, y: 2}, shed: {x: 4, y: 2}}\n", "map.yaml")
+    tested = intent_engine("test", "--locations", places, grammar(PLACES))
+    assert tested.returncode == 1
+    assert "5 examples: 4 passed, 1 failed" in tested.stdout
 
 
 def test_a_slip_in_the_name_of_a_place_is_no_other_place(intent_engine, grammar):

@@ -267,6 +267,7 @@ MISTAKES: dict[str, str | bytes] = {
     "a regex in capitals": wave("regex: 'Wave'"),
     "a lark grammar that is none": wave("lark: |", '  start: "wave" person', "  person: (", ""),
     "a lark rule that there is not": wave("lark: |", '  start: "wave" person'),
+    "two groups of one name": wave("regex: 'bow (?P<far>up)|(?P<far>down) bow'", before="slots: {far: text}\n"),
     "a lark grammar without a start": wave("lark: |", '  begin: "wave"'),
     "a lark grammar that fits everything": wave("lark: |", "  start: /.*/"),
     # -- examples
@@ -290,6 +291,34 @@ MISTAKES: dict[str, str | bytes] = {
     "a slot beside the slots": "language: en\nslots:\nway: {type: distance}\n" + wave("sentences: [wave]")[13:],
     "intents as a list": "language: en\nintents:\n  - name: wave\n    action: custom\n",
     "a confidence in percent": wave("sentences: [wave]", "min_confidence: 70"),
+    "a line without its colon": wave("sentences: [wave]").replace("intents:", "intents"),
+    "an equals sign": wave("priority = 2", "sentences: [wave]"),
+    "a sentence without its dash": wave("sentences:", "  - wave", "  bow", "  - hop"),
+    "a dash further to the right": wave("sentences:", "  - wave", "   - bow"),
+    "a dash before a tab": wave("sentences:", "  -\twave"),
+    "a dash before a dash": wave("sentences:", "  - - wave"),
+    "a bar at the beginning": wave("sentences:", "  - | wave"),
+    "an optional at the beginning, in a list": wave("sentences: [[please] wave, bow]"),
+    "a sentence with its slots, and no list": wave("sentences: {say: wave, slots: {way: up}}"),
+    "a condition, and no list": wave("sentences: [wave]", "when: {slots: {way: up}, defaults: {far: 1}}"),
+    "a condition without its keys": wave("sentences: [wave]", "when: [{way: up}]"),
+    "an intent that is its sentence": "intents:\n  wave: wave at me\n",
+    "slots among the intents": says("wave {far}") + "  slots:\n    far: distance\n",
+    "intents among the slots": "slots:\n  far: distance\n  intents:\n    wave: {action: custom, sentences: [wave]}\n",
+    "a unit that is known among one's own": slot("{type: distance, units: m}"),
+    "a boolean as text": slot('{type: number, whole: "true"}'),
+    "a confidence with its sign": wave("sentences: [wave]", "min_confidence: 70%"),
+    "an anchor that holds itself": "intents: &all\n  wave: *all\n",
+    "words around a slot of the action": says("wave {far}", "slots: {far: distance}\n").replace(
+        "name: wave}", "name: wave, text: 'as far as {far}'}"
+    ),
+    "a line that is too long to be shown": wave("sentences: [" + "wave, " * 60 + "wave (at, " + "wave, " * 60 + "bow]"),
+    "a wide sign, and one that takes no room": says("\u65e5cafe\u0301 wave ("),
+    "templates where plain words stand": says(
+        "wave {it}",
+        "fillers: ['(please|kindly)', '...']\nwake: ['[hey] robot']\noperators: {stop: ['(hoho|hola)']}\n"
+        "slots: {it: {type: text, known: ['(red|blue) cup']}}\n",
+    ),
     # -- what other programs call it
     "a whole number by its name in Python": slot("int"),
     "a fraction by its name in Python": slot("float"),
@@ -299,6 +328,15 @@ MISTAKES: dict[str, str | bytes] = {
     "degrees without their unit": slot("{type: angle, max: 90}"),
     "a slot of the action, misspelt": wave("sentences: [wave]", before="slots:\n  person: text\n").replace(
         "name: wave}", "name: wave, who: '{persn}'}"
+    ),
+    "how far and how long at once": move("defaults: {distance: 1 m, duration: 2 s}"),
+    "no time at all": move("defaults: {duration: 0}"),
+    "a way back with a direction": move("defaults: {distance: -1 m}"),
+    "a factor of nothing": wave("sentences: [slower]").replace(
+        "{type: custom, name: wave}", "{type: change_speed, factor: 0}"
+    ),
+    "a boolean in quotes": wave(
+        "sentences: ['wave [{on}]']", "defaults: {'on': 'true'}", before="slots: {'on': boolean}\n"
     ),
     # -- many at once
     "everything at once": move("defaults: {sped: 1}", "examples:", "  - yes", sentence="'go {driection} (now'").replace(

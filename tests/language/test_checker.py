@@ -114,6 +114,9 @@ def test_a_priority_decides_an_ambiguity(tmp_path):
 def test_numbers_meet_words(tmp_path):
     text = intents(use=USE, a="'go {d}'", b="'go 7 meters'").replace("slots: {", "slots: {d: distance, ")
     assert ("warning", "ambiguous", 6) in found(check(tmp_path, text))
+    assert ("warning", "ambiguous", 6) in found(check(tmp_path, text.replace("7", "two")))
+    counted = intents(use=USE, a="'lift {n} cups'", b="'lift the two cups', 'lift two cups'")
+    assert ("warning", "ambiguous", 6) in found(check(tmp_path, counted.replace("slots: {", "slots: {n: number, ")))
 
 
 def test_names_that_sound_alike(tmp_path):
@@ -131,6 +134,22 @@ def test_names_that_sound_alike(tmp_path):
     text = intents(use=USE).replace("[green, blue]", "{red: [crimson], blue: [crimsen]}")
     assert found(check(tmp_path, text)) == [("warning", "alike", 2)]
     assert found(check(tmp_path, text.replace("crimsen]}", "crimsen]}, fuzzy: false"))) == []
+
+
+def test_what_is_told_of_a_map_has_its_line(tmp_path):
+    (tmp_path / "m.yaml").write_text(
+        "locations:\n  kitchen: {x: 1, y: 2}\n\n  kitchin:\n    {x: 1, y: 2}\n  bar/foyer: {x: 1, y: 2}\n"
+        "  bath/sauna: {x: 1, y: 2, aliases: [bath]}\n  '5': {x: 1, y: 2}\n"
+    )
+    (tmp_path / "g.yaml").write_text(intents(use=USE))
+    engine = IntentEngine.from_files(tmp_path / "g.yaml", locations=tmp_path / "m.yaml")
+    told = [one.problem for one in check_grammar(engine.grammar, engine.locations).findings]
+    assert sorted((one.line, one.column) for one in told) == [(4, 3), (6, 3), (8, 3)]
+    assert any("'bar/foyer'" in one.message and "'bar per foyer'" in one.message for one in told)
+    (tmp_path / "m.csv").write_text("name,x,y\n5,1,2\n")
+    engine = IntentEngine.from_files(tmp_path / "g.yaml", locations=tmp_path / "m.csv")
+    (only,) = check_grammar(engine.grammar, engine.locations).findings
+    assert (only.problem.file, only.problem.line) == (str(tmp_path / "m.csv"), None)
 
 
 def test_a_place_that_is_not_on_the_map(tmp_path):

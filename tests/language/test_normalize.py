@@ -47,6 +47,9 @@ def said(text: str) -> str:
         ("ｇｏ　ｆｏｒｗａｒｄ", "go forward"),
         ("café", "café"),
         ("cafe\u0301", "café"),
+        ("for\u00adward", "forward"),  # a soft hyphen, a joiner, a mark of direction, one of byte order
+        ("\ufeffgo\u200e for\u200dward\u2069", "go forward"),
+        ("stop\u200bnow", "stop now"),
         ("ﬁnd", "find"),
         ("", ""),
         ("...", ""),

@@ -57,3 +57,21 @@ def test_an_intent_that_is_not_there_is_told_wherever_it_stands(tmp_path):
     with pytest.raises(ConfigError, match=r"my\.intents\.yaml:2:3: there is no intent 'trun'"):
         parts(tmp_path, "trun: [turn left]")
     assert parts(tmp_path, "compound: [turn left and go forward]\nstop: [stop]") == [[], []]
+
+
+@pytest.mark.parametrize(
+    ("test", "told"),
+    [
+        ("- {text: stop, intent: stop}", r":2:5: the sentence of this test is missing\n.*\n.*\n +write say: for text:"),
+        ("- {intent: stop, status: accepted}", r":2:5: the sentence of this test is missing"),
+        ("- {utterance: stop}", r":2:17: 'stop' is no meaning\n.*\n.*\n +write say: stop"),
+        ("- {say: stop, intent: stpo}", r":2:25: there is no intent 'stpo'\n.*\n.*\n +did you mean 'stop'"),
+        ("- stop\ngrammar: lampp.yaml", r":3:10: there is no file .*lampp.yaml\n.*\n.*\n +did you mean 'lamp.yaml'"),
+        ("- stop\nlocations: [home, attic]", r":3:19: no file attic.yaml in locations/\n.*\n.*\n +there is home"),
+    ],
+)
+def test_what_is_wrong_in_a_file_of_tests_has_its_place(tmp_path, test, told):
+    (tmp_path / "lamp.yaml").write_text("intents: {shine: {action: custom, sentences: [shine]}}\n")
+    (tmp_path / "my.intents.yaml").write_text(f"tests:\n  {test}\n")
+    with pytest.raises(ConfigError, match=rf"my\.intents\.yaml{told}"):
+        load_examples(tmp_path / "my.intents.yaml")

@@ -115,5 +115,4 @@ def _is_command(reading: Reading) -> bool:
 
 
 def _of_a_name(locations: LocationMap, name: str, message: str) -> Problem:
-    file = locations.files[0] if len(locations.files) == 1 else None
-    return Problem(message, file, hint=f'give it another name; or say what it is, as "{name} corner"')
+    return locations.problem(name, message, f'give it another name; or say what it is, as "{name} corner"')

@@ -106,9 +106,7 @@ def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
     """Names in braces that nothing has."""
     if draft.blind:
         return
-    known = sorted(
-        {str(name) for name in (*grammar.slots, *grammar.phrases, *draft.broken)}
-    )  # once, if it stands twice
+    known = {str(name) for name in (*grammar.slots, *grammar.phrases, *draft.broken)}  # once, if it stands twice
     for written in draft.written:
         for reference in references(written.node):
             name = reference.name
@@ -117,10 +115,10 @@ def _names(grammar: Grammar, draft: Draft) -> Iterator[Problem]:
                 hint = "write the slot beside this one in the sentence"
                 yield written.problem(message, hint, reference.column)
             elif name not in known:
-                near = did_you_mean(name, known)
+                near = did_you_mean(name, sorted(known))
                 if reference.label in grammar.slots:  # {far:distance}, the other way round
                     near = f"the slot comes first: {{{reference.label}:{name}}}"
-                hint = near or (f"known: {_listed(known)}" if known else "define it under slots: or phrases:")
+                hint = near or (f"known: {_listed(sorted(known))}" if known else "define it under slots: or phrases:")
                 yield written.problem(f"there is no slot or phrase {name!r}", hint, reference.column)
             elif reference.label != name and name in grammar.phrases:
                 message = f"{name!r} is a phrase; only slots have a second name"
@@ -262,9 +260,14 @@ def _twice(grammar: Grammar, warnings: list[Problem]) -> Iterator[Problem]:
             if other.name == intent.name and dict(earlier.fixed) == dict(sentence.fixed):
                 message = f"the same sentence stands already at {where}"
                 warnings.append(problem_at(sentence.place, message, "remove one of them"))
-            elif (other.requires, other.excludes) == (intent.requires, intent.excludes):
+            elif _standing(other) == _standing(intent):
                 message = f"the same sentence is already in intent {other.name!r} ({where}); it can never be reached"
                 yield problem_at(sentence.place, message, "remove one of them")
+
+
+def _standing(intent: Intent) -> tuple[object, ...]:
+    """When an intent is understood beside others that have the same words."""
+    return intent.requires, intent.excludes, intent.priority
 
 
 def _too_wide(grammar: Grammar, places: Places, shapes: Shapes) -> Iterator[Problem]:

@@ -12,7 +12,7 @@ from intent_engine.language.grammar import FREE_KINDS, Grammar, Sentence, proble
 from intent_engine.language.loading.grammar_parts import Draft, Places
 from intent_engine.language.normalize import words_of
 from intent_engine.language.numbers.units import units
-from intent_engine.language.pattern.patterns import unsaid_patterns
+from intent_engine.language.pattern.patterns import slots_of_patterns, unsaid_patterns
 from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.templates.template_tree import (
     AnyOrder,
@@ -200,10 +200,10 @@ def _bare_bar(text: str) -> int | None:
 
 def _unused(grammar: Grammar, draft: Draft, places: Places) -> Iterator[Problem]:
     used = {reference.name for written in draft.written for reference in references(written.node)}
-    free = any(intent.regex or intent.lark for intent in grammar.intents.values())
+    used |= slots_of_patterns(grammar)
     for section, names in (("slots", grammar.slots), ("phrases", grammar.phrases)):
         for name in names:
-            if name not in used and not (free and section == "slots"):
+            if name not in used:
                 what = section.removesuffix("s")
                 yield places.problem((section, name), f"{what} {name!r} is used by no sentence", key=True)
 

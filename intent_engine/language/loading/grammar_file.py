@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from intent_engine.errors import ConfigError, Problem
-from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Grammar, Intent, Operators, Place, Slot
 from intent_engine.language.loading.contracted import with_contractions
 from intent_engine.language.loading.file_kind import given_for
@@ -29,7 +28,7 @@ from intent_engine.language.loading.language_words import (
 )
 from intent_engine.language.loading.schema_problems import schema_problems
 from intent_engine.language.loading.wake_stops import wake_that_stops
-from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, read_yaml
+from intent_engine.language.loading.yaml_source import YamlPath, YamlSource, near_file, read_yaml
 from intent_engine.language.normalize import words_of
 from intent_engine.language.templates.spellings import own_homophones, own_words, stops_by_sound
 from intent_engine.language.templates.template_tree import Node
@@ -76,7 +75,7 @@ def load_grammars(paths: str | Path | Sequence[str | Path]) -> tuple[Grammar, ..
     problems.extend(problem for _, found in finished for problem in found)
     if problems:
         problems.sort(key=lambda problem: (order.get(problem.file or "", -1), problem.line or 0, problem.column or 0))
-        raise ConfigError(problems)
+        raise ConfigError(problems, [file for source in sources for file in (source.file, *source.absent)])
     return tuple(grammar for grammar, _ in finished)
 
 
@@ -120,7 +119,7 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
                     source.problem(at, f"files include each other in a circle: {names}", "remove one of the includes")
                 else:
                     visit(onward, chain)
-        hidden = any(path[:1] == ("include",) or path in (("slots",), ("phrases",)) for path in source.broken)
+        hidden = any(path[:1] == ("include",) or path[-1:] in (("slots",), ("phrases",)) for path in source.broken)
         blind = blind or hidden or not isinstance(source.data, dict)
         done[resolved] = source
 
@@ -129,11 +128,12 @@ def _gather(paths: Sequence[Path]) -> tuple[list[YamlSource], bool]:
     return list(done.values()), blind
 
 
-def _shipped(path: Path) -> str | None:
-    """The name of the grammar that comes with the engine and that ``grammars/en.yaml`` means; None for other files."""
+def _shipped(path: Path, name: str) -> str | None:
+    """The name of the grammar that comes with the engine and that ``grammars/en.yaml`` or ``en.yaml`` means; None for
+    other files."""
     from intent_engine.resources import find
 
-    if path.parent.name != "grammars" or path.suffix != ".yaml":
+    if path.suffix != ".yaml" or (path.parent.name != "grammars" and name != path.name):
         return None
     try:
         return path.stem if find("grammars", path.stem).is_file() else None
@@ -144,23 +144,32 @@ def _shipped(path: Path) -> str | None:
 def _included(source: YamlSource, at: YamlPath, name: str) -> Path | None:
     """The file that an ``include`` names: beside the file that names it, or a shipped grammar by its bare name."""
     path = Path(source.file).parent / name
-    if path.is_file():
-        return path
+    try:
+        if path.is_file():
+            return path
+        if path.is_symlink():
+            source.absent.append(str(path))
+            message = f"{path} is a link to {path.readlink()}, which is not there"
+            source.problem(at, message, "mend the link, or include another file")
+            return None
+    except OSError as error:  # a name that is longer than any file's
+        source.problem(at, f"this file cannot be included: {error.strerror}", "give the path of a grammar file")
+        return None
+    source.absent.append(str(path))
     if Path(name).suffix == "" and "/" not in name:
         from intent_engine.resources import find
 
         try:
             return find("grammars", name)
         except ConfigError as error:
-            source.problem(at, f"there is no grammar {name!r} to include", error.problems[0].hint)
+            hint = near_file(path) or error.problems[0].hint
+            source.problem(at, f"there is no grammar {name!r} to include", hint)
             return None
-    if (shipped := _shipped(path)) is not None:
+    if (shipped := _shipped(path, name)) is not None:
         source.problem(at, f"there is no file {path} to include", f"the one that comes with the engine is {shipped!r}")
         return None
-    near = (
-        did_you_mean(path.name, [other.name for other in path.parent.glob("*.y*ml")]) if path.parent.is_dir() else None
-    )
-    source.problem(at, f"there is no file {path} to include", near or "the path is taken from this file's folder")
+    hint = near_file(path) or "the path is taken from this file's folder"
+    source.problem(at, f"there is no file {path} to include", hint)
     return None
 
 
@@ -206,17 +215,17 @@ class _Builder:
         for section in ("phrases", "slots"):
             self.draft.broken.update(str(path[1]) for path in source.broken if path[:1] == (section,) and len(path) > 1)
         if "fillers" in source.data:
-            self.fillers = [*(self.fillers or ()), *(text for _, _, text in _section(source, "fillers"))]
-        self.wake.extend(text for _, _, text in _section(source, "wake"))
+            self.fillers = [*(self.fillers or ()), *parts.plain(("fillers",), source.data["fillers"])]
+        self.wake.extend(parts.plain(("wake",), source.data.get("wake")))
         for at, key, items in _section(source, "operators"):
-            self.operators.setdefault(key, []).extend(text for _, _, text in source.entries(at, items))
+            self.operators.setdefault(key, []).extend(parts.plain(at, items))
         for at, heard, meant in _section(source, "sound_alikes"):
             words = [heard, *(text for _, _, text in source.entries(at, meant))]
             if any(len(words_of(word)) != 1 for word in words):
                 source.problem(at, "sound-alikes are single words", "heard: [meant, meant]", key=True)
             else:
                 self.alikes[words_of(heard)[0]] = tuple(words_of(word)[0] for word in words[1:])
-        lost = (path for path in source.broken if len(path) == 1 or (path[:1] == ("intents",) and len(path) == 2))
+        lost = (path for path in source.broken if len(path) == 1 or (len(path) == 2 and "intents" in path))
         self.draft.mute = self.draft.mute or any(lost)
 
     def add_intents(self) -> None:

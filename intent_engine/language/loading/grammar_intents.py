@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
@@ -24,10 +25,12 @@ from intent_engine.language.loading.other_words import ACTIONS, meant
 from intent_engine.language.loading.yaml_source import YamlPath
 from intent_engine.language.templates.template_tree import Node, references
 
-__all__ = ["merged", "read_intent", "slot_of_parameter", "slots_by_label"]
+__all__ = ["amount_labels", "merged", "read_intent", "slot_of_parameter", "slots_by_label", "with_defaults"]
 
 RESULTS = ("accepted", "rejected", "ambiguous", "incomplete")
 """What an example may say of a sentence instead of its slots."""
+_SLOT = re.compile(r"\{\w+\}")
+_AMOUNTS: Mapping[str, tuple[str, str]] = {"move": ("distance", "duration"), "turn": ("angle", "duration")}
 
 
 def read_intent(
@@ -60,6 +63,7 @@ def read_intent(
         if (*path, key) in source.broken:
             parts.draft.partial.add(name)
     before = known.intents.get(name)
+    usual = before.priority if before else 0
     nodes = [node for templates in read.values() for _, _, node in templates]
     nodes += [one.template for one in (before.all_sentences if before else ())]
     slots = {**known.slots, **slots_by_label(nodes, known)}
@@ -71,12 +75,11 @@ def read_intent(
                 sentences[key].append(Sentence(entry["say"], node, fixed, source.place((*at, "say"))))
             else:
                 sentences[key].append(Sentence(entry, node, {}, source.place(at)))
-    regex = spec.get("regex", ())
     conditions = []
     for at, _, item in source.entries((*path, "when"), spec.get("when")):
-        asked = {key: value for _, key, value in source.entries((*at, "slots"), item["slots"])}
+        asked = _values(parts, (*at, "slots"), item["slots"], ActionSpec("custom"), slots)
         conditions.append(Condition(asked, _values(parts, (*at, "defaults"), item["defaults"], action, slots)))
-    patterns = [regex] if isinstance(regex, str) else [text for _, _, text in source.entries((*path, "regex"), regex)]
+    patterns = [text for _, _, text in source.entries((*path, "regex"), spec.get("regex"))]
     return Intent(
         name=name,
         action=action,
@@ -88,7 +91,7 @@ def read_intent(
         when=tuple(conditions),
         requires=frozenset(text for _, _, text in source.entries((*path, "requires"), spec.get("requires"))),
         excludes=frozenset(text for _, _, text in source.entries((*path, "excludes"), spec.get("excludes"))),
-        priority=spec.get("priority", 0) if (*path, "priority") not in source.broken else 0,
+        priority=usual if (*path, "priority") in source.broken else spec.get("priority", usual),
         min_confidence=spec.get("min_confidence") if (*path, "min_confidence") not in source.broken else None,
         wait=_wait(parts, (*path, "wait"), spec),
         examples=tuple(_examples(parts, (*path, "examples"), spec.get("examples"))),
@@ -127,16 +130,29 @@ def merged(old: Intent, new: Intent) -> Intent:
         then=old.then + new.then,
         regex=old.regex + new.regex,
         lark=new.lark or old.lark,
-        defaults={**old.defaults, **new.defaults},
+        defaults=with_defaults(old.action, old.defaults, new.defaults),
         when=old.when + new.when,
         requires=old.requires | new.requires,
         excludes=old.excludes | new.excludes,
-        priority=new.priority or old.priority,
+        priority=new.priority,  # which is that of the old one, unless its file gives another
         min_confidence=old.min_confidence if new.min_confidence is None else new.min_confidence,
         wait=old.wait if new.wait is None else new.wait,
         examples=old.examples + new.examples,
         description=old.description or new.description,
     )
+
+
+def with_defaults(action: ActionSpec, earlier: Mapping[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
+    """Defaults to which others are added. How far and how long are two ways to say how much: the later one holds."""
+    amounts = amount_labels(action)
+    lost = amounts if not amounts.isdisjoint(later) else frozenset()
+    return {**{label: value for label, value in earlier.items() if label not in lost}, **later}
+
+
+def amount_labels(action: ActionSpec) -> frozenset[str]:
+    """The names under which a default says how far a robot moves, or for how long."""
+    amounts = _AMOUNTS.get(action.type, ())
+    return frozenset((*amounts, *(slot_of_parameter(action, amount) for amount in amounts)))
 
 
 def slot_of_parameter(action: ActionSpec, parameter: str) -> str:
@@ -168,6 +184,9 @@ def _action(parts: PartReader, path: YamlPath, name: str, spec: Any) -> ActionSp
         if kind != "custom" and key not in known:
             hint = did_you_mean(key, known) or f"{kind} takes {', '.join(known) or 'nothing'}"
             source.problem(at, f"{kind} has no parameter {key!r}", hint, key=True)
+        elif isinstance(value, str) and (held := _SLOT.search(value)) is not None and held[0] != value:
+            hint = f'write {key}: "{held[0]}", and put together in the program what stands around it'
+            source.problem(at, f"a parameter is one slot or one value, and {value!r} is neither", hint)
         elif known.get(key) in QUANTITY_KINDS and not str(value).startswith("{"):
             parameters[key] = parts.quantity(at, known[key], value, None)
         elif parts.finite(at, value):

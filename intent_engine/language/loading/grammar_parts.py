@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -148,10 +148,27 @@ class PartReader:
         try:
             node = parse_template(text)
         except TemplateError as error:
-            self.source.problem(path, error.message, error.hint, offset=error.column)
+            if path in self.source.folded and " - " in text:
+                message = "YAML reads these lines as one text"
+                self.source.problem(path, message, "begin every '-' in the same column")
+            else:
+                self.source.problem(path, error.message, error.hint, offset=error.column)
             return None
         self.draft.written.append(Written(kind, name, node, text, self.source, path))
         return node
+
+    def plain(self, path: YamlPath, texts: Any) -> Iterator[str]:
+        """Phrases that are no templates: each stands for itself. What is none is told, and left out."""
+        for at, _, text in self.source.entries(path, texts):
+            if any(sign in "()[]{}|;" for sign in text):
+                message = f"{text!r} is a template, and only plain words can stand here"
+                self.source.problem(at, message, "write each way to say it as an entry of its own")
+            elif not words_of(text):
+                self.source.problem(
+                    at, f"{text!r} has no word that can be said", "write letters or digits, or remove it"
+                )
+            else:
+                yield text
 
     def alternatives(self, path: YamlPath, templates: Any, kind: Literal["phrase", "slot"], name: str) -> Node | None:
         """One template or a list of them; None if any cannot be read."""
@@ -245,7 +262,7 @@ class PartReader:
         )
 
     def _words(self, path: YamlPath, texts: Any) -> frozenset[str]:
-        return frozenset(word for _, _, text in self.source.entries(path, texts) for word in words_of(text))
+        return frozenset(word for text in self.plain(path, texts) for word in words_of(text))
 
     def _names(self, path: YamlPath, texts: Any) -> frozenset[tuple[str, ...]]:
         return frozenset(tuple(words_of(text)) for _, _, text in self.source.entries(path, texts))

@@ -18,7 +18,7 @@ from intent_engine.language.grammar import (
     Slot,
     problem_at,
 )
-from intent_engine.language.loading.grammar_intents import slot_of_parameter, slots_by_label
+from intent_engine.language.loading.grammar_intents import amount_labels, slot_of_parameter, slots_by_label
 from intent_engine.language.loading.grammar_parts import Places, hardly_meant
 from intent_engine.language.loading.yaml_source import YamlPath
 
@@ -56,7 +56,7 @@ def value_problems(grammar: Grammar, intent: Intent, labels: set[str], places: P
                 yield from _value(slots.get(label), value, (*at, "slots", label), places)
         yield from _defaults(intent, condition.defaults, labels, slots, (*at, "defaults"), places)
     for sentence in intent.all_sentences:
-        yield from _fixed(intent, sentence, labels, slots, grammar)
+        yield from _fixed(intent, sentence, slots, grammar)
 
 
 def _defaults(
@@ -75,16 +75,43 @@ def _defaults(
         yield from _value(slots.get(slot_of_parameter(intent.action, key)), value, (*at, key), places)
         if key == "direction" and key not in slots:
             yield from _direction(intent.action.type, value, (*at, key), places)
-        yield from _no_speed(intent.action, key, value, (*at, key), places)
+        if wrong := _undrivable(intent.action, key, value, led=_led(intent, labels)):
+            yield places.problem((*at, key), *wrong)
+    given = [key for key in defaults if key in amount_labels(intent.action)]
+    if len(given) > 1:
+        message = f"only one of {' and '.join(map(repr, given))} can hold where neither was said"
+        yield places.problem((*at, given[1]), message, "remove one; how fast is its speed", key=True)
 
 
-def _no_speed(action: ActionSpec, key: str, value: Any, at: YamlPath, places: Places) -> Iterator[Problem]:
-    """A speed with which nothing can be driven. Elsewhere its sign is the direction."""
-    driven = action.type in DIRECTIONS and key in ("speed", slot_of_parameter(action, "speed"))
-    if driven and isinstance(value, int | float) and value <= 0:
+def _undrivable(action: ActionSpec, key: str, value: Any, *, led: bool) -> tuple[str, str] | None:
+    """What is wrong with a number that no robot can move by, and what to do; None: it can, or ``key`` is something
+    else.
+
+    Args:
+        led: whether something else gives the direction; where nothing does, the sign of how far may.
+    """
+    known = ACTION_PARAMETERS[action.type]
+    parameter = next((one for one in known if key in (one, slot_of_parameter(action, one))), "")
+    if known.get(parameter) not in QUANTITY_KINDS or not isinstance(value, int | float) or isinstance(value, bool):
+        return None
+    if value > 0 or (value < 0 and parameter in ("distance", "angle") and not led):
+        return None
+    message = f"{_a(parameter)} of {value:g} cannot be driven"
+    if parameter == "speed":
         way = {"move": "backward", "turn": "right"}[action.type]
-        hint = f"write it without a sign, and direction: {way}" if value else "write how fast; or action: stop"
-        yield places.problem(at, f"a speed of {value:g} cannot be driven", hint)
+        return message, f"write it without a sign, and direction: {way}" if value else "write how fast; or action: stop"
+    if parameter == "factor":
+        return message, "more than 1 is faster, and less is slower: 0.5; or action: stop"
+    if not value or parameter == "duration":
+        return message, "more than 0; or leave it out"
+    return f"{_a(parameter)} below zero would turn the direction round", "write it without a sign"
+
+
+def _led(intent: Intent, labels: Iterable[str]) -> bool:
+    """Whether an intent has a direction, said or not."""
+    given = {*labels, *intent.defaults, *(label for one in intent.when for label in one.defaults)}
+    known = given & {"direction", slot_of_parameter(intent.action, "direction")}
+    return bool(known) or _patterns(intent) or _constant(intent.action, "direction")
 
 
 def _near(word: str, known: Iterable[str]) -> str:
@@ -104,6 +131,8 @@ def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
     if slot.type in ("choice", "boolean"):
         known = [one for one, _ in slot.values]
         if not any(one == value or str(one) == str(value) for one in known):
+            if slot.type == "boolean":
+                return f"{value!r} is no value of slot {slot.name!r}", "write true or false, without quotes"
             names = [str(one) for one in known]
             hint = did_you_mean(str(value), names) or f"one of: {', '.join(names)}"
             return f"{value!r} is no value of slot {slot.name!r}", hint
@@ -112,17 +141,17 @@ def _why_not(slot: Slot | None, value: Any) -> tuple[str, str | None] | None:
     return None
 
 
-def _fixed(
-    intent: Intent, sentence: Sentence, labels: set[str], slots: Mapping[str, Slot], grammar: Grammar
-) -> Iterator[Problem]:
+def _fixed(intent: Intent, sentence: Sentence, slots: Mapping[str, Slot], grammar: Grammar) -> Iterator[Problem]:
     """Slots that a sentence has without saying them; their place is the sentence's."""
-    spoken = {label for label in labels if any(label not in other.fixed for other in intent.all_sentences)}
     taken = {slot_of_parameter(intent.action, name) for name in ACTION_PARAMETERS[intent.action.type]}
     for label, value in sentence.fixed.items():
         wrong = _why_not(slots.get(label) or grammar.slots.get(label), value)
         known = {*taken, *slots}
         if intent.action.type != "custom" and label not in known:
-            wrong = (f"slot {label!r} is taken by nothing", _near(label, known | (spoken & known)))
+            wrong = (f"slot {label!r} is taken by nothing", _near(label, known))
+        if wrong is None:
+            own = {*sentence.fixed, *slots_by_label((sentence.template,), grammar)}
+            wrong = _undrivable(intent.action, label, value, led=_led(intent, own))
         if wrong is not None and sentence.place is not None:
             place = sentence.place
             yield problem_at(place, wrong[0], wrong[1])
@@ -163,7 +192,8 @@ def action_problems(grammar: Grammar, intent: Intent, given: Sequence[set[str]],
         elif parameter == "direction":
             yield from _direction(action.type, taken, (*base, parameter), places)
         else:
-            yield from _no_speed(action, parameter, taken, (*base, parameter), places)
+            if wrong := _undrivable(action, parameter, taken, led=_led(intent, labels)):
+                yield places.problem((*base, parameter), *wrong)
     for parameter, kind in ACTION_PARAMETERS[action.type].items():
         label = slot_of_parameter(action, parameter)
         slot = slots.get(label) or (grammar.slots.get(label) if _patterns(intent) else None)
@@ -219,7 +249,7 @@ def _complete(
         ):
             continue
         label = taken.strip("{}")
-        if label in given or parameter in given or (parameter == "direction" and given & {"angle", "distance"}):
+        if label in given or parameter in given or (parameter == "direction" and _signed(action, given)):
             continue
         message = f"{action.type} needs {parameter!r}, and this sentence cannot give it"
         hint = f"add {{{label}}} to the sentence, slots: {{{label}: ...}} beside it, or a default"
@@ -228,6 +258,16 @@ def _complete(
         place = sentence.place
         if place is not None:
             yield problem_at(place, message, hint)
+
+
+def _signed(action: ActionSpec, given: set[str]) -> bool:
+    """Whether there is a distance or an angle, whose sign may be the direction."""
+    amounts = [one for one in ("distance", "angle") if one in ACTION_PARAMETERS[action.type]]
+    return any(one in given or slot_of_parameter(action, one) in given or _constant(action, one) for one in amounts)
+
+
+def _constant(action: ActionSpec, parameter: str) -> bool:
+    return parameter in action.parameters and not str(action.parameters[parameter]).startswith("{")
 
 
 def _could_give(action: str, parameter: str, sentence: Sentence, grammar: Grammar) -> str | None:

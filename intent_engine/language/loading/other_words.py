@@ -67,6 +67,8 @@ FIELDS_OF_A_PLACE: Mapping[str, str] = {
     **dict.fromkeys(("theta", "heading", "angle", "th", "yaw_rad"), "yaw, in rad"),
     **dict.fromkeys(("yaw_deg", "degrees", "deg", "theta_deg"), "yaw, in rad: 90 degrees are 1.5708"),
     **dict.fromkeys(("frame_id",), "frame"),
+    **dict.fromkeys(("position", "coordinates", "coords", "pos"), "x and y, in m"),
+    **dict.fromkeys(("orientation", "quaternion", "quat", "qw", "qx", "qy", "qz"), "yaw, in rad"),
 }
 
 

@@ -43,6 +43,8 @@ _SLIP = 70
 """Percent of the letters that a misspelt key has of the one that was meant; "small" has as many as 60 of "allow"."""
 _OF_AN_INTENT = {"action", "sentences", "examples", "defaults", "description", "then", "regex", "lark", "when"}
 """Keys of an intent that nobody calls an intent."""
+_SECTIONS = ("slots", "phrases", "intents")
+"""Of a grammar, with names that somebody gave."""
 _YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 
 
@@ -79,6 +81,11 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     schema: Any = error.schema
     instance: Any = error.instance
     broken = path
+    if error.validator in ("additionalProperties", "required") and (inner := _section_within(source, path, error)):
+        if path not in source.broken:
+            source.broken.add(path)
+            yield inner
+        return
     if error.validator == "additionalProperties" and isinstance(instance, dict):
         if _bare_values(path, instance, schema):
             source.broken |= {(*path, "type"), *((*path, key) for key in instance)}
@@ -120,7 +127,8 @@ def _problems(source: YamlSource, error: ValidationError) -> Iterable[Problem]:
     elif error.validator in ("minimum", "maximum"):
         most = "at least" if error.validator == "minimum" else "at most"
         part = error.validator == "maximum" and wanted == 1 and 1 < instance <= 100
-        less = f"it is a part of one: {instance / 100:g}" if part else None
+        bounds = [str(schema[key]) for key in ("minimum", "maximum") if key in schema]
+        less = f"it is a part of one: {instance / 100:g}" if part else f"write a number {' to '.join(bounds)}"
         yield _at(source, path, f"{name} must be {most} {wanted}, not {instance}", less)
     elif error.validator == "exclusiveMinimum":
         yield _at(source, path, f"{name} must be more than {wanted}, not {instance}")
@@ -152,7 +160,7 @@ def _unknown_key(source: YamlSource, path: tuple[Any, ...], instance: Any, schem
     if (comma := _after_a_comma(source, path, instance)) is not None:
         return _at(source, path, f"unknown key {key!r}: the ',' before it begins a key", comma, key=True)
     section = _section_of(instance[key], known)
-    if section is not None and len(path) == 1:
+    if len(path) == 1 and section is not None:
         message = f"{key!r} stands beside {section!r}, and belongs below it"
         return _at(source, path, message, f"indent it, and all of its lines, further than {section}:", key=True)
     if path[:1] == ("intents",) and len(path) == 3 and key == "slots":
@@ -202,14 +210,16 @@ def _as_written(value: Any) -> str:
 def _after_a_comma(source: YamlSource, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
     """What to write where a "," in braces was to part a value, and not two keys: ``{x: 1,5}``, ``{aliases: a, b}``;
     None: it parts keys."""
-    keys = list(instance)
     *above, key = path
+    here = source.place(path, key=True)
+    if here.source[: here.column - 1].rstrip()[-1:] != ",":
+        return None
+    keys = list(instance)
     raw = {each: source.raw.get((*above, each), instance[each]) for each in keys}
     at = next(index for index, each in enumerate(keys) if str(each) == str(key))
     first = next((index for index in range(at, -1, -1) if raw[keys[index]] not in ("", None)), at)
     value = raw[keys[first]]
-    here = source.place(path, key=True)
-    if at == first or not isinstance(value, str | int | float) or here.source[: here.column - 1].rstrip()[-1:] != ",":
+    if at == first or not isinstance(value, str | int | float):
         return None
     if str(key).isdigit() and str(value).lstrip("+-").isdigit():
         return f"a number has a point: {value}.{key}"
@@ -217,8 +227,21 @@ def _after_a_comma(source: YamlSource, path: tuple[Any, ...], instance: dict[Any
     return f"write it as a list: {keys[first]}: [{', '.join(map(str, (value, *keys[first + 1 : last])))}]"
 
 
+def _section_within(source: YamlSource, path: tuple[Any, ...], error: ValidationError) -> Problem | None:
+    """The problem of a section of a grammar that stands in another, as ``slots`` below ``intents``; None: it is none,
+    or may be a slot or an intent of that name."""
+    if len(path) != 2 or path[0] not in _SECTIONS or path[1] not in _SECTIONS or not isinstance(error.instance, dict):
+        return None
+    if not all(isinstance(one, dict | list | str) for one in error.instance.values()) or "type" in error.instance:
+        return None
+    message = f"{path[1]!r} stands below {path[0]!r}, and belongs beside it"
+    return _at(source, path, message, f"indent it, and all of its lines, as far as {path[0]}:", key=True)
+
+
 def _section_of(value: Any, known: list[str]) -> str | None:
-    """The section of a grammar to which a mapping belongs by its keys; None for any other value or file."""
+    """The section of a grammar or map to which a mapping belongs by its keys; None for any other value or file."""
+    if isinstance(value, dict) and "locations" in known and {"x", "y"} <= value.keys():
+        return "locations"
     if not isinstance(value, dict) or "intents" not in known:
         return None
     if "action" in value or "sentences" in value:
@@ -240,6 +263,12 @@ def _misspelt(strange: Any, key: str, known: list[str]) -> bool:
 def _missing_hint(key: str, path: tuple[Any, ...], instance: dict[Any, Any]) -> str | None:
     if key == "type" and path[-1:] == ("action",) and "name" in instance:
         return f"for your own: action: {{type: custom, name: {instance['name']}}}"
+    if path[:1] == ("locations",):
+        return "a place is {x: 5.0, y: 2.0, yaw: 0.0}, in m and rad"
+    if path[-2:-1] == ("when",):
+        return "- {slots: {name: value}, defaults: {name: value}}"
+    if key == "say":
+        return '- {say: "sentence", slots: {name: value}}'
     if key == "action":
         return "one of: move, turn, stop, navigate, pick, place; or for your own: action: {type: custom, name: ...}"
     return None
@@ -270,6 +299,10 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
         return _at(source, path, f"{name} stands where an intent's name stands", "indent it below the intent", key=True)
     if path[:1] == ("locations",) and (pose := _pose(path, instance)) is not None:
         hint = pose
+    elif "array" in wanted and isinstance(instance, dict) and ("say" in instance or "string" not in wanted):
+        hint = "write it as a list: begin it with '- ', or put [ ] around it"
+    elif "string" in wanted and isinstance(instance, list) and _begins(source, path, "-"):
+        hint = "one '-' is enough for each"
     elif "string" in wanted and _begins(source, path, "[") and isinstance(path[-1], int):
         hint = f'quote it: "[{", ".join(map(str, instance))}]"'
     elif "string" in wanted and isinstance(instance, dict) and len(instance) == 1 and _begins(source, path, "{"):
@@ -277,7 +310,9 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     elif "object" in wanted and isinstance(instance, list) and path:
         hint = "write each as a line  name: ...  without a '-' or brackets"
     elif "number" in wanted and "string" not in wanted and isinstance(instance, str):
-        hint = _in_si(instance)
+        hint = _in_si(instance, share=path[-1:] == ("min_confidence",))
+    else:
+        hint = hint or _plainer(path, wanted, instance)
     if raw == "":
         hint = "something is missing after the ':'"
     elif "array" in wanted and isinstance(instance, str) and instance.startswith("-"):
@@ -290,11 +325,34 @@ def _wrong_type(source: YamlSource, path: tuple[Any, ...], name: str, wanted: li
     return _at(source, path, message, hint)
 
 
-def _in_si(text: str) -> str:
-    """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708."""
+def _plainer(path: tuple[Any, ...], wanted: list[str], instance: Any) -> str | None:
+    """What to write for something of another type, where nothing better is known."""
+    if "boolean" in wanted and str(instance).lower() in _YAML_BOOLEANS:
+        return f"write it without quotes: {instance}"
+    if "string" in wanted and isinstance(instance, list):
+        return f"write one {'number' if 'number' in wanted else 'text'}, without a '-' or brackets"
+    if wanted == ["object"] and path[:1] == ("intents",) and len(path) == 2:
+        return f"write {{action: custom, sentences: [{instance}]}}"
+    if wanted == ["object"] and path[-1:] == ("units",):
+        return f"units are your own, with their sizes: {{30 cm: [step, steps]}}; one that is known is unit: {instance}"
+    if wanted == ["object"] and path[:1] == ("locations",) and path[-1:] in (("x",), ("y",), ("yaw",)):
+        return "indent it below the name of its place"
+    if wanted == ["number"] or wanted == ["integer"]:
+        return "write a number"
+    return None
+
+
+def _in_si(text: str, *, share: bool) -> str:
+    """What to write for a number that has a unit, where none may be: "90 deg/s" is 1.5708. ``share``: it is a part of
+    one."""
     from intent_engine.language.quantities import evaluate
 
+    if (number := re.fullmatch(r"[-+]?\d+(?:\.\d*)?[eE][-+]?\d{1,2}", text)) is not None:
+        return f"YAML reads this as a word: write {float(number[0]):.15g}"
     words = words_of(text)
+    if share:
+        part = evaluate(words, "percent", "en")
+        return f"it is a part of one: {part:g}" if isinstance(part, float) else "it is a part of one: 0.7"
     for kind in ("angular_speed", "angle", "speed", "distance", "duration"):
         value = evaluate(words, kind, "en")
         if isinstance(value, float):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["after_a_quote", "section_of_ini", "spoilt_before", "typographic_quote"]
+__all__ = ["after_a_quote", "section_of_ini", "spoilt_before", "typographic_quote", "without_colon", "without_dash"]
 
 _TYPOGRAPHIC = "\u201c\u201d\u201e\u2018\u2019\u201a\u00ab\u00bb"
 _SECTION = re.compile(r"\s*\[[\w.-]+\]\s*")
@@ -41,6 +41,34 @@ def spoilt_before(lines: list[str], line: int) -> tuple[int, str, str] | None:
                 f"write {shown.strip().replace(':', ': ', 1)}",
             )
     return None
+
+
+def without_colon(lines: list[str], line: int) -> tuple[int, str, str] | None:
+    """The line before one on which a ':' cannot stand, if it should have one: ``wave``, ``action custom``, ``action =
+    custom``; what is wrong with it, and what to do."""
+    before = _before(lines, line)
+    if before is None or lines[line].lstrip().startswith("-"):
+        return None
+    found = re.fullmatch(r"(\s*)(\w+)(?:(?:\s*=\s*|\s+)(\S.*?))?\s*", lines[before].split(" #")[0])
+    if found is None or ":" in lines[before]:
+        return None
+    meant = f"{found[2]}: {found[3] or ''}".rstrip()
+    return before, "is not valid YAML: no ':' stands in this line", f"write {meant}"
+
+
+def without_dash(lines: list[str], line: int) -> tuple[int, str, str] | None:
+    """The line before one that begins with a '-', if it stands as far to the right and has none."""
+    before = _before(lines, line)
+    if before is None or not lines[line].lstrip().startswith("- ") or not re.match(r"\s*[\w(]", lines[before]):
+        return None
+    if len(lines[before]) - len(lines[before].lstrip()) != len(lines[line]) - len(lines[line].lstrip()):
+        return None
+    return before, "is not valid YAML: no '-' stands in front of this line", f"write - {lines[before].strip()}"
+
+
+def _before(lines: list[str], line: int) -> int | None:
+    """The last line before another that holds more than a comment."""
+    return next((at for at in range(min(line, len(lines)) - 1, -1, -1) if lines[at].split("#")[0].strip()), None)
 
 
 def after_a_quote(shown: str, column: int) -> str | None:

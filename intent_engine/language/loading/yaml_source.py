@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -15,9 +15,16 @@ from intent_engine.hints import did_you_mean
 from intent_engine.language.grammar import Place
 from intent_engine.language.loading.json_mistakes import json_problem
 from intent_engine.language.loading.lost_words import lost_words
-from intent_engine.language.loading.spoilt_lines import after_a_quote, section_of_ini, spoilt_before, typographic_quote
+from intent_engine.language.loading.spoilt_lines import (
+    after_a_quote,
+    section_of_ini,
+    spoilt_before,
+    typographic_quote,
+    without_colon,
+    without_dash,
+)
 
-__all__ = ["YamlSource", "not_utf8", "read_yaml"]
+__all__ = ["YamlSource", "near_file", "not_utf8", "read_yaml"]
 
 MAX_BYTES = 64 * 1024 * 1024
 """A file beyond this is not one that a person wrote for us."""
@@ -31,8 +38,8 @@ overflows its stack, and ends the process, on some ten thousand."""
 
 SHORTEST = "the shortest grammar: intents: {wave: {action: custom, sentences: [wave]}}"
 
-_BARE_IN_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$")
-"""Words without quotes within brackets on one line, up to another: "[go {place}", "{1: degrees [celsius"."""
+_BESIDE_BRACKETS = re.compile(r"[\[{,:]\s*[^\s\[\]{}\"',:][^\[\]{}\"',:]*\s[{\[]$|[\]}]\s*\w$")
+"""Words without quotes within brackets on one line, beside others: "[go {place}", "{1: degrees [celsius", "[[a] b"."""
 
 NAMED = {("intents",), ("slots",), ("phrases",)}
 """Sections of a grammar whose keys are names that somebody gave."""
@@ -57,6 +64,9 @@ class YamlSource:
     problems: list[Problem] = field(default_factory=list)
     broken: set[YamlPath] = field(default_factory=set)
     """Values of which a problem has been told already; nobody should look at them again."""
+
+    absent: list[str] = field(default_factory=list)
+    """Files that it names and that are not there."""
 
     folded: set[YamlPath] = field(default_factory=set)
     """Texts without quotes that stand on several lines, which YAML reads as one."""
@@ -115,9 +125,8 @@ def read_yaml(path: str | Path, *, shortest: str = SHORTEST) -> YamlSource:
             message = f"is a link to {file.readlink()}, which is not there"
             source.problems.append(Problem(message, str(path), hint="mend the link, or give the path of a YAML file"))
             return source
-        alike = [other.name for other in _neighbours(file) if did_you_mean(file.stem, [other.stem])]
-        near = did_you_mean(file.name, alike)
-        source.problems.append(Problem("no such file", str(path), hint=near or "give the path of a YAML file"))
+        hint = near_file(file) or "give the path of a YAML file"
+        source.problems.append(Problem("no such file", str(path), hint=hint))
         return source
     except IsADirectoryError:
         source.problems.append(Problem("is a folder, not a file", str(path), hint="give the path of a YAML file"))
@@ -223,21 +232,30 @@ def _syntax_problem(error: yaml.MarkedYAMLError, source: YamlSource) -> Problem:
     what = str(error.problem or error.context)
     message = f"is not valid YAML: {what}"
     indent = shown[: len(shown) - len(shown.lstrip())]
-    if (other := spoilt_before(source.lines, line)) is not None:
+    other = spoilt_before(source.lines, line)
+    if other is None and re.search("mapping values are not allowed|expected (?:key|':')", what):
+        other = without_colon(source.lines, line) or without_dash(source.lines, line)
+    if other is not None:
         return Problem(other[1], source.file, other[0] + 1, None, source.lines[other[0]], other[2])
     if "\t" in indent:
         message, hint = "a tab indents this line; YAML allows spaces alone", "use two spaces for each level"
     elif "another document" in what:
         message, hint = "a second document begins here", "remove the ---; write a second file and include: it"
+    elif "aliases unfold" in what or "stands within" in what:
+        hint = "write out what is meant in the place of the alias"
     elif "undefined alias" in what:
         hint = "quote it if it is a sentence; an alias *name needs an anchor &name before it"
     elif "unknown escape" in what:
         hint = "write it in single quotes: between double ones YAML reads \\ as the beginning of a sign"
     elif (quoted := after_a_quote(shown, column) or typographic_quote(shown)) is not None:
         hint = quoted
+    elif re.match(r"\s*-\t", shown):
+        message, hint = "a tab stands behind this '-'", "write a space there"
+    elif re.match(r"\s*-\s+[|>]", shown):
+        hint = "quote a sentence that begins with | or >"
     elif column == len(indent) and re.search("expected (?:'-'|key|<block end>)", what):
         hint = "check that this line is indented like its neighbours"
-    elif opened is not None and _BARE_IN_BRACKETS.search(shown[: column + 1]):
+    elif opened is not None and _BESIDE_BRACKETS.search(shown[: column + 1]):
         hint = "quote a sentence that holds { or ["
     elif opened is not None and what.startswith("did not find expected ',' or"):
         hint = f"the bracket that is opened at line {opened.line + 1}, column {opened.column + 1} is not closed"
@@ -269,6 +287,10 @@ class _Earlier(str):
         return self is not other
 
 
+def _marked(what: str, node: Any) -> yaml.MarkedYAMLError:
+    return yaml.MarkedYAMLError(problem=what, problem_mark=node.start_mark)
+
+
 class _Reader:
     """Nodes of the YAML parser to plain data."""
 
@@ -283,7 +305,7 @@ class _Reader:
         if id(node) in self._met:
             self._copies += 1
             if self._copies > MAX_COPIES:
-                raise ValueError(f"aliases that unfold to more than {MAX_COPIES:,} values")
+                raise _marked(f"aliases unfold to more than {MAX_COPIES:,} values", node)
         else:
             self._met.add(id(node))
         if isinstance(node, yaml.ScalarNode):
@@ -293,7 +315,7 @@ class _Reader:
                 source.problem(path, *lost)
             return _scalar(node, path, source)
         if id(node) in above:
-            raise ValueError(f"line {node.start_mark.line + 1}: an alias that holds itself")
+            raise _marked("an alias *name stands within what its anchor &name holds", node)
         above = above | {id(node)}
         if isinstance(node, yaml.SequenceNode):
             return [self.plain(child, (*path, index), above) for index, child in enumerate(node.value)]
@@ -358,8 +380,10 @@ def _scalar(node: Any, path: YamlPath, source: YamlSource) -> Any:
         return node.value
 
 
-def _neighbours(file: Path) -> Iterable[Path]:
+def near_file(file: Path) -> str | None:
+    """A hint which file was probably meant by one that is not there, of those in its folder; None: there is none."""
     try:
-        return list(file.parent.iterdir())
+        neighbours = [other.name for other in file.parent.iterdir() if did_you_mean(file.stem, [other.stem])]
     except OSError:
-        return []
+        return None
+    return did_you_mean(file.name, neighbours)

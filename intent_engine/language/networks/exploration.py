@@ -7,7 +7,7 @@ could be taken for something else are kept. So the walk visits every way in whic
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,6 +17,7 @@ from intent_engine.language.matcher import Matcher
 from intent_engine.language.networks.network import NEVER
 from intent_engine.language.networks.sentence_networks import spoken_trees
 from intent_engine.language.networks.word_state import WordState
+from intent_engine.language.quantities import evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.templates.template_tree import (
     AnyOrder,
@@ -79,18 +80,20 @@ def explore(grammar: Grammar, locations: LocationMap | None, most: int = MAX_STA
     Raises:
         ConfigError: the grammar has more than 20,000 ways to go on after the same words.
     """
-    matcher = Matcher(grammar, _few(locations, vocabulary(grammar)))
+    own = vocabulary(grammar)
+    matcher = Matcher(grammar, _few(locations, own))
+    number = _number(own, grammar.language)
     trees = spoken_trees(grammar.language)
     for kind in (*QUANTITY_KINDS, "count"):
         # English ordinals are few words, and none is a numeral: "third", "3rd".
         if kind in trees and (kind != "ordinal" or grammar.language != "en"):
-            matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees), {})
+            matcher.networks.add_template(f"quantity:{kind}", _reduced(kind, trees, number), {})
     part = trees.get("part")
     if grammar.language != "en" and "fraction" in trees and isinstance(part, Sequence):
         # Any number words may begin one of another language, and alone be none: "ein" of "ein Drittel".
         matcher.networks.add_template("quantity:fraction", part.items[-1], {})
     matcher.networks.add_template("quantity:and_part", Word(NEVER), {})
-    free = next((word for word in FREE_WORDS if word not in vocabulary(grammar)), "qwxz")
+    free = next((word for word in FREE_WORDS if word not in own), "qwxz")
     walk = _Walk(matcher.strict, grammar, free)
     meetings = [Meeting(words, tuple(matcher.read(list(words)))) for words in walk.endings(most)]
     later = []
@@ -150,17 +153,24 @@ def _kinds(automaton: Automaton, state: WordState, grammar: Grammar, free: str) 
             yield word
 
 
-def _reduced(kind: str, trees: Mapping[str, Node]) -> Node:
-    """A quantity as "7" and its unit, or as the fixed words that it has ("about face", "slowly")."""
+def _number(words: Iterable[str], language: str) -> Node:
+    """Any number as "7", and those that sentences have as words of their own: "two" of "lift the two cups"."""
+    values = {word: evaluate((word,), "number", language) for word in sorted(words) if not word.isdigit()}
+    said = [word for word, value in values.items() if isinstance(value, float) and value >= 1]  # "half" is of a unit
+    return Choice((WordClass("#"), *map(Word, said)))
+
+
+def _reduced(kind: str, trees: Mapping[str, Node], number: Node) -> Node:
+    """A quantity as a number and its unit, or as the fixed words that it has ("about face", "slowly")."""
     tree = trees.get(kind)
     options: list[Node] = [item for item in tree.items if _literal(item)] if isinstance(tree, Choice) else []
     top = trees.get(f"{_TOPS.get(kind, kind)}_unit")
     if kind in _TOPS and top is not None:
-        options.append(Sequence((WordClass("#"), top, Word("per"), trees.get("duration_unit") or Word("second"))))
+        options.append(Sequence((number, top, Word("per"), trees.get("duration_unit") or Word("second"))))
     elif top is not None:
-        options.append(Sequence((WordClass("#"), top)))
+        options.append(Sequence((number, top)))
     else:
-        options.append(WordClass("#"))
+        options.append(number)
     return Choice(tuple(options))
 
 

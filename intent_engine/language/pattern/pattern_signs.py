@@ -1,13 +1,16 @@
-"""Signs that a regular expression asks for and that no word has any more when it is compared with what was said."""
+"""What a pattern asks for and no text has any more when it is compared with what was said: signs, blanks, capitals."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
+from typing import Any
 
+from intent_engine.language.pattern.pattern_lark import lark_tree
 from intent_engine.language.pattern.pattern_regex import regex_tree
 from intent_engine.language.pattern.pattern_tree import Letters, Named, OneOf, Part, Repeat, Row, Text, UnsayableError
 
-__all__ = ["unsaid_sign"]
+__all__ = ["unsaid_blank", "unsaid_in_lark", "unsaid_sign"]
 
 _OF_NUMBERS = frozenset("./-,")
 """What stands in numbers and nowhere else: "2.5", "1/2", "-3"."""
@@ -24,6 +27,31 @@ def unsaid_sign(text: str) -> str | None:
         return None
     try:
         return _sign(regex_tree(text), Text(""))
+    except UnsayableError:
+        return None
+
+
+def unsaid_blank(text: str) -> bool:
+    """Whether every text that a pattern fits begins or ends with a blank, or has two side by side."""
+    if not re.search(r"\s", text):
+        return False
+    try:
+        part = regex_tree(text)
+    except UnsayableError:
+        return False
+    parts = part.parts if isinstance(part, Row) else (part,)
+    written = "".join(inner.letters if isinstance(inner, Text) else "\0" for inner in parts)
+    return re.search(r"^\s|\s\s|\s$", written) is not None
+
+
+def unsaid_in_lark(parser: Any, slots: Collection[str]) -> str | None:
+    """A text of a Lark grammar that is in nothing that is said; None: there is none, or it cannot be told."""
+    for terminal in parser.terminals:
+        text = str(terminal.pattern.value)
+        if terminal.pattern.type == "str" and text != text.lower() and "i" not in terminal.pattern.flags:
+            return text
+    try:
+        return _sign(lark_tree(parser, slots), Text(""))
     except UnsayableError:
         return None
 

@@ -147,6 +147,8 @@ class _Spaces:
         self._numbers = numbers
         self._places: dict[frozenset[int], State] = {}
         self._waiting: list[frozenset[int]] = []
+        self._ends = False
+        """Whether some words lead to the end."""
         self._end = State()
         self._end.final = True
         self._start = self._place(letters.closed({letters.begin}))
@@ -155,8 +157,8 @@ class _Spaces:
         while self._waiting:
             states = self._waiting.pop()
             self._words_from(states, self._places[states])
-        if not any(place.arcs or place.edges for place in self._places.values()):
-            raise UnsayableError("no word")
+        if not self._ends:
+            raise UnsayableError("no words to its end")
         return Network(self._start, self._end)
 
     def _place(self, states: frozenset[int]) -> State:
@@ -179,13 +181,16 @@ class _Spaces:
                     if not word:
                         self._step(place, sign, after)
                     continue
-                following = (after, "" if sign == " " else word + sign)
-                if sign == " " and word:
-                    self._say(place, word, self._place(after))
-                elif following not in seen and len(word) < LONGEST:
+                if sign == " ":
+                    if word:  # of two blanks, or one at the beginning, nobody says a word between
+                        self._say(place, word, self._place(after))
+                    continue
+                following = (after, word + sign)
+                if following not in seen and len(word) < LONGEST:
                     seen.add(following)
                     pending.append(following)
             if word and self._letters.end in here:
+                self._ends = True
                 self._say(place, word, self._end)
             if len(seen) > MOST_WORDS * LONGEST or len(place.arcs) > MOST_WORDS:
                 raise UnsayableError("too many words")
@@ -195,6 +200,7 @@ class _Spaces:
             return  # else whatever anybody says would be the beginning of ".* dance"
         onward = self._letters.onward(after)
         if self._letters.end in after:
+            self._ends = True
             place.edges.append(Edge(self._end, call=call))
         if " " in onward:
             place.edges.append(Edge(self._place(onward[" "]), call=call))

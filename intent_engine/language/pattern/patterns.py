@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from intent_engine.language.matcher import Matcher
     from intent_engine.language.reading import Reading
 
-__all__ = ["Patterns", "pattern_problems", "said_by_patterns", "unsaid_patterns"]
+__all__ = ["Patterns", "pattern_problems", "said_by_patterns", "slots_of_patterns", "unsaid_patterns"]
 
 
 MAX_LARK_WORDS = 40
@@ -68,7 +68,11 @@ def _regex(text: str) -> _Compiled:
     if any(compiled.fullmatch(probe) is not None for probe in PROBES):
         hint = "let it begin with a word that says what to do"
         return _Compiled(problem=("the regex fits whatever anybody says", hint))
-    plain = re.sub(r"\\.|\(\?[^)>:]*[>:)]", "", text)
+    groups = re.findall(r"\(\?P<(\w+)>", re.sub(r"\\.", "", text))
+    if twice := [name for name in groups if groups.count(name) > 1]:
+        hint = f"put one around both: (?P<{twice[0]}>...|...); or give the other a slot of its own"
+        return _Compiled(problem=(f"the regex has two groups {twice[0]!r}, and only one would be kept", hint))
+    plain = re.sub(r"\\[pP]\{[^}]*\}|\\.|\(\?[^)>:]*[>:)]", "", text)
     if re.search("[A-Z]", plain) and "(?i" not in text:
         return _Compiled(problem=("the regex has capitals, and what is said comes in lower case", "write it small"))
     return _Compiled(compiled)
@@ -168,11 +172,29 @@ def _as_in_a_program(text: str, sign: str) -> str | None:
     return "write it without the / at both ends" if re.fullmatch(r"/.*/[a-z]*", text) else None
 
 
+def slots_of_patterns(grammar: Grammar) -> set[str]:
+    """What the patterns of a grammar that was checked can fill."""
+    found: set[str] = set()
+    for intent in grammar.intents.values():
+        for text in intent.regex:
+            found.update(_regex(text).pattern.groupindex)
+        if intent.lark is not None:
+            found.update(str(rule.origin.name) for rule in _lark(intent.lark).pattern.rules)
+    return found
+
+
 def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
-    """Regexes of a grammar that was checked that nobody can say, because of a sign that no word has."""
-    from intent_engine.language.pattern.pattern_signs import unsaid_sign
+    """Patterns of a grammar that was checked that nobody can say, because of what no text has any more that was said:
+    signs, capitals, a blank beside another."""
+    from intent_engine.language.pattern.pattern_signs import unsaid_blank, unsaid_in_lark, unsaid_sign
 
     for intent in grammar.intents.values():
+        at_lark = ("intents", intent.name, "lark")
+        if intent.lark is not None and (text := unsaid_in_lark(_lark(intent.lark).pattern, grammar.slots)) is not None:
+            message = (
+                f"the lark grammar asks for {text!r}, and what is said is small letters and numbers, without signs"
+            )
+            yield places.problem(at_lark, message, "'Hop, now!' is heard as 'hop now'")
         for index, text in enumerate(intent.regex):
             if (sign := unsaid_sign(text)) is not None:
                 message = f"the regex asks for {sign!r}, and what is said is words and numbers, without signs"
@@ -180,6 +202,10 @@ def unsaid_patterns(grammar: Grammar, places: Places) -> Iterator[Problem]:
                     "'hop, now!' is heard as 'hop now', 'what's up' as 'whats up', '50%' as '50 percent'"
                 )
                 yield places.problem(_at(intent, index, places), message, hint)
+            elif unsaid_blank(text):
+                message = "the regex asks for a blank beside another, or at an end, and what is said has none there"
+                hint = "write |- or quotes: what stands behind | ends with the end of its line"
+                yield places.problem(_at(intent, index, places), message, hint if "\n" in text else "remove it")
 
 
 def said_by_patterns(grammar: Grammar) -> Iterator[Part]:

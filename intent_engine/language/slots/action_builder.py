@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from intent_engine.actions import Action, ChangeSpeed, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Cause
 from intent_engine.language.grammar import ACTION_PARAMETERS, Condition, Intent, Slot
-from intent_engine.language.loading.grammar_intents import slot_of_parameter
+from intent_engine.language.loading.grammar_intents import slot_of_parameter, with_defaults
 from intent_engine.language.quantities import Relative
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def defaults_of(intent: Intent, said: Mapping[str, Any]) -> dict[str, Any]:
     defaults = dict(intent.defaults)
     for condition in intent.when:
         if holds(condition, said):
-            defaults.update(condition.defaults)
+            defaults = with_defaults(intent.action, defaults, condition.defaults)
     return defaults
 
 
@@ -155,6 +155,10 @@ def _move(parameters: _Parameters) -> Move:
     direction = parameters.get("direction")
     backward = isinstance(direction, str) and direction in _BACKWARD
     distance, duration = parameters.said("distance"), parameters.said("duration")
+    if distance is None and duration is None:
+        distance, duration = parameters.default("distance"), parameters.default("duration")
+        if distance is None and duration is None:
+            duration = MOVE_DURATION
     if distance is not None:
         if distance < 0:
             backward = not backward
@@ -165,11 +169,6 @@ def _move(parameters: _Parameters) -> Move:
         _positive("speed", speed)
         duration = distance / speed
     else:
-        if duration is None:
-            distance = parameters.default("distance")
-            duration = parameters.default("duration")
-            if duration is None:
-                duration = MOVE_DURATION if distance is None else distance / _positive("speed", speed)
         duration = _positive("duration", duration)
         distance = _positive("speed", speed) * duration
     # What was divided may have become too small or too large for a number.
@@ -185,9 +184,7 @@ def _turn(parameters: _Parameters) -> Turn:
     angle, duration = parameters.said("angle"), parameters.said("duration")
     if angle is None and duration is None:
         angle, duration = parameters.default("angle"), parameters.default("duration")
-        if angle is not None:
-            duration = None
-        elif duration is None:
+        if angle is None and duration is None:
             duration = TURN_DURATION
     if angle is not None:
         if angle < 0:

@@ -108,6 +108,11 @@ def test_what_works_is_not_refused(name):
 DOUBTFUL = {
     "slots: {a: text}\nintents:\n  x: {action: custom, sentences: [go]}\n": (1, "slot 'a' is used by no sentence"),
     "intents:\n  x: {action: custom, sentences: [go]}\nphrases:\n  p: a\n": (4, "phrase 'p' is used by no sentence"),
+    "slots: {a: text,\n b: text}\nintents:\n  x: {action: custom, regex: 'go (?P<a>up)'}\n": (
+        2, "slot 'b' is used by no sentence",
+    ),
+    "slots: {a: text,\n b: text}\nintents:\n  x:\n    action: custom\n    lark: |\n      start: a B\n      a: \"up\"\n"
+    "      B: \" x\"\n": (2, "slot 'b' is used by no sentence"),
     "intents:\n  x: {action: custom, sentences: [go,\n    go]}\n": (3, "the same sentence stands already at line 2"),
     "intents:\n  x: {action: custom, sentences: ['never go']}\n": (
         2, "this sentence says 'never', and yet the robot will act on it",

@@ -227,12 +227,45 @@ def test_a_shipped_grammar_is_included_by_its_name():
         load("include: [klingon]\nintents:\n" + STOP)
 
 
-@pytest.mark.parametrize("name", ["..", "folder", "folder/", "", "a\\0b", "loop.yaml", "no/such/folder/a.yaml"])
+NO_FILES = (
+    "..",
+    "folder",
+    "folder/",
+    "",
+    "a\\0b",
+    "loop.yaml",
+    "no/such/folder/a.yaml",
+    "a" * 300 + ".yaml",
+    "a/" * 3000,
+)
+
+
+@pytest.mark.parametrize("name", NO_FILES, ids=[name[:20] for name in NO_FILES])
 def test_includes_that_are_no_files(tmp_path, name):
     (tmp_path / "folder").mkdir()
     (tmp_path / "loop.yaml").symlink_to("loop.yaml")
     with pytest.raises(ConfigError, match=r"grammar\.yaml:1:1[0-9]: "):
         load(f'include: ["{name}"]\nintents:\n' + STOP)
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("wav.yaml", "there is no file .*did you mean 'wave.yaml'"),
+        ("wave", "there is no grammar .*did you mean 'wave.yaml'"),
+        ("drum.yaml", "the path is taken from this file's folder"),
+        ("en.yaml", "the one that comes with the engine is 'en'"),
+        ("old.yaml", "old.yaml is a link to gone.yaml, which is not there"),
+    ],
+)
+def test_what_was_probably_included(tmp_path, monkeypatch, name, told):
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "wave.yaml").write_text("intents:\n" + STOP)
+    (folder / "old.yaml").symlink_to("gone.yaml")
+    (folder / "grammar.yaml").write_text(f"include: {name}\nintents:\n" + STOP)
+    with pytest.raises(ConfigError, match=f"(?s)mine/grammar.yaml:1:10: .*{told}"):
+        load_grammars("mine/grammar.yaml")
 
 
 def test_a_file_that_is_a_link_to_itself(tmp_path):

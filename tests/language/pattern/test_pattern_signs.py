@@ -7,9 +7,10 @@ import re
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from lark import Lark
 
 from intent_engine.language.normalize import tokenize
-from intent_engine.language.pattern.pattern_signs import unsaid_sign
+from intent_engine.language.pattern.pattern_signs import unsaid_blank, unsaid_in_lark, unsaid_sign
 
 
 @pytest.mark.parametrize(
@@ -49,6 +50,30 @@ def test_what_can_be_said(text):
     assert unsaid_sign(text) is None
 
 
+@pytest.mark.parametrize("text", ["go  now", " go", "go now\n", "(?P<how>go)  now", "go ( now|\\.)\t"])
+def test_a_blank_that_nobody_says(text):
+    assert unsaid_blank(text)
+
+
+@pytest.mark.parametrize("text", ["go now", "go +now", "go ( now)?", "( go)?now", "go {1,2}now", "^go now$"])
+def test_a_blank_that_can_be_said(text):
+    assert not unsaid_blank(text)
+
+
+@pytest.mark.parametrize(
+    ("grammar", "unsaid"),
+    [
+        ('start: "Go Now"', "Go Now"),
+        ('start: "Go now"i', None),
+        ('start: "go, now!"', ","),
+        ('start: "go" (", now")?', None),
+        ('start: "go " N\nN: /[A-Za-z]+/', None),
+    ],
+)
+def test_what_nobody_says_of_a_lark_grammar(grammar, unsaid):
+    assert unsaid_in_lark(Lark(grammar, parser="earley"), ()) == unsaid
+
+
 PIECES = ["hop", "now", "2", "5", " ", ",", "!", "'", "-", "/", "\\.", "%", "é", "?", "(a|b!)", "(c,)?", "[;d]"]
 
 
@@ -62,6 +87,7 @@ def test_no_pattern_that_fits_what_is_said_is_told_of(pieces, text):
     except re.error:
         return
     assert not (fits and unsaid_sign(pattern))
+    assert not (fits and said and unsaid_blank(pattern))
 
 
 @settings(max_examples=200, deadline=None)

@@ -116,7 +116,19 @@ def test_whether_a_pattern_leaves_any_words_open(pattern, opened):
 
 
 @pytest.mark.parametrize(
-    "pattern", [r"(go", r"a\1", r"\pL", r"(?=go)go", r"(?:go|a{9})", "", r"[a-z]{3} now", "(" * 99 + "a" + ")" * 99]
+    "pattern",
+    [
+        r"(go",
+        r"a\1",
+        r"\pL",
+        r"(?=go)go",
+        r"(?:go|a{9})",
+        "",
+        r"[a-z]{3} now",
+        "go  now",
+        " go",
+        "(" * 99 + "a" + ")" * 99,
+    ],
 )
 def test_a_pattern_of_which_nobody_knows_how_it_is_said(pattern):
     with pytest.raises(UnsayableError):
