@@ -188,6 +188,22 @@ def test_the_page_on_ros2_names_every_parameter():
     assert {name for node in nodes.values() for name in node["ros__parameters"]} <= _in_code("ros2.md")
 
 
+def test_the_page_for_contributors_names_every_room():
+    package = ROOT / "intent_engine"
+    rooms = [path.parent.relative_to(package) for path in package.rglob("__init__.py") if path.parent != package]
+    text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    for room in rooms:
+        name = room.as_posix() if len(room.parts) < 3 else room.name
+        assert f"`{name}/`" in text, room
+
+
+def test_the_files_and_folders_that_the_page_for_contributors_names_exist():
+    for named in re.findall(
+        r"`((?:tests|grammars|docs|scripts)/[\w/]+(?:\.\w+)?)`", (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    ):
+        assert (ROOT / named).exists() or named == "grammars/pt.yaml", named
+
+
 OF_TODAY = [page for page in PAGES if "decisions" not in page.parts]  # those tell of their day as well
 
 
