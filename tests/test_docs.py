@@ -7,6 +7,7 @@ for any lines. A ``yaml`` block whose first line is ``# name.yaml`` is a file th
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import re
@@ -19,8 +20,16 @@ from typing import Any
 
 import markdown
 import pytest
+import yaml
 from sybil import Document, Example
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser, SkipParser
+
+from intent_engine import Status
+from intent_engine.evaluation.scoring import Score, Verdict
+from intent_engine.execution.goal import GoalState, Reason
+from intent_engine.execution.policy import Policy
+from intent_engine.execution.robots.robot_file import robot_schema
+from intent_engine.runtime.heard import HeardKind
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")])
@@ -139,6 +148,60 @@ def test_the_reference_names_every_key_of_a_grammar():
     parts = [schema, schema["properties"]["operators"], schema["$defs"]["slot"], schema["$defs"]["intent"]]
     named = set(re.findall(r"`([a-z_]+)`", (ROOT / "docs" / "grammar.md").read_text("utf-8")))
     assert {key for part in parts for key in part["properties"]} - {"type"} <= named
+
+
+def _in_code(page: str) -> set[str]:
+    """All words that a page of the docs shows as code."""
+    text = (ROOT / "docs" / page).read_text("utf-8")
+    return {word for code in re.findall(r"`([^`\n]+)`", text) for word in re.findall(r"[\w-]+", code)}
+
+
+def test_the_page_on_execution_names_every_key_of_a_robot_file():
+    schema = robot_schema()["properties"]
+    inside = [part["properties"] for part in schema.values() if isinstance(part.get("properties"), dict)]
+    assert {key for part in (schema, *inside) for key in part} <= _in_code("execution.md")
+
+
+@pytest.mark.parametrize(
+    ("page", "kind"),
+    [
+        ("execution.md", GoalState),
+        ("execution.md", Reason),
+        ("execution.md", Policy),
+        ("json.md", HeardKind),
+        ("json.md", Status),
+        ("json.md", Verdict),
+    ],
+)
+def test_a_page_names_every_value_that_is_told(page, kind):
+    quiet = {HeardKind.SUBMITTED}  # the goals tell of themselves
+    assert {word for value in set(kind) - quiet for word in value.split()} <= _in_code(page)
+
+
+def test_the_page_on_json_names_every_figure_of_an_evaluation():
+    assert {field.name for field in dataclasses.fields(Score)} <= _in_code("json.md")
+
+
+def test_the_page_on_ros2_names_every_parameter():
+    file = ROOT / "ros2" / "intent_engine_ros" / "config" / "voice_commands.yaml"
+    nodes = yaml.safe_load(file.read_text("utf-8"))
+    assert {name for node in nodes.values() for name in node["ros__parameters"]} <= _in_code("ros2.md")
+
+
+def test_the_page_for_contributors_names_every_room():
+    package = ROOT / "intent_engine"
+    rooms = [path.parent.relative_to(package) for path in package.rglob("__init__.py") if path.parent != package]
+    text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    for room in rooms:
+        name = room.as_posix() if len(room.parts) < 3 else room.name
+        assert f"`{name}/`" in text, room
+
+
+def test_the_files_and_folders_that_the_page_for_contributors_names_exist():
+    for named in re.findall(
+        r"`((?:tests|grammars|docs|scripts)/[\w/]+(?:\.\w+)?)`", (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    ):
+        assert (ROOT / named).exists() or named == "grammars/pt.yaml", named
 
 
 OF_TODAY = [page for page in PAGES if "decisions" not in page.parts]  # those tell of their day as well

@@ -8,16 +8,13 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterator
-from pathlib import Path
-from typing import NamedTuple
 
 import pytest
+from page_tables import quoted, rows
 
 from intent_engine import IntentEngine
 
-ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "understood.md"
+PAGE = "understood.md"
 LANGUAGES = {"German": "de", "French": "fr", "Spanish": "es", "Italian": "it"}
 SLOTS = """
   place: location
@@ -56,45 +53,7 @@ PLACES = [
 ]
 
 
-class Row(NamedTuple):
-    line: int
-    head: list[str]
-    cells: list[str]
-    file: str | None
-    """The last file that its section shows."""
-
-
-def rows() -> Iterator[Row]:
-    """All rows of all tables."""
-    head: list[str] = []
-    file, block = None, ""
-    fenced = False
-    for number, line in enumerate(PAGE.read_text("utf-8").splitlines(), 1):
-        if line.startswith("```"):
-            if fenced and re.match(r"# \w+\.yaml\n", block):
-                file = block
-            fenced, block = not fenced, ""
-        elif fenced:
-            block += line + "\n"
-        elif line.startswith("## "):
-            file = None
-        elif not line.startswith("|"):
-            head = []
-        elif not head:
-            head = _cells(line)
-        elif not line.startswith("|---"):
-            yield Row(number, head, _cells(line), file)
-
-
-def _cells(line: str) -> list[str]:
-    return [cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
-
-
-def _quoted(cell: str) -> list[str]:
-    return re.findall(r'"([^"]+)"', cell)
-
-
-ROWS = [pytest.param(row, id=f"{PAGE.name}:{row.line}") for row in rows()]
+ROWS = [pytest.param(row, id=f"{PAGE}:{row.line}") for row in rows(PAGE)]
 
 
 @pytest.mark.parametrize("row", [row for row in ROWS if "grammar has" in row.values[0].head[0]])
@@ -107,10 +66,10 @@ def test_what_a_sentence_is_understood_for(row, tmp_path):
         f"language: {language}\nslots:{SLOTS}intents:\n  row:\n    action: custom\n    sentences:{sentences}\n", "utf-8"
     )
     engine = IntentEngine.from_files(path, locations=dict.fromkeys(PLACES, (0.0, 0.0, 0.0)))
-    assert _quoted(row.cells[1])
-    for text in _quoted(row.cells[1]):
+    assert quoted(row.cells[1])
+    for text in quoted(row.cells[1]):
         assert engine.parse(text).status == "accepted", (text, engine.parse(text).reason)
-    for text in _quoted(row.cells[2]):
+    for text in quoted(row.cells[2]):
         assert not engine.parse(text).actions, text
 
 
@@ -134,13 +93,13 @@ def engine_of(tmp_path_factory):
 def test_what_a_text_means(row, engine_of):
     engine = engine_of(row.file)
     *before, said, means = row.cells
-    last = engine.parse(_quoted(before[0])[0]) if before else None
-    assert _quoted(said)
-    for text in _quoted(said):
+    last = engine.parse(quoted(before[0])[0]) if before else None
+    assert quoted(said)
+    for text in quoted(said):
         found = engine.parse(text, last=last)
         if means.startswith('"'):
             assert found.actions, (text, found.reason)
-            assert found.actions == engine.parse(_quoted(means)[0]).actions
+            assert found.actions == engine.parse(quoted(means)[0]).actions
         else:
             assert means.startswith(("nothing", "asked"))
             assert not found.actions, text
