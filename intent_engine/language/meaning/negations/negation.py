@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from functools import cached_property
 
 from intent_engine.actions import Action, Custom, Stop
 from intent_engine.language.grammar import MOTIONS
@@ -12,9 +11,9 @@ from intent_engine.language.meaning.command import Commands
 from intent_engine.language.meaning.compound import Compounds
 from intent_engine.language.meaning.corrections.correction import Corrections
 from intent_engine.language.meaning.negations.forbidden_verbs import as_told, verb_first
+from intent_engine.language.meaning.negations.motion_verbs import MotionVerbs
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.steps import Kind, step
-from intent_engine.language.templates.template_tree import first_words
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -35,6 +34,7 @@ class Negations:
         self._excludes = wording.excludes
         self._behind_the_verb = bool(wording.behind_verbs)
         self._articles = thing_words(commands.matcher.grammar.language).articles
+        self._verbs = MotionVerbs(commands.matcher.grammar)
 
     def stands_in(self, core: Utterance) -> bool:
         return self._negation.may_stand_in(core.words) and self._first(core) is not None
@@ -215,8 +215,8 @@ class Negations:
         return clause.action if clause is not None else None
 
     def _is_motion(self, words: list[str], state: Collection[str]) -> bool:
-        """Whether words are a motion, exactly or nearly, or begin one with a verb of nothing else: "don't turn"."""
-        if words and words[0] in self._motion_verbs and self._commands.matcher.prefix(words)[1] is not None:
+        """Whether words are a motion, exactly or nearly, or begin one: "don't turn"."""
+        if self._verbs.begin(words) and self._commands.matcher.prefix(words)[1] is not None:
             return True
         clause = (self._commands.exact(words, state) or self._commands.misheard(words, state)) if words else None
         return clause is not None and self._moves(clause)
@@ -231,16 +231,6 @@ class Negations:
             return False
         person = isinstance(clause.action, Custom) and not clause.action.slots  # "don't follow me", "don't come here"
         return person or clause.reading.intent.action.type in MOTIONS  # also one that cannot be: "don't go there"
-
-    @cached_property
-    def _motion_verbs(self) -> frozenset[str]:
-        """Words with which sentences of motions begin, and no others."""
-        grammar = self._commands.matcher.grammar
-        begun: dict[bool, set[str]] = {True: set(), False: set()}
-        for intent in grammar.intents.values():
-            for sentence in intent.sentences:
-                begun[intent.action.type in MOTIONS] |= first_words(sentence.template, grammar.phrases)[0]
-        return frozenset(begun[True] - begun[False])
 
     @step(Kind.NEGATION)
     def wanted(self, core: Utterance, state: Collection[str]) -> tuple[Utterance | None, str]:

@@ -139,3 +139,26 @@ def test_what_is_no_command_ends_nothing(engines, language: str, said: str) -> N
 )  # fmt: skip
 def test_other_ways_to_hold_what_moves(engines, language: str, said: str) -> None:
     assert done(engines[language].parse(said, state=("moving",))) == "stop"
+
+
+@pytest.mark.parametrize(
+    ("said", "stops"),
+    [
+        ("don't turn", True),
+        ("please do not turn", True),
+        ("never turn", True),
+        ("don't turn on the radio", False),
+        ("don't switch", False),
+    ],
+)
+def test_a_verb_of_a_motion_and_of_something_else(engine_of, said: str, stops: bool) -> None:
+    engine = engine_of(
+        """
+        language: en
+        slots: {side: [left, right], device: [radio, fan]}
+        intents:
+          turn: {action: {type: turn, direction: "{side}"}, sentences: ["turn {side}"]}
+          device: {action: custom, sentences: ["(turn|switch) on the {device}"]}
+        """
+    )
+    assert engine.parse(said, state={"moving"}).stops == stops
