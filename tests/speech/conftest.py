@@ -11,7 +11,7 @@ import pytest
 import soundfile
 from speech_stage import ROOT, Frames, Listened, framed
 
-from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import Heard
 from intent_engine.speech import second_opinion
@@ -25,11 +25,6 @@ def _patient_search():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(second_opinion, "SOON", math.inf)
         yield
-
-
-@pytest.fixture(scope="session")
-def engine() -> IntentEngine:
-    return IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
 
 
 @pytest.fixture(scope="session")
