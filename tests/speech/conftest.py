@@ -16,6 +16,7 @@ from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import Heard
 from intent_engine.speech import second_opinion
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredWhisper
 
 
@@ -25,6 +26,11 @@ def _patient_search():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(second_opinion, "SOON", math.inf)
         yield
+
+
+@pytest.fixture(scope="session")
+def grammar(engine) -> SpokenGrammar:
+    return SpokenGrammar(engine)
 
 
 @pytest.fixture(scope="session")
