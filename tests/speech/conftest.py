@@ -53,7 +53,7 @@ def go_forward(demo) -> np.ndarray:
     return demo[: int(4.1 * SAMPLE_RATE)]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def spoken(go_forward) -> np.ndarray:
     """The same, as an endpoint cuts it."""
     return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
