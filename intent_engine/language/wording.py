@@ -81,7 +81,7 @@ class Wording:
     """Pronouns for more than one thing: "them"."""
     denying: frozenset[str] = frozenset()
     """Words behind a verb that only complete the negation before it: "ne va *pas* à la cuisine"."""
-    forbidden: tuple[tuple[str, str], ...] = ()
+    forbidden: tuple[tuple[str, ...], ...] = ()
     """How verbs are forbidden, the form and the verb as it is told: "andare", "vai"; "-are", "-a" of any verb."""
     formal: tuple[str, ...] = ()
     """How a command is told to a stranger, and how to a friend: "-en sie/-e"."""
@@ -98,7 +98,7 @@ class Wording:
     """Words behind a verb that say that it was so before: "mach das Licht *wieder* an"."""
     wishing: tuple[tuple[str, ...], ...] = ()
     """Fillers behind which the verb stands last, as what somebody does: "*ich möchte dass du* den Ball aufhebst"."""
-    wished: tuple[tuple[str, str], ...] = ()
+    wished: tuple[tuple[str, ...], ...] = ()
     """How such a verb ends, and its infinitive: "nimmst", "nehmen"; "-st", "-en"."""
     particles: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """What a verb may have straight behind it, and behind what it is done to: "turn *on* the lamp", "turn the lamp

@@ -127,16 +127,18 @@ def default_opposites(language: str) -> tuple[tuple[str, str], ...]:
 
 def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[str, ...], ...]]) -> Wording:
     """How people put their commands; ``said`` turns phrases into normalised words. What becomes of a list is the type
-    that :class:`Wording` has for it."""
-    lists = _words(language)
+    that :class:`Wording` has for it; what tells how verbs end is left as it is written."""
+    lists, types = _words(language), get_type_hints(Wording)
     made: dict[Any, Callable[[tuple[str, ...]], Any]] = {
         tuple[str, ...]: tuple,
         frozenset[str]: frozenset,
         tuple[tuple[str, ...], ...]: said,
         frozenset[tuple[str, ...]]: lambda texts: frozenset(said(texts)),
-        tuple[tuple[str, str], ...]: lambda texts: tuple(tuple(pair.split()) for pair in texts),
     }
-    forms = get_type_hints(Wording)
-    particles = {verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()}
-    found = {name: made[forms[name]](lists.get(key, ())) for name, key in _WORDING.items() if name != "particles"}
-    return Wording(**found, particles=particles)
+    others: dict[str, Any] = {
+        "forbidden": tuple(tuple(form.split()) for form in lists.get("forbidden", ())),
+        "wished": tuple(tuple(form.split()) for form in lists.get("wished", ())),
+        "particles": {verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()},
+    }
+    found = {name: made[types[name]](lists.get(key, ())) for name, key in _WORDING.items() if name not in others}
+    return Wording(**found, **others)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -173,20 +173,20 @@ class WrittenOtherwise:
         slowly" of one that has "slowly turn the crank"."""
         rule, verbs = self._said_first, self._commands.first_words - self._commands.not_verbs
         ways = (*rule.verb_first(core, verbs), *rule.manner_first(core))
-        return self._one_of(text, core, ((way, partial(rule.means, moved=moved)) for way, moved in ways), state)
+        return self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
         rule = self._placed_first
         ways = rule.ways(core, self._commands.first_words)
-        means = ((way, partial(rule.means, start=start, end=end)) for way, start, end in ways)
+        means = [(way, partial(rule.means, start=start, end=end)) for way, start, end in ways]
         return self._one_of(text, core, means, state)
 
     def _one_of(
         self,
         text: str,
         core: Utterance,
-        ways: Iterable[tuple[Utterance, Callable[[Reading], bool]]],
+        ways: Sequence[tuple[Utterance, Callable[[Reading], bool]]],
         state: Collection[str],
     ) -> Understood | None:
         """The one command among ways to say it, each with whether a reading of it is what was meant."""
