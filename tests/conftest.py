@@ -44,6 +44,14 @@ def root() -> Path:
 
 
 @pytest.fixture(scope="session")
+def engine() -> IntentEngine:
+    """The shipped English grammar with the shipped home. Tests of another grammar have an engine of their own."""
+    from meanings import shipped
+
+    return shipped()
+
+
+@pytest.fixture(scope="session")
 def engine_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., IntentEngine]:
     """The engine of a grammar that a test has written down; options as those of ``from_files``."""
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
+from meanings import shipped
+from speech_stage import Frames, Voiced, framed
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
@@ -15,11 +15,7 @@ from intent_engine.runtime import Heard, HeardKind
 from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Transcript
 
-ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tests" / "speech"))
-from speech_stage import Frames, Voiced, framed  # noqa: E402
-
-ENGINE = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
+ENGINE = shipped()
 
 
 class Script:

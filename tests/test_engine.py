@@ -14,11 +14,6 @@ from intent_engine.language.slots.slot_values import NamesOf
 from intent_engine.resources import find
 
 
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
-
-
 @pytest.mark.parametrize("method", ["parse", "explain", "prefix", "dictated"])
 @pytest.mark.parametrize(
     ("given", "kind"), [(None, "NoneType"), (5, "int"), (b"stop", "bytes"), (["stop"], "list")], ids=repr

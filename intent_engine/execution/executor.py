@@ -21,29 +21,20 @@ from types import TracebackType
 
 from intent_engine.actions import Action, Stop, actions_of
 from intent_engine.execution import given, shutdown
-from intent_engine.execution.admission import Admission, check_robot, checked, limits_of
-from intent_engine.execution.books import Books
-from intent_engine.execution.carriers import Carriers
-from intent_engine.execution.clock import Clock, MonotonicClock, SteppedClock
-from intent_engine.execution.conductor import Conductor
+from intent_engine.execution.admission import check_robot, checked
+from intent_engine.execution.clock import Clock, SteppedClock
 from intent_engine.execution.denial import does
-from intent_engine.execution.events import Dispatcher, EventKind, Listener
-from intent_engine.execution.failsafe import Failsafe
-from intent_engine.execution.gate import Gate
+from intent_engine.execution.events import EventKind, Listener
 from intent_engine.execution.goal import Goal, Guard, Reason
 from intent_engine.execution.handlers import Handler
-from intent_engine.execution.intake import Intake
-from intent_engine.execution.life import Life
 from intent_engine.execution.limits import Limits
-from intent_engine.execution.motion import Follower, Keep, Rates
+from intent_engine.execution.motion import Keep, Rates
+from intent_engine.execution.parts import Parts
 from intent_engine.execution.policy import Policy
-from intent_engine.execution.progress import Progress
-from intent_engine.execution.pulse import Pulse
 from intent_engine.execution.robots.robot import Robot
 from intent_engine.execution.runs import VelocityLoop
 from intent_engine.execution.snapshot import Snapshot
 from intent_engine.execution.stops import StopCall
-from intent_engine.execution.waiting import Waiting
 
 __all__ = ["Executor", "Snapshot"]
 
@@ -95,50 +86,18 @@ class Executor:
         given.check_parts(clock, rates, loop, journal, on_event)
         given.check_number("hold_limit", hold_limit)
         given.check_number("queue_limit", queue_limit, "goals")
-        self.robot = robot
-        limits = limits_of(robot, limits)
-        self.rates: Rates = rates or getattr(robot, "rates", None) or Rates()
-        self.clock: Clock = clock or getattr(robot, "clock", None) or MonotonicClock()
-        given.check_clock(self.clock)
-        if hasattr(robot, "use_clock"):
-            robot.use_clock(self.clock)
-        self._gate = Gate(robot)
-        self.loop: VelocityLoop = loop if loop is not None else Follower(self._gate, limits, self.rates)
-        self._admission = Admission(robot, limits, handlers or {}, policies or {}, expire_after)
-        self._stepped = self.clock if isinstance(self.clock, SteppedClock) else None
-        if self._stepped is not None and loop is not None:
-            raise ValueError("a velocity loop in another process cannot follow a virtual clock; give no loop")
-        self._events = Dispatcher(self.clock.now, threaded=self._stepped is None)
-        events, loop = self._events, self.loop
-        self._failsafe = Failsafe(robot, loop, self._gate, events, self.rates.valid_for)
-        self._books = Books(self.clock, self._gate, self._failsafe, lambda *stop: self._conductor.stop(*stop))
-        self._waiting = Waiting(self.clock, self._books.ended, lambda: self.idle)
-        poke = self._books.poke
-        stops = self._books.stops
-        carriers = Carriers(
-            robot,
-            self._admission,
-            loop,
-            lambda goal, work: events.launch(stops.carrying_out(goal, work)),
-            poke,
-            self._failsafe.stop_robot,
+        self._parts = parts = Parts(
+            robot, limits, clock, handlers or {}, loop, rates, policies or {}, expire_after, hold_limit, queue_limit
         )
-        progress = Progress(events, self._failsafe, lambda: self._books.ended.notify_all())
-        self._intake = Intake(self._admission, self._failsafe, stops, progress, queue_limit)
-        self._conductor = Conductor(
-            self._admission, carriers, loop, self._failsafe, events, self._intake, progress, stops, hold_limit
-        )
-        self._pulse = Pulse(self._books, self._conductor, events, self.clock)
-        self._life = Life(
-            robot, loop, self._gate, self._failsafe, self._books, events, self._intake, self._waiting, self.rates.zeros
-        )
+        self.robot, self.rates, self.clock, self.loop = robot, parts.rates, parts.clock, parts.loop
+        self._books, self._conductor, self._events = parts.books, parts.conductor, parts.events
+        self._failsafe, self._admission, self._intake = parts.failsafe, parts.admission, parts.intake
+        self._pulse, self._waiting, self._life = parts.pulse, parts.waiting, parts.life
         self._utterance = 0
         for listener in (journal, on_event):
             if listener is not None:
                 self._events.subscribe(listener)
-        if hasattr(self.loop, "attach"):
-            self.loop.attach(poke, self._failsafe.stop_robot)
-        self._life.begin(self.clock, self, self._pulse, handle_sigterm)
+        self._life.begin(self.clock, self._pulse, handle_sigterm)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -371,15 +330,12 @@ class Executor:
 
     def run_until_idle(self) -> bool:
         """On a virtual clock: carry everything out, zeros that end a motion included."""
-        if self._stepped is None:
-            return self.wait()
-        return self._stepped.run_until_idle()
+        return self.clock.run_until_idle() if isinstance(self.clock, SteppedClock) else self.wait()
 
     @property
     def idle(self) -> bool:
         """Nothing is being carried out and nothing waits."""
-        with self._books.lock:
-            return self._conductor.idle
+        return self._parts.idle
 
     @property
     def limits(self) -> Limits:
@@ -421,19 +377,6 @@ class Executor:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
-
-    # -- stepping: on a virtual clock by the clock, else by the thread -------------------------------------------------
-
-    def due(self) -> float | None:
-        """When :meth:`step` has something to do."""
-        with self._books.lock:
-            return self._pulse.due()
-
-    def step(self) -> None:
-        """Do what is due now."""
-        with self._books.locked() as now:
-            self._pulse.advance(now)
-        self._events.flush()
 
     def _stop(self, reason: Reason, kind: EventKind, said: float | None = None) -> StopCall:
         """Stop; what comes after it is asked for since what is returned."""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
+from functools import partial
 
 from intent_engine.execution import shutdown
 from intent_engine.execution.books import Books
-from intent_engine.execution.clock import Clock, Stepped, SteppedClock
+from intent_engine.execution.clock import Clock, SteppedClock
 from intent_engine.execution.events import Dispatcher, EventKind
 from intent_engine.execution.failsafe import Failsafe
 from intent_engine.execution.gate import Gate
@@ -59,15 +61,14 @@ class Life:
         self._closing = threading.Lock()
         """Taken by who closes, for good."""
         self._thread: threading.Thread | None = None
-        self._clock: SteppedClock | None = None
-        self._stepped: Stepped | None = None
+        self._leave_clock: Callable[[], None] = lambda: None
 
-    def begin(self, clock: Clock, stepped: Stepped, pulse: Pulse, sigterm: bool) -> None:
-        """Do what is due: ``stepped`` on a clock that is moved, else ``pulse`` in a thread. ``sigterm``: stop the robot
-        when the process is asked to end, if nobody else listens to that."""
+    def begin(self, clock: Clock, pulse: Pulse, sigterm: bool) -> None:
+        """Do what is due, by a clock that is moved or in a thread. ``sigterm``: stop the robot when the process is
+        asked to end, if nobody else listens to that."""
         if isinstance(clock, SteppedClock):
-            self._clock, self._stepped = clock, stepped
-            clock.attach(stepped)
+            clock.attach(pulse)
+            self._leave_clock = partial(clock.detach, pulse)
         else:
             self._thread = threading.Thread(target=pulse.run, name="executor", daemon=True)
             self._thread.start()
@@ -85,8 +86,7 @@ class Life:
         finally:  # also where Ctrl-C, or a robot's sys.exit(), breaks that off
             if self._thread is not None and self._thread is not threading.current_thread():
                 self._thread.join(1.0)
-            if self._clock is not None and self._stepped is not None:
-                self._clock.detach(self._stepped)
+            self._leave_clock()
             try:
                 self.last_zeros()
                 shutdown.unregister(self)

@@ -16,7 +16,7 @@ __all__ = ["Pulse"]
 
 
 class Pulse:
-    """Moves the conductor on. Under the lock of the books.
+    """Moves the conductor on.
 
     Args:
         books: whose lock it is.
@@ -33,8 +33,15 @@ class Pulse:
 
     def due(self) -> float | None:
         """When something is to be done; None: never."""
-        now = self._clock.now()
-        return now if self._books.due else self._conductor.due(now)
+        with self._books.lock:
+            now = self._clock.now()
+            return now if self._books.due else self._conductor.due(now)
+
+    def step(self) -> None:
+        """Do what is due now, and let everybody hear of it: for a clock that is moved."""
+        with self._books.locked() as now:
+            self.advance(now)
+        self._events.flush()
 
     @contextlib.contextmanager
     def whole(self) -> Iterator[None]:
@@ -47,7 +54,7 @@ class Pulse:
             raise
 
     def advance(self, now: float) -> None:
-        """Do what is due."""
+        """Do what is due, under the lock of the books."""
         self._books.looked()
         try:
             with self.whole():

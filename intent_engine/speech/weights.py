@@ -6,7 +6,7 @@ import hashlib
 import importlib.util
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -77,15 +77,10 @@ class Weights:
     """Whether the digest was known and right."""
 
 
-def sha256(path: Path, progress: Callable[[int], None] | None = None) -> str:
-    """Digest of a file; ``progress`` is told the bytes read."""
-    digest = hashlib.sha256()
+def sha256(path: Path) -> str:
+    """Digest of a file."""
     with path.open("rb") as file:
-        while block := file.read(1 << 20):
-            digest.update(block)
-            if progress is not None:
-                progress(len(block))
-    return digest.hexdigest()
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def find_weights(name: str = "tiny.en", *, download: bool = True) -> Weights:

@@ -9,7 +9,6 @@ import pytest
 import soundfile
 from continuing_stage import Script, Voiced
 
-from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.hearing import Listener, _Notes
 from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.labels import Expected, Row
@@ -38,11 +37,6 @@ class Scripted:
 
     def close(self) -> None:
         pass
-
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
 
 
 @pytest.fixture(scope="module")

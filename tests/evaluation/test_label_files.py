@@ -7,18 +7,12 @@ import json
 import pytest
 
 from intent_engine.actions import Move, Stop
-from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.evaluation.hearing import Act, Hearing
 from intent_engine.evaluation.label_files import find_labels, read_labels
 from intent_engine.evaluation.labels import Step
 from intent_engine.evaluation.scoring import Condition, Verdict, judge
 from intent_engine.language.sampler import sample
-
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
 
 
 @pytest.fixture

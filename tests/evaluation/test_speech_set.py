@@ -13,7 +13,6 @@ import pytest
 import soundfile
 
 from intent_engine.actions import to_json
-from intent_engine.engine import IntentEngine
 from intent_engine.evaluation.label_files import read_labels
 from intent_engine.evaluation.sameness import same
 from intent_engine.evaluation.sound import end_of_speech
@@ -22,11 +21,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 from make_speech_set import LEAD, recorded
 from speech_sentences import others, plain, sampled
 from synthetic_voices import find_voices
-
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
 
 
 def test_three_hundred_commands_and_no_sentence_twice(engine):

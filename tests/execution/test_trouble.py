@@ -189,7 +189,7 @@ def test_the_gate_is_shut_before_anything_is_waited_for(command):
 
     class Curious(SimulatedRobot):
         def stop(self) -> None:
-            through.append(executor._gate._opened == executor._gate._generation)
+            through.append(executor._books._gate._opened == executor._books._gate._generation)
 
     executor = Executor(Curious(), handle_sigterm=False)
     with executor:
@@ -241,15 +241,15 @@ def test_closing_ends_the_goals_of_a_robot_that_hangs_longer_than_a_stop_waits(s
     s.executor._books.LATER = 0.01
     (goal,) = s.executor.submit(FORWARD)
     thread, taken, go = hanging(s.executor)
-    shut, later = s.executor._gate.shut, s.executor._books.poke
+    shut, later = s.executor._books._gate.shut, s.executor._books.poke
 
     def shut_and_hang() -> None:
         shut()
-        s.executor._gate.shut = shut
+        s.executor._books._gate.shut = shut
         thread.start()
         assert taken.wait(30.0)
 
-    s.executor._gate.shut = shut_and_hang
+    s.executor._books._gate.shut = shut_and_hang
     s.executor._books.poke = lambda: (go.set(), later())
     s.executor.close()
     thread.join(30.0)

@@ -22,11 +22,6 @@ from intent_engine.language.templates.spellings import spellings
 from intent_engine.language.templates.template_tree import template_text
 
 
-@pytest.fixture(scope="module")
-def home(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
-
-
 def check(tmp_path: Path, text: str, places: dict[str, Any] | None = None) -> Report:
     path = tmp_path / "g.yaml"
     path.write_text(text)
@@ -187,17 +182,17 @@ def test_aliases_of_one_place_are_no_rivals():
     assert list(alike([(("kitchen",), "kitchen"), (("kitchin",), "kitchen")])) == []
 
 
-def test_the_shipped_grammar_has_no_errors_or_warnings(home):
-    report = check_grammar(home.grammar, home.locations)
+def test_the_shipped_grammar_has_no_errors_or_warnings(engine):
+    report = check_grammar(engine.grammar, engine.locations)
     assert found(report, "error", "warning") == []
     assert report.figures.complete
     assert report.figures.word_states < 20_000
 
 
-def test_what_the_walk_comes_upon_is_understood(home):
+def test_what_the_walk_comes_upon_is_understood(engine):
     """The reduced grammar is a part of the whole one."""
-    walk = explore(home.grammar, home.locations)
-    matcher = home.matcher()
+    walk = explore(engine.grammar, engine.locations)
+    matcher = engine.matcher()
     for meeting in walk.meetings[::25]:
         whole = {id(reading.sentence) for reading in matcher.read(list(meeting.words))}
         assert {id(reading.sentence) for reading in meeting.readings} <= whole, meeting.words
@@ -205,8 +200,8 @@ def test_what_the_walk_comes_upon_is_understood(home):
     assert all(one <= other for one, other in pairwise(lengths)), "the shortest words come first"
 
 
-def test_a_walk_that_is_cut_short_says_so(home):
-    walk = explore(home.grammar, home.locations, most=100)
+def test_a_walk_that_is_cut_short_says_so(engine):
+    walk = explore(engine.grammar, engine.locations, most=100)
     assert not walk.complete
     assert walk.states < 300
 

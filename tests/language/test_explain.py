@@ -17,12 +17,6 @@ from intent_engine.language.explain import OUTCOMES
 from intent_engine.language.explanation import Explanation, Step
 from intent_engine.language.meaning.steps import Kind
 
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
-
-
 WORDS = st.lists(
     st.one_of(
         st.sampled_from(["go", "move", "turn", "left", "right", "forward", "back", "to", "the", "kitchen", "kitchn"]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import german
 
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
@@ -12,8 +13,8 @@ from intent_engine.testing.examples import grammar_cases, run_case
 
 
 @pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
+def engine() -> IntentEngine:
+    return german()
 
 
 def test_its_examples_hold(engine):

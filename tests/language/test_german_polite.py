@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import german
 
 from intent_engine.actions import Stop
 from intent_engine.engine import IntentEngine
@@ -45,8 +46,8 @@ PAIRS = [
 
 
 @pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
+def engine() -> IntentEngine:
+    return german()
 
 
 @pytest.mark.parametrize(("polite", "plain"), PAIRS)

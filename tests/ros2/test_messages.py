@@ -27,11 +27,6 @@ from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.recognizer import Transcript
 
 
-@pytest.fixture(scope="module")
-def engine(root):
-    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
-
-
 @pytest.mark.parametrize(
     ("text", "tutorial"),
     [

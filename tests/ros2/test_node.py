@@ -8,8 +8,6 @@ import time
 
 import pytest
 
-from intent_engine.engine import IntentEngine
-
 pytestmark = pytest.mark.ros2
 
 
@@ -19,11 +17,6 @@ def talk(driven):
     peer, _ = driven
     peer.forget()
     return peer
-
-
-@pytest.fixture(scope="module")
-def engine(root):
-    return IntentEngine.from_files(root / "grammars/en.yaml", locations=root / "locations/home.yaml")
 
 
 def until(condition, what=""):

@@ -6,15 +6,14 @@ from dataclasses import replace
 
 import pytest
 
-from intent_engine.engine import IntentEngine
 from intent_engine.runtime.asking_back import OTHER_WAY
 from intent_engine.runtime.judgement import Judge
 from intent_engine.speech.recognizer import Transcript
 
 
 @pytest.fixture(scope="module")
-def judge(root) -> Judge:
-    return Judge(IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml"))
+def judge(engine) -> Judge:
+    return Judge(engine)
 
 
 @pytest.mark.parametrize(

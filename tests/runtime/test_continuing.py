@@ -8,9 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from continuing_stage import ENGINE, ROOT, Frames, Said, SaidInParts, Script, Voiced, framed
+from continuing_stage import ENGINE, Frames, Said, SaidInParts, Script, Voiced, framed
 from hypothesis import given
 from hypothesis import strategies as st
+from speech_stage import ROOT
 
 from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
 from intent_engine.cli.reporter import Reporter

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from continuing_stage import ROOT, Said, SaidInParts, Script
+from continuing_stage import Said, SaidInParts, Script
+from speech_stage import ROOT
 
 from intent_engine.engine import IntentEngine
 from intent_engine.execution.goal import GoalState

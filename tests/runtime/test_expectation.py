@@ -14,8 +14,8 @@ from intent_engine.speech.thresholds import CLEARLY
 
 
 @pytest.fixture(scope="module")
-def judge(root) -> Judge:
-    return Judge(IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml"))
+def judge(engine) -> Judge:
+    return Judge(engine)
 
 
 def expected(judge: Judge, said: Transcript, amendable: bool = False) -> tuple[Interpretation | None, Outlook]:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from intent_engine.engine import IntentEngine
 from intent_engine.runtime.follow_up import CORRECTED_CLEARLY, FollowUp
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.thresholds import CLEARLY, HARDLY_A_WORD
 
 
 @pytest.fixture(scope="module")
-def follow_up(root) -> FollowUp:
-    return FollowUp(IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml"))
+def follow_up(engine) -> FollowUp:
+    return FollowUp(engine)
 
 
 def heard(text: str, score: float = 0.0) -> Transcript:

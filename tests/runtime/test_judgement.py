@@ -24,8 +24,8 @@ ONE, SEVERAL, STOP = "go forward two meters", "go forward two meters and turn le
 
 
 @pytest.fixture(scope="module")
-def judge() -> Judge:
-    return Judge(IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml"))
+def judge(engine) -> Judge:
+    return Judge(engine)
 
 
 def heard(text: str, confidence: float | None, free: str = "oh forward to me does") -> Transcript:

@@ -11,11 +11,12 @@ import pytest
 import soundfile
 from speech_stage import ROOT, Frames, Listened, framed
 
-from intent_engine import Executor, IntentEngine, Runtime, SimulatedRobot
+from intent_engine import Executor, Runtime, SimulatedRobot
 from intent_engine.execution.clock import VirtualClock
 from intent_engine.runtime import Heard
 from intent_engine.speech import second_opinion
 from intent_engine.speech.audio import SAMPLE_RATE
+from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.steered import SteeredWhisper
 
 
@@ -28,8 +29,8 @@ def _patient_search():
 
 
 @pytest.fixture(scope="session")
-def engine() -> IntentEngine:
-    return IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
+def grammar(engine) -> SpokenGrammar:
+    return SpokenGrammar(engine)
 
 
 @pytest.fixture(scope="session")
@@ -52,7 +53,7 @@ def go_forward(demo) -> np.ndarray:
     return demo[: int(4.1 * SAMPLE_RATE)]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def spoken(go_forward) -> np.ndarray:
     """The same, as an endpoint cuts it."""
     return go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]

@@ -24,11 +24,6 @@ OTHER = Thinks(replace(heard("turn right", 0.5), free_text="turn right"), {"turn
 confidences = st.floats(0, 1)
 
 
-@pytest.fixture(scope="module")
-def grammar(engine):
-    return SpokenGrammar(engine)
-
-
 LAMP = """
 language: en
 intents:

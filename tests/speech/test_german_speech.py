@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from meanings import german
 
 from intent_engine.engine import IntentEngine
 from intent_engine.speech.audio import Samples
@@ -19,8 +20,8 @@ def said(text: str) -> Samples:
 
 
 @pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
+def engine() -> IntentEngine:
+    return german()
 
 
 @pytest.fixture(scope="module")

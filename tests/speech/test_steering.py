@@ -14,8 +14,6 @@ from intent_engine.speech.hypotheses import guide
 from intent_engine.speech.recognizer import Transcript
 from intent_engine.speech.steering import CLEAR_TALK
 
-NOT = "Do not ", "Don't ", "Never "
-
 
 @pytest.fixture
 def hears(whisper, monkeypatch):

@@ -8,9 +8,9 @@ import sys
 import pytest
 from hypothesis import find, given, settings
 from hypothesis import strategies as st
+from meanings import shipped
 
 import intent_engine.testing
-from intent_engine.engine import IntentEngine
 from intent_engine.errors import ConfigError
 from intent_engine.interpretation import Status
 from intent_engine.testing import Noise, assert_means, moves, sentences
@@ -44,11 +44,6 @@ def engine(engine_of):
     return engine_of(GRAMMAR)
 
 
-@pytest.fixture(scope="module")
-def robot(root):
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
-
-
 @pytest.mark.parametrize(
     ("wanted", "shortest"),
     [
@@ -72,8 +67,8 @@ def test_a_failure_shrinks_to_the_shortest_sentence(engine, wanted, shortest):
         (lambda said: said.expected.intent == "pick" and "source" in said.expected.slots, 5),  # of the fewest choices
     ],
 )
-def test_it_does_in_a_large_grammar(robot, wanted, words):
-    assert len(find(sentences(robot), wanted, settings=FIND).text.split()) <= words
+def test_it_does_in_a_large_grammar(wanted, words):
+    assert len(find(sentences(shipped()), wanted, settings=FIND).text.split()) <= words
 
 
 @pytest.mark.parametrize(

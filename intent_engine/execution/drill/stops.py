@@ -51,21 +51,27 @@ def _drive(robot: _Recorder, executor: Executor, file: RobotFile) -> Goal:
     return goal
 
 
+def _stop(robot: _Recorder, executor: Executor, file: RobotFile, faults: list[str]) -> float:
+    """Stop, and time the zero, in s; a velocity that is written after the stop has returned is a fault."""
+    begin = time.monotonic()
+    executor.stop()
+    returned = time.monotonic()
+    time.sleep(3.0 * file.rates.period)
+    if any((linear or angular) and at > returned for at, linear, angular in robot.log):
+        faults.append("a velocity was written after stop() had returned")
+    return first_zero(robot.log, begin)
+
+
 def stop_under_load(file: RobotFile, runs: int) -> Trial:
     """Stop while the robot drives, on a busy machine, and time the zero."""
     robot, executor = _make(file)
-    times, faults = [], []
+    times: list[float] = []
+    faults: list[str] = []
     with executor:
         for _ in range(runs):
             goal = _drive(robot, executor, file)
             time.sleep(random.uniform(0.0, 2.0 * file.rates.period))
-            begin = time.monotonic()
-            executor.stop()
-            returned = time.monotonic()
-            time.sleep(3.0 * file.rates.period)
-            times.append(first_zero(robot.log, begin))
-            if any((linear or angular) and at > returned for at, linear, angular in robot.log):
-                faults.append("a velocity was written after stop() had returned")
+            times.append(_stop(robot, executor, file, faults))
             if goal.reason is not Reason.STOP:
                 faults.append(f"the goal ended as {goal.state.value}")
     promise = "stop() writes zero at once while every core and two threads are busy"
@@ -84,7 +90,7 @@ def flood(file: RobotFile, commands: int) -> Trial:
             with lock:
                 goals.extend(new)
 
-    faults = []
+    faults: list[str] = []
     with executor:
         begin = time.monotonic()
         threads = [threading.Thread(target=shout, args=(commands // 4,)) for _ in range(4)]
@@ -93,18 +99,12 @@ def flood(file: RobotFile, commands: int) -> Trial:
         for thread in threads:
             thread.join()
         each = (time.monotonic() - begin) / commands
-        stopped = time.monotonic()
-        executor.stop()
-        returned = time.monotonic()
-        time.sleep(3.0 * file.rates.period)
-        if any((linear or angular) and at > returned for at, linear, angular in robot.log):
-            faults.append("a velocity was written after stop() had returned")
+        time_to_zero = _stop(robot, executor, file, faults)
         left = [goal for goal in goals if not goal.done]
         if left:
             faults.append(f"{len(left)} goals never ended")
         if not executor.idle:
             faults.append("the executor is not idle after stop()")
-        time_to_zero = first_zero(robot.log, stopped)
     promise = f"{commands} commands from 4 threads at once, and then stop() still stops at once"
     return result("flood", promise, 0.05, [time_to_zero], faults, f"{each * 1e6:.0f} us a command")
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cache
-from typing import Any
+from typing import Any, get_type_hints
 
 from intent_engine.language.grammar import Operators
 from intent_engine.language.language_files import Keys, language_file
@@ -28,20 +28,18 @@ __all__ = [
 ]
 
 _OPERATORS = frozenset(one.name for one in fields(Operators)) - {"stop_by_sound"}  # which is made of the stops
-_WORDING = (
-    "greeting", "hesitation", "at_first", "besides", "leads", "way_back", "asked", "request", "agrees", "agreeing",
-    "compares",
-    "before_verb", "verb_follows", "adds", "of_speed", "negated", "forbidding", "before_negation", "behind_verb",
-    "excludes", "may_forbid", "none_of", "alternative", "several", "denying", "forbidden", "formal", "asking",
-    "kindly", "told_as", "joined", "ways_on", "ways_to",    "parted",
-    "thanking", "affirming", "declining", "standing_for", "placed", "asks_for_doing", "asks_to_do",
-    "leaves_open", "ranging", "adverb", "for_whom", "gives", "once_more", "wishing", "wished", "particles",
-)  # fmt: skip
+_LISTS = {
+    "adverbs": "adverb", "alternatives": "alternative", "before_negations": "before_negation",
+    "before_verbs": "before_verb", "behind_verbs": "behind_verb", "greetings": "greeting", "hesitations": "hesitation",
+    "requests": "request", "ways_back": "way_back",
+}  # fmt: skip
+"""The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
+_WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
-    "said_for_true", "said_for_false", "vowels",
+    "said_for_true", "said_for_false",
 )  # fmt: skip
-KEYS: Keys = dict.fromkeys((*sorted(_OPERATORS), *_WORDING, *_OTHERS))
+KEYS: Keys = dict.fromkeys((*sorted(_OPERATORS), *_WORDING.values(), *_OTHERS))
 """What a file may hold."""
 
 
@@ -128,65 +126,20 @@ def default_opposites(language: str) -> tuple[tuple[str, str], ...]:
 
 
 def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[str, ...], ...]]) -> Wording:
-    """How people put their commands; ``said`` turns phrases into normalised words."""
-    lists = _words(language)
-
-    def phrases(key: str) -> tuple[tuple[str, ...], ...]:
-        return said(lists.get(key, ()))
-
-    def words(key: str) -> frozenset[str]:
-        return frozenset(lists.get(key, ()))
-
-    return Wording(
-        greetings=phrases("greeting"),
-        thanking=phrases("thanking"),
-        hesitations=phrases("hesitation"),
-        at_first=phrases("at_first"),
-        besides=phrases("besides"),
-        leads=words("leads"),
-        ways_back=phrases("way_back"),
-        asks_for_doing=phrases("asks_for_doing"),
-        asks_to_do=phrases("asks_to_do"),
-        asked=words("asked"),
-        requests=words("request"),
-        agrees=words("agrees"),
-        agreeing=phrases("agreeing"),
-        compares=words("compares"),
-        before_verbs=words("before_verb"),
-        verb_follows=words("verb_follows"),
-        adds=words("adds"),
-        of_speed=words("of_speed"),
-        negated=phrases("negated"),
-        forbidding=phrases("forbidding"),
-        before_negations=phrases("before_negation"),
-        behind_verbs=phrases("behind_verb"),
-        excludes=frozenset(phrases("excludes")),
-        may_forbid=words("may_forbid"),
-        none_of=words("none_of"),
-        alternatives=words("alternative"),
-        leaves_open=words("leaves_open"),
-        ranging=words("ranging"),
-        affirming=phrases("affirming"),
-        declining=phrases("declining"),
-        standing_for=words("standing_for"),
-        placed=phrases("placed"),
-        several=words("several"),
-        denying=words("denying"),
-        forbidden=tuple(tuple(pair.split()) for pair in lists.get("forbidden", ())),
-        formal=lists.get("formal", ()),
-        asking=lists.get("asking", ()),
-        kindly=phrases("kindly"),
-        told_as=lists.get("told_as", ()),
-        vowels=_pairs(language, "vowels"),
-        joined=words("joined"),
-        ways_on=words("ways_on"),
-        ways_to=words("ways_to"),
-        parted=lists.get("parted", ()),
-        adverbs=phrases("adverb"),
-        for_whom=words("for_whom"),
-        gives=words("gives"),
-        once_more=phrases("once_more"),
-        wishing=phrases("wishing"),
-        wished=tuple(tuple(pair.split()) for pair in lists.get("wished", ())),
-        particles={verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()},
-    )
+    """How people put their commands; ``said`` turns phrases into normalised words. What becomes of a list is the type
+    that :class:`Wording` has for it; what tells how verbs end is left as it is written."""
+    lists, types = _words(language), get_type_hints(Wording)
+    made: dict[Any, Callable[[tuple[str, ...]], Any]] = {
+        tuple[str, ...]: tuple,
+        frozenset[str]: frozenset,
+        tuple[tuple[str, ...], ...]: said,
+        frozenset[tuple[str, ...]]: lambda texts: frozenset(said(texts)),
+    }
+    others: dict[str, Any] = {
+        "forbidden": tuple(tuple(form.split()) for form in lists.get("forbidden", ())),
+        "wished": tuple(tuple(form.split()) for form in lists.get("wished", ())),
+        "particles": {verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()},
+        "vowels": _pairs(language, "vowels"),
+    }
+    found = {name: made[types[name]](lists.get(key, ())) for name, key in _WORDING.items() if name not in others}
+    return Wording(**found, **others)

@@ -49,7 +49,7 @@ _YAML_BOOLEANS = {"yes", "no", "on", "off", "true", "false"}
 
 
 @lru_cache(maxsize=8)
-def _validator(identity: str, text: str) -> Validator:
+def _validator(text: str) -> Validator:
     import json
 
     from jsonschema import Draft202012Validator
@@ -69,7 +69,7 @@ def schema_problems(source: YamlSource, schema: dict[str, Any]) -> list[Problem]
     import json
 
     found: list[Problem] = []
-    for error in _validator(str(schema.get("$id")), json.dumps(schema, sort_keys=True)).iter_errors(source.data):
+    for error in _validator(json.dumps(schema, sort_keys=True)).iter_errors(source.data):
         found.extend(_problems(source, error))
     return sorted(found, key=lambda problem: (problem.line or 0, problem.column or 0))
 

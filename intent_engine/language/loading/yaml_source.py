@@ -183,8 +183,8 @@ def parse_yaml(text: str, source: YamlSource, shortest: str = "") -> YamlSource:
     except yaml.MarkedYAMLError as error:
         found = json_problem(text, source.file) if source.file.endswith(".json") else None
         source.problems.append(found or _syntax_problem(error, source))
-    except yaml.reader.ReaderError as error:
-        source.problems.append(_character_problem(error, text, source))
+    except yaml.reader.ReaderError:
+        source.problems.append(_character_problem(text, source))
     except (yaml.YAMLError, ValueError) as error:
         source.problems.append(Problem(f"is not valid YAML: {error}", source.file))
     except RecursionError:
@@ -206,7 +206,7 @@ def _too_deep(text: str) -> int | None:
     return None
 
 
-def _character_problem(error: Any, text: str, source: YamlSource) -> Problem:
+def _character_problem(text: str, source: YamlSource) -> Problem:
     place = next((place for place, one in enumerate(text) if yaml.reader.Reader.NON_PRINTABLE.match(one)), 0)
     message = f"holds a character that YAML does not allow: {text[place]!a}"
     line, column = text.count("\n", 0, place), place - (text.rfind("\n", 0, place) + 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import replace
+from functools import partial
 
 from intent_engine.actions import Action
 from intent_engine.interpretation import Status
@@ -217,25 +218,29 @@ class WrittenOtherwise:
     def _manner_moved(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "For ten minutes water the beds" of a grammar that has "water the beds for ten minutes", and "turn the crank
         slowly" of one that has "slowly turn the crank"."""
-        found: list[Understood] = []
-        verbs = self._commands.first_words - self._commands.not_verbs
-        for other, moved in (*self._said_first.verb_first(core, verbs), *self._said_first.manner_first(core)):
-            clause = self._commands.exact(other.words, state, breaks=other.breaks)
-            if clause is None or not clause.accepted or clause.reading is None:
-                continue
-            if self._said_first.means(clause.reading, moved):
-                changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
-                found.append(as_told(text, replace(clause, reason=changed)))
-        return found[0] if len({one[0].actions for one in found}) == 1 else None
+        rule, verbs = self._said_first, self._commands.first_words - self._commands.not_verbs
+        ways = (*rule.verb_first(core, verbs), *rule.manner_first(core))
+        return self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
+        rule = self._placed_first
+        ways = rule.ways(core, self._commands.first_words)
+        means = [(way, partial(rule.means, start=start, end=end)) for way, start, end in ways]
+        return self._one_of(text, core, means, state)
+
+    def _one_of(
+        self,
+        text: str,
+        core: Utterance,
+        ways: Sequence[tuple[Utterance, Callable[[Reading], bool]]],
+        state: Collection[str],
+    ) -> Understood | None:
+        """The one command among ways to say it, each with whether a reading of it is what was meant."""
         found: dict[Action | None, Understood] = {}
-        for other, start, end in self._placed_first.ways(core, self._commands.first_words):
+        for other, is_meant in ways:
             clause = self._commands.exact(other.words, state, breaks=other.breaks)
-            if clause is None or not clause.accepted or clause.reading is None:
-                continue
-            if self._placed_first.means(clause.reading, start, end):
+            if clause is not None and clause.accepted and clause.reading is not None and is_meant(clause.reading):
                 changed = f"heard {' '.join(core.words)!r} as {' '.join(other.words)!r}"
                 found.setdefault(clause.action, as_told(text, replace(clause, reason=changed)))
         return next(iter(found.values())) if len(found) == 1 else None

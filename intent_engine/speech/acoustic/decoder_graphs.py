@@ -96,9 +96,9 @@ class DecoderGraph(GraphWriter, ABC):
         """(n, width) -> (n, heads, head)"""
         return self.op("Reshape", value, self._heads)
 
-    def flat(self, value: str, to: str = "") -> str:
-        """(n, heads, head) -> (n, width); under a name if it has one."""
-        return self.op("Reshape", value, self._flat, name=to)
+    def flat(self, value: str) -> str:
+        """(n, heads, head) -> (n, width)"""
+        return self.op("Reshape", value, self._flat)
 
     def keys(self, value: str, to: str = "") -> str:
         """(n, width) -> (heads, head, n), as attention takes keys."""

@@ -93,12 +93,11 @@ class GraphWriter:
         self._nodes.append(helper.make_node(kind, inputs, [output], domain=domain, **attributes))
         return output
 
-    def split(self, value: str, columns: Sequence[int], names: tuple[str, ...] = ()) -> list[str]:
+    def split(self, value: str, columns: Sequence[int]) -> list[str]:
         """Parts of so many columns each."""
         from onnx import helper
 
-        names = names or ("",) * len(columns)
-        outputs = [name or f"value_{len(self._nodes)}_{place}" for place, name in enumerate(names)]
+        outputs = [f"value_{len(self._nodes)}_{place}" for place in range(len(columns))]
         sizes = self.constant(np.array(columns))
         self._nodes.append(helper.make_node("Split", [value, sizes], outputs, axis=1))
         return outputs

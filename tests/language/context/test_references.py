@@ -10,12 +10,6 @@ from intent_engine import IntentEngine
 from intent_engine.actions import Action, Custom, Move, Navigate, Pick, Place, Stop, Turn
 from intent_engine.interpretation import Status
 
-
-@pytest.fixture(scope="module")
-def engine() -> IntentEngine:
-    return IntentEngine.from_files("grammars/en.yaml", locations="locations/home.yaml")
-
-
 GREETER = """
 language: en
 include: [en]

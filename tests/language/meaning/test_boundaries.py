@@ -14,11 +14,6 @@ from intent_engine.engine import IntentEngine
 from intent_engine.interpretation import Status
 
 
-@pytest.fixture(scope="module")
-def engine(root):
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
-
-
 @pytest.mark.parametrize(
     ("text", "slots"),
     [

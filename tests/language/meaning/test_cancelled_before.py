@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from meanings import does, german
+from meanings import does, german, shipped
 
 from intent_engine import IntentEngine
 
@@ -76,24 +76,19 @@ def test_words_that_join_may_stand_together(engine: IntentEngine, joint: str) ->
 # -- where "never mind" is a sentence of the stop intent ---------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def shipped(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
-
-
 @pytest.mark.parametrize("cancelled", ["never mind", "Nevermind", "forget it", "oh forget that"])
 @pytest.mark.parametrize("state", [(), ("moving",)])
 @pytest.mark.parametrize("wanted", ["turn right", "go back", "go to the kitchen and pick up the cup"])
-def test_what_is_wanted_instead_is_done_instead(shipped, cancelled, state, wanted) -> None:
-    assert shipped.parse(f"{cancelled}, {wanted}", state=state).actions == shipped.parse(wanted).actions
-    assert shipped.parse(f"{cancelled}, stop", state=state).stops
+def test_what_is_wanted_instead_is_done_instead(cancelled, state, wanted) -> None:
+    assert shipped().parse(f"{cancelled}, {wanted}", state=state).actions == shipped().parse(wanted).actions
+    assert shipped().parse(f"{cancelled}, stop", state=state).stops
 
 
 @pytest.mark.parametrize("behind", [", it rains", ", don't go there", " turn right", " the kitchen", ", "])
-def test_and_a_robot_that_moves_stops_whatever_is_behind_it(shipped, behind) -> None:
-    assert shipped.parse(f"never mind{behind}", state=["moving"]).stops
+def test_and_a_robot_that_moves_stops_whatever_is_behind_it(behind) -> None:
+    assert shipped().parse(f"never mind{behind}", state=["moving"]).stops
     if behind != ", ":
-        assert not shipped.parse(f"never mind{behind}").actions
+        assert not shipped().parse(f"never mind{behind}").actions
 
 
 # -- what was said before it, in the same breath -----------------------------------------------------------------

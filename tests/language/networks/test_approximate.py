@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from intent_engine.engine import IntentEngine
 from intent_engine.language.networks.approximate import (
     MAX_COMPARED,
     MAX_HEARD,
@@ -27,11 +26,6 @@ SENTENCES = (
 )
 
 HEARD = ("go", "turn", "left", "right", "the", "movement", "starts", "ten", "minutes", "crow", "driver", "what", "can")
-
-
-@pytest.fixture(scope="module")
-def engine(root) -> IntentEngine:
-    return IntentEngine.from_files(root / "grammars" / "en.yaml", locations=root / "locations" / "home.yaml")
 
 
 class Counting:

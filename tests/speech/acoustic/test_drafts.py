@@ -34,13 +34,12 @@ def moonshine(engine):
 
 @settings(max_examples=15)
 @given(draft=PIECES)
-def test_whatever_the_draft_the_words_are_those_without_it(whisper, moonshine, go_forward, draft):
-    sound = go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
+def test_whatever_the_draft_the_words_are_those_without_it(whisper, moonshine, spoken, draft):
     for model in (whisper, moonshine):
         model.draft = NOTHING_DRAFTED
-        text, score, looped = model.greedy(model.encode(sound), "en")
+        text, score, looped = model.greedy(model.encode(spoken), "en")
         model.draft = Draft(lambda: draft)
-        drafted = model.greedy(model.encode(sound), "en")
+        drafted = model.greedy(model.encode(spoken), "en")
         model.draft = NOTHING_DRAFTED
         assert (drafted[0], drafted[2]) == (text, looped)
         assert drafted[1] == pytest.approx(score, abs=0.05)
@@ -65,17 +64,16 @@ def test_where_a_text_has_left_its_draft_it_may_come_back_to_it(draft, written, 
     assert Draft(lambda: tuple(map(ord, draft))).after(tuple(map(ord, written))) == tuple(map(ord, after))
 
 
-def test_what_another_model_heard_is_a_draft_too(moonshine, go_forward, monkeypatch):
+def test_what_another_model_heard_is_a_draft_too(moonshine, spoken, monkeypatch):
     """In another's pieces, and with a word in it that was not said."""
-    sound = go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
     calls = []
     step = PrefixTree._step
     monkeypatch.setattr(PrefixTree, "_step", lambda tree, new: calls.append(len(new)) or step(tree, new))
-    alone = moonshine.listen(sound)
+    alone = moonshine.listen(spoken)
     one_by_one = len(calls)
     moonshine.lose()
     calls.clear()
-    helped = moonshine.listen(sound, told=lambda: alone.transcript.free_text.replace("two", "to"))
+    helped = moonshine.listen(spoken, told=lambda: alone.transcript.free_text.replace("two", "to"))
     assert helped.heard == alone.heard == ["go", "forward", "two", "meters"]
     assert len(calls) < one_by_one - 1
 

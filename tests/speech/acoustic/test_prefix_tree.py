@@ -11,21 +11,19 @@ from intent_engine.speech.acoustic.moonshine import ScoringMoonshine
 from intent_engine.speech.acoustic.moonshine_pieces import BEGINNING
 from intent_engine.speech.acoustic.moonshine_weights import moonshine_package
 from intent_engine.speech.acoustic.prefix_tree import ROOM, TREES, PrefixTree, RecentTrees
-from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.recognizer import Encoded
 
 
 @pytest.fixture(scope="module", params=["whisper", "moonshine"])
-def known(request, go_forward):
+def known(request, spoken):
     """A decoder, what it hears of "go forward two meters", and what is before every text."""
-    sound = go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)]
     if request.param == "whisper":
         whisper = request.getfixturevalue("whisper")
-        return whisper._decoder, whisper._spoken(whisper.encode(sound))[0], whisper.prompt("en")
+        return whisper._decoder, whisper._spoken(whisper.encode(spoken))[0], whisper.prompt("en")
     if moonshine_package() is None:
         pytest.skip("Moonshine's package is for Linux on x86-64")
     moonshine = ScoringMoonshine()
-    return moonshine.model.decoder, moonshine.encode(sound).features[0], (BEGINNING,)
+    return moonshine.model.decoder, moonshine.encode(spoken).features[0], (BEGINNING,)
 
 
 @pytest.fixture(scope="module")

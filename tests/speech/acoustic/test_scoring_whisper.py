@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from intent_engine.speech.acoustic.writing import written
-from intent_engine.speech.audio import SAMPLE_RATE
 
 
 @pytest.fixture
-def encoded(whisper, go_forward):
-    return whisper.encode(go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)])
+def encoded(whisper, spoken):
+    return whisper.encode(spoken)
 
 
 def test_what_was_said_is_likelier_than_what_is_like_it(whisper, encoded):

@@ -13,12 +13,10 @@ from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.steered import SteeredWhisper
 from intent_engine.speech.weights import find_weights
 
-SAID = ("Go", "forward", "two", "meters")
-
 
 @pytest.fixture(scope="module")
-def encoded(whisper, go_forward):
-    return whisper.encode(go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)])
+def encoded(whisper, spoken):
+    return whisper.encode(spoken)
 
 
 @pytest.fixture(scope="module")

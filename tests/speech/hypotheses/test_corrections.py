@@ -19,11 +19,6 @@ from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 NO = PhraseSet([("no",), ("i", "mean")])
 
 
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 @pytest.mark.parametrize(
     ("heard", "meant"),
     [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from meanings import shipped
 from speech_stage import ROOT
 
 from intent_engine.engine import IntentEngine
@@ -13,7 +14,7 @@ from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.testing.strategies import sentences
 
 COFFEE = IntentEngine.from_files(ROOT / "examples" / "coffee" / "coffee.yaml")
-ROBOT = IntentEngine.from_files(ROOT / "grammars" / "en.yaml", locations=ROOT / "locations" / "home.yaml")
+ROBOT = shipped()
 
 
 def detours(engine: IntentEngine, sentence: str, place: int, other: str) -> list[str]:

@@ -9,11 +9,6 @@ from intent_engine.speech.hypotheses.forbidding import forbidden, said_otherwise
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 def test_how_a_german_command_would_be_forbidden(root):
     engine = IntentEngine.from_files(root / "grammars/de.yaml", locations=root / "locations/zuhause.yaml")
     german = SpokenGrammar(engine)

@@ -14,7 +14,6 @@ from intent_engine import IntentEngine
 from intent_engine.language.networks.approximate import UtteranceSearch
 from intent_engine.language.utterance import plain
 from intent_engine.speech.acoustic.writing import Names, Writer
-from intent_engine.speech.audio import SAMPLE_RATE
 from intent_engine.speech.hypotheses import guided, word_pieces
 from intent_engine.speech.hypotheses.guided import GuidedSearch
 from intent_engine.speech.hypotheses.word_count import WORD, word_count
@@ -153,8 +152,8 @@ def test_a_name_is_found_as_the_model_writes_it(tmp_path, whisper, text):
     assert found[0][1] == pytest.approx(model.wish * len(model.tokens), abs=1e-4)
 
 
-def test_the_real_model_leads_to_what_was_said(search, whisper, go_forward):
-    encoded = whisper.encode(go_forward[int(1.2 * SAMPLE_RATE) : int(3.6 * SAMPLE_RATE)])
+def test_the_real_model_leads_to_what_was_said(search, whisper, spoken):
+    encoded = whisper.encode(spoken)
     found = search.likeliest(
         lambda beginnings, length: whisper.next_pieces(encoded, beginnings, length, "en"),
         ["oh", "forward", "to", "me", "does"],

@@ -11,11 +11,6 @@ from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.ways import opposite_ways
 
 
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 def against(grammar: SpokenGrammar, text: str, heard: str | None = None, language: str | None = None) -> list[str]:
     words = text.split()
     return [" ".join(one) for one in grammar.opposing(words, [(heard or text).split()], language)]

@@ -11,12 +11,6 @@ from intent_engine.speech.hypotheses.evidence import View
 from intent_engine.speech.hypotheses.ranking import UNKNOWN_WORD, ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
-
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 SENTENCES = st.sampled_from(
     [("go", "forward", "two", "meters"), ("turn", "left"), ("stop",), ("go", "to", "the", "kitchen")]
 )

@@ -8,11 +8,6 @@ from intent_engine.speech.hypotheses.said_and_heard import SaidAndHeard
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 @pytest.mark.parametrize(
     ("sentence", "heard", "unheard"),
     [

@@ -10,11 +10,6 @@ from intent_engine.language.networks.approximate import FreeWord
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 
 
-@pytest.fixture(scope="module")
-def grammar(engine) -> SpokenGrammar:
-    return SpokenGrammar(engine)
-
-
 @pytest.mark.parametrize(
     ("text", "plain"),
     [

@@ -15,7 +15,6 @@ from intent_engine.speech.hypotheses.ranking import ranked
 from intent_engine.speech.hypotheses.spoken_grammar import SpokenGrammar
 from intent_engine.speech.hypotheses.wake_words import WakeWords
 
-SAID = ("nurse", "bot", "do", "not", "never", "please", "turn", "go", "left", "back", "and", "then")
 WAKE = ("nurse bot", "hey nurse")
 
 
