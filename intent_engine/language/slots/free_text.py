@@ -245,16 +245,14 @@ class FreeText:
         return end == len(words) and self._idle.cover(said) and not all(_meant(slot, word) for word in said)
 
     def no_handful(self, slot: Slot, said: Sequence[str]) -> str:
-        """The word of a whole name that says that no thing is meant, in a slot that lists things; empty: none does. In
-        one that does not it can only be a last one that says how: "the box gently"."""
+        """The word of a whole name that says that no thing is meant; empty: none does. Where a slot lists no things it
+        can only be a last one that says how: "the box gently"."""
         if not slot.known:
-            how = self._names_a_thing(slot) and self._words.is_manner(said[-1])
-            return said[-1] if how and not _meant(slot, said[-1]) else ""
+            how = self._names_a_thing(slot) and self._words.is_manner(said[-1]) and not _meant(slot, said[-1])
+            return said[-1] if how else ""
         if len(said) == 1 and said[0] in self._words.bare and said[0] not in slot.allow:
             return said[0]  # "take part", though a part is a thing
-        if len(said) > 1 and self._points_at_all(slot, said):
-            return said[-1]
-        if len(said) > 1 and self._is_a_particle(slot, said):
+        if len(said) > 1 and (self._points_at_all(slot, said) or self._is_a_particle(slot, said)):
             return said[-1]
         beside = zip(said, ("", *said[:-1]), (*said[1:], ""), strict=True)
         return next(
