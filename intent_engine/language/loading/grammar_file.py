@@ -279,10 +279,9 @@ class _Builder:
         grammar = Grammar(
             language=self.language,
             fillers=self._said(default_fillers(self.language) if self.fillers is None else self.fillers),
-            # Beside a number, whatever else a file takes for fillers; but none where it wants none at all.
-            around=self._said(default_around(self.language)) if self.fillers != [] else (),
-            counting=self._said(default_counting(self.language)) if self.fillers != [] else (),
-            counted=self._said(default_counted(self.language)) if self.fillers != [] else (),
+            around=self._beside_numbers(default_around(self.language)),
+            counting=self._beside_numbers(default_counting(self.language)),
+            counted=self._beside_numbers(default_counted(self.language)),
             wording=default_wording(self.language, self._said),
             phrases=self.phrases,
             slots=self.slots,
@@ -312,6 +311,12 @@ class _Builder:
     def _said(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
         """Plain phrases as normalised words, in every form in which they are said."""
         return with_contractions(map(words_of, phrases), self.language)
+
+    def _beside_numbers(self, phrases: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+        """What says nothing beside a number, whatever a file has for fillers: none where it wants none at all. A filler
+        of its own says nothing anywhere."""
+        own = frozenset(self._said(self.fillers or ()))
+        return () if self.fillers == [] else tuple(words for words in self._said(phrases) if words not in own)
 
     def _as_written(self) -> dict[str, str]:
         """Words that are written with a capital or an apostrophe in values, sentences and examples."""
