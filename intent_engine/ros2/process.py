@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from intent_engine.errors import ConfigError, IntentEngineError, Problem
+from intent_engine.execution.robots.ros2_spinning import Spinning
 from intent_engine.execution.robots.ros2_support import import_rclpy
 
 __all__ = ["EXIT_FAULT", "Room", "run_script"]
@@ -77,12 +78,14 @@ def _run_node(
     before = [signal.signal(number, lambda number, frame: end.ask()) for number in signals]
     try:
         node = _made(name, arguments)
+        ended = True
         try:
-            _live(node, make, end)
+            ended = _live(node, make, end)
         finally:
-            with contextlib.suppress(Exception):
-                node.destroy_node()
-                node.context.shutdown()
+            if ended:
+                with contextlib.suppress(Exception):
+                    node.destroy_node()
+                    node.context.shutdown()
     finally:
         for number, handler in zip(signals, before, strict=True):
             signal.signal(number, handler)
@@ -126,38 +129,26 @@ def _made(name: str, arguments: Sequence[str]) -> Any:
         ) from None
 
 
-def _live(node: Any, make: Callable[[Any, Callable[[int], None]], Room], end: _End) -> None:
-    """Make what a node does, and spin the node until the end is asked for."""
-    from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-
+def _live(node: Any, make: Callable[[Any, Callable[[int], None]], Room], end: _End) -> bool:
+    """Make what a node does, and spin the node until the end is asked for. Returns whether it may be destroyed then."""
     try:
         room = make(node, end.ask)
     except IntentEngineError as error:
         node.get_logger().fatal(str(error))
         end.code = error.exit_code
-        return
-    executor = SingleThreadedExecutor(context=node.context)
-    executor.add_node(node)
+        return True
 
-    def spin() -> None:
-        try:
-            executor.spin()
-        except ExternalShutdownException:
-            pass
-        except Exception as error:  # a callback of ours raised what it should have caught
-            end.code = EXIT_FAULT
-            node.get_logger().fatal(f"the node failed: {type(error).__name__}: {error}; the robot is stopped")
-        finally:
-            end.ask()
+    def failed(error: Exception) -> None:  # a callback of ours raised what it should have caught
+        end.code = EXIT_FAULT
+        node.get_logger().fatal(f"the node failed: {type(error).__name__}: {error}; the robot is stopped")
 
-    thread = threading.Thread(target=spin, name="ros", daemon=True)
-    thread.start()
+    spinning = Spinning(node, failed=failed, over=end.ask)
     try:
         end.asked.wait()
     finally:
         room.close()
-        executor.shutdown(timeout_sec=1.0)
-        thread.join(1.0)
+        ended = spinning.end()
+    return ended
 
 
 def _leave(code: int) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import json
 import os
@@ -16,9 +15,9 @@ from pathlib import Path
 
 import rclpy
 from geometry_msgs.msg import Twist, TwistStamped
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from std_msgs.msg import Bool, Empty, String
 
+from intent_engine.execution.robots.ros2_spinning import Spinning
 from intent_engine.execution.robots.ros2_support import own_node
 
 HERE = Path(__file__).resolve().parent
@@ -61,14 +60,7 @@ class Peer:
         self.amended = self.node.create_publisher(String, "voice_commands/amended_text", 10)
         self.stop = self.node.create_publisher(Empty, "voice_commands/stop", 10)
         self.hold = self.node.create_publisher(Bool, "voice_commands/hold", 10)
-        self.executor = SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
-        self.thread = threading.Thread(target=self._spin, daemon=True)
-        self.thread.start()
-
-    def _spin(self) -> None:
-        with contextlib.suppress(ExternalShutdownException):
-            self.executor.spin()
+        self._spinning = Spinning(self.node)
 
     def listen(self, kind: type, topic: str = "cmd_vel") -> None:
         self.node.create_subscription(kind, topic, self._heard, 100)
@@ -170,8 +162,7 @@ class Peer:
         return self
 
     def __exit__(self, *_) -> None:
-        self.executor.shutdown(timeout_sec=1.0)
-        self.thread.join(2.0)
+        assert self._spinning.end()
         self.node.destroy_node()
         rclpy.shutdown(context=self.context)
 

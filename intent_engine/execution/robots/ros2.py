@@ -24,6 +24,7 @@ from intent_engine.execution.robots.remote_task import RemoteTask
 from intent_engine.execution.robots.robot import Capability, Pose, Task
 from intent_engine.execution.robots.ros2_navigation import NavigationAction, NavigationWay, Ros2Navigation
 from intent_engine.execution.robots.ros2_signals import stand_before_the_end
+from intent_engine.execution.robots.ros2_spinning import Spinning
 from intent_engine.execution.robots.ros2_support import import_rclpy, own_node, pose_of
 from intent_engine.execution.robots.ros2_velocity import Stamped, TwistWriter
 
@@ -73,9 +74,9 @@ class Ros2Robot:
         action: NavigationAction | None = None,
     ) -> None:
         import_rclpy()
-        self._own: _Spinning | None = None
+        self._own: _OwnNode | None = None
         if node is None:
-            self._own = _Spinning("intent_engine_robot")
+            self._own = _OwnNode("intent_engine_robot")
             node = self._own.node
         self.node = node
         self._writer = TwistWriter(node, cmd_vel, stamped, frame_id)
@@ -216,27 +217,15 @@ class Ros2Robot:
                     log.error("a velocity ran out and no zero could be sent: %s", error)
 
 
-class _Spinning:
+class _OwnNode:
     """A node of our own, spun in a thread."""
 
     def __init__(self, name: str) -> None:
-        from rclpy.executors import SingleThreadedExecutor
-
         self._context, self.node = own_node(name)
-        self._executor = SingleThreadedExecutor(context=self._context)
-        self._executor.add_node(self.node)
-        self._thread = threading.Thread(target=self._spin, name="ros", daemon=True)
-        self._thread.start()
+        self._spinning = Spinning(self.node)
 
     def close(self) -> None:
-        self._executor.shutdown(timeout_sec=1.0)
-        self._thread.join(1.0)
-        with contextlib.suppress(Exception):
-            self.node.destroy_node()
-            self._context.shutdown()
-
-    def _spin(self) -> None:
-        from rclpy.executors import ExternalShutdownException
-
-        with contextlib.suppress(ExternalShutdownException):
-            self._executor.spin()
+        if self._spinning.end():
+            with contextlib.suppress(Exception):
+                self.node.destroy_node()
+                self._context.shutdown()
