@@ -84,7 +84,7 @@ def test_what_was_said_before_it_listened_is_not_done_and_told(spoken_to, go_for
     assert [event["event"] for event in told if event is not early] == ["end"]
 
 
-@pytest.mark.parametrize("seconds", [0, 20], ids=["short", "long"])
+@pytest.mark.parametrize("seconds", [pytest.param(0, id="short"), pytest.param(20, id="long", marks=pytest.mark.slow)])
 def test_a_recording_that_is_piped_into_it_is_heard(intent_engine, go_forward, seconds):
     """It ends before anybody listens, or brings more than time has gone by: no microphone does."""
     sound = np.concatenate([np.zeros(seconds * RATE, np.float32), go_forward])
@@ -109,6 +109,12 @@ def driven(lines: Path) -> tuple[float, list[dict]]:
     times = [one["time"] for one in written]
     speeds = [one.get("velocity", {"linear": 0.0})["linear"] for one in written]
     return sum(v * (b - a) for v, a, b in zip(speeds, times, times[1:], strict=False)), written
+
+
+DRIVING = [
+    pytest.param([], id="in a process of its own"),
+    pytest.param(["--in-process"], id="in process", marks=pytest.mark.slow),
+]
 
 
 @pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
@@ -136,7 +142,7 @@ def driving(write: int, options: list[str]) -> subprocess.Popen[bytes]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="descriptors of Unix")
-@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+@pytest.mark.parametrize("options", DRIVING)
 def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
     """While it goes on being spoken to: the standard input stays open."""
     read, write = os.pipe()
@@ -160,7 +166,7 @@ def test_listening_ends_when_the_robot_goes_away(speak, go_forward, options):
 @pytest.mark.skipif(
     sys.platform != "linux", reason="only Linux lets a program set how much a pipe holds; CI is Linux, and runs it"
 )
-@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+@pytest.mark.parametrize("options", DRIVING)
 def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
     """Its pipe stays open, and takes two seconds of velocities."""
     fcntl = pytest.importorskip("fcntl")
@@ -183,7 +189,7 @@ def test_listening_ends_when_the_robot_stands_still(speak, go_forward, options):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
-@pytest.mark.parametrize("options", [[], ["--in-process"]], ids=["in a process of its own", "in process"])
+@pytest.mark.parametrize("options", DRIVING)
 def test_a_robot_that_cannot_be_written_to(spoken_to, go_forward, options):
     done = spoken_to(go_forward, "--json", "--no-reflex", "--drive", "/dev/full", *options)
     assert done.returncode == 6

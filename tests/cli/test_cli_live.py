@@ -57,6 +57,7 @@ def test_in_a_file_nothing_is_drawn(intent_engine, short: Path) -> None:
     assert "o start" not in done.stdout
 
 
+@pytest.mark.slow
 def test_colours_that_are_forced_into_a_file_bring_nothing_that_moves(intent_engine, short: Path) -> None:
     done = intent_engine("run", "--realtime", "--live", "--no-reflex", short, FORCE_COLOR="1")
     assert done.returncode == 0

@@ -103,7 +103,9 @@ def commands() -> bytes:
 @pytest.mark.skipif(
     sys.platform != "linux", reason="only Linux lets a program set how much a pipe holds; CI is Linux, and runs it"
 )
-@pytest.mark.parametrize("options", [["--json"], []], ids=["json", "text"])
+@pytest.mark.parametrize(
+    "options", [pytest.param(["--json"], id="json"), pytest.param([], id="text", marks=pytest.mark.slow)]
+)
 def test_a_reader_that_stands_still_holds_up_no_command(commands, tmp_path, options):
     import fcntl
 
