@@ -85,3 +85,10 @@ def commands(draw: st.DrawFn) -> str:
     found = shipped().parse(text)
     assume(found.status is Status.ACCEPTED)
     return text
+
+
+def assert_same(engine: IntentEngine, said: str, usual: str) -> None:
+    """What was said does what the usual wording does, which is something."""
+    wanted = engine.parse(usual).actions
+    assert wanted, usual
+    assert engine.parse(said).actions == wanted, said

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from meanings import assert_same
 
 GRAMMARS = {
     "en": """
@@ -39,10 +40,7 @@ intents:
     ],
 )
 def test_it_is_the_way(engine_of, language: str, said: str, meant: str) -> None:
-    engine = engine_of(GRAMMARS[language])
-    wanted = engine.parse(meant).actions
-    assert wanted
-    assert engine.parse(said).actions == wanted
+    assert_same(engine_of(GRAMMARS[language]), said, meant)
 
 
 @pytest.mark.parametrize(
