@@ -162,7 +162,7 @@ class Corrections:
         if start == len(piece) or start > _MOST_BEFORE_A_NOUN or end - start == len(piece):
             return None
         more = Utterance.in_one_breath(piece.words[end:])
-        whole = _joined(said, more)
+        whole = said.with_other(len(said), len(said), more)
         base = said if self._commands.accepts(said.words, state) else whole
         number = self._replacements.replaced(base, piece.part(start, end), state, "")
         if number is None or len(number) <= end - start or not self._commands.accepts(base.words, state):
@@ -171,7 +171,7 @@ class Corrections:
         noun = next((at for at, (old, new) in both if old != new), 0) - 1
         if noun >= len(said) - 1 or (start and piece.words[:start] != base.words[max(noun - start, 0) : max(noun, 0)]):
             return None  # "ten boxes to the cellar, no, the 15"
-        told = number if base is whole else _joined(number, more)
+        told = number if base is whole else number.with_other(len(number), len(number), more)
         clause = self._commands.exact(told.words, state)
         reading = clause.reading if clause is not None and clause.accepted else None
         if reading is None or any(slot.slot.type in FREE_KINDS for slot in reading.slots):
@@ -385,8 +385,3 @@ def _without(part: Utterance, words: Collection[str]) -> Utterance:
             breaks.append(paused or pause)
             paused = False
     return Utterance(kept, breaks)
-
-
-def _joined(said: Utterance, more: Utterance) -> Utterance:
-    """Two utterances in one breath."""
-    return Utterance([*said.words, *more.words], [*said.breaks, *more.breaks])
