@@ -22,6 +22,8 @@ class Wording:
     """What says nothing behind the first of several commands: "close the door *first*, then start"."""
     leads: frozenset[str] = frozenset()
     """Prepositions of how something is done, which may be said before the verb: "*for* ten minutes water the beds"."""
+    says_when: frozenset[str] = frozenset()
+    """Those that say when before a time: "*in* ten minutes", but "*in* German"."""
     besides: tuple[tuple[str, ...], ...] = ()
     """What says nothing behind a command but that it is done besides: "turn on the lamp *as well*"."""
     ways_back: tuple[tuple[str, ...], ...] = ()
@@ -95,6 +97,18 @@ class Wording:
     """Vowels of a verb, each with those that it has where it is told: "r*e*gar", "r*ie*ga"."""
     joined: frozenset[str] = frozenset()
     """Words for whom something is done that are written with the verb: "apága*me* la bomba"."""
+    points: frozenset[str] = frozenset()
+    """Words that point to a thing, as its article would: "*that* vial", "*your* horn"."""
+    sides: tuple[str, ...] = ()
+    """Words for one way, each with the others for it: "left/to the left"."""
+    led_by: frozenset[str] = frozenset()
+    """Words before how far something is to go, which may be left out: "turn left *by* thirty degrees"."""
+    sizes: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Words between a size and how much it is, each with such sizes: "a *depth* of ten meters"."""
+    idle_particles: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Verbs with what may belong to them and says no more than they do: "heat *up* the flask"."""
+    switched: frozenset[str] = frozenset()
+    """What ends an order without a verb: "lights *on*"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
     ways_to: frozenset[str] = frozenset()

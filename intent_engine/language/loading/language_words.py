@@ -35,6 +35,8 @@ _LISTS = {
 }  # fmt: skip
 """The lists of :class:`Wording` that a file calls otherwise, each with the key there."""
 _WORDING = {one.name: _LISTS.get(one.name, one.name) for one in fields(Wording)}
+_BY_WORD = ("particles", "idle_particles", "sizes")
+"""Those of it in which each word has others, in any order."""
 _OTHERS = (
     "filler", "around", "counting", "counted", "another", "opposite", "heard_for", "maybe_number",
     "said_for_true", "said_for_false",
@@ -138,7 +140,7 @@ def default_wording(language: str, said: Callable[[Iterable[str]], tuple[tuple[s
     others: dict[str, Any] = {
         "forbidden": tuple(tuple(form.split()) for form in lists.get("forbidden", ())),
         "wished": tuple(tuple(form.split()) for form in lists.get("wished", ())),
-        "particles": {verb: frozenset(ones) for verb, ones in _pairs(language, "particles").items()},
+        **{key: {one: frozenset(others) for one, others in _pairs(language, key).items()} for key in _BY_WORD},
         "vowels": _pairs(language, "vowels"),
     }
     found = {name: made[types[name]](lists.get(key, ())) for name, key in _WORDING.items() if name not in others}

@@ -18,7 +18,7 @@ from intent_engine.language.pattern.patterns import Patterns
 from intent_engine.language.quantities import Relative, evaluate
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.action_builder import CannotActError, build_action, check_speeds
-from intent_engine.language.slots.adjacent_numbers import number_said_apart
+from intent_engine.language.slots.adjacent_numbers import cuts_digits, number_said_apart
 from intent_engine.language.templates.plurals import Plurals
 from intent_engine.language.words.thing_words import ARTICLES, thing_words
 from intent_engine.language.words.verb_forms import told_forms_of
@@ -131,12 +131,13 @@ class Commands:
         return self.first_words | self.matcher.patterns.first_words
 
     @cached_property
-    def _verbs(self) -> frozenset[str]:
+    def verbs(self) -> frozenset[str]:
+        """Those with which one may begin, and which may be verbs."""
         return self.first_words - self.not_verbs
 
     def may_begin_in(self, words: Sequence[str]) -> bool:
         """A quick look: whether any word could be the verb of a command."""
-        return not self._verbs.isdisjoint(words)
+        return not self.verbs.isdisjoint(words)
 
     def opens_with_a_verb(self, reading: Reading) -> bool:
         """Whether a command begins with a word of its sentence: "go back", not "two meters ahead" or "to the left"."""
@@ -159,7 +160,7 @@ class Commands:
             if slot.slot.type not in FREE_KINDS:
                 continue
             for place in range(slot.start + 1, slot.end):
-                if words[place] in self._verbs and any(
+                if words[place] in self.verbs and any(
                     self.opens_with_a_verb(one) for _, readings in self.whole_from(words, place) for one in readings
                 ):
                     return True
@@ -210,6 +211,7 @@ class Commands:
         """
         readings = [one for one in self.matcher.read(words, loose=True, after=after) if not self.holds_command(one)]
         readings = [one for one in readings if not self._number_said_apart(one, breaks)]
+        readings = [one for one in readings if not cuts_digits(words, one, self.matcher.grammar.language)]
         if not self._telling.isdisjoint(words):
             readings = [one for one in readings if one.problem or not self._tells_of_a_name(one)]
         if True in breaks:

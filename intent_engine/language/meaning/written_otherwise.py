@@ -15,6 +15,7 @@ from intent_engine.language.meaning.clause import Clause
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.corrections.said_twice import SaidTwice
 from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
+from intent_engine.language.meaning.other_words import OtherWords
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.meaning.told import Understood, as_told
 from intent_engine.language.meaning.wordings.behind_the_verb import BehindTheVerb
@@ -100,6 +101,7 @@ class WrittenOtherwise:
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
         self._verb_last = VerbLast(phrases, commands)
+        self._other_words = OtherWords(commands, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
     def understood(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
@@ -139,6 +141,8 @@ class WrittenOtherwise:
         for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
+        if written is None and "?" not in text:
+            written = self._understood_as(text, core, self._other_words.told(core, state), state)
         return written
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:
@@ -222,14 +226,14 @@ class WrittenOtherwise:
     def _manner_moved(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "For ten minutes water the beds" of a grammar that has "water the beds for ten minutes", and "turn the crank
         slowly" of one that has "slowly turn the crank"."""
-        rule, verbs = self._said_first, self._commands.first_words - self._commands.not_verbs
+        rule, verbs = self._said_first, self._commands.verbs
         ways = (*rule.verb_first(core, verbs), *rule.manner_first(core))
         return self._one_of(text, core, [(way, partial(rule.means, moved=moved)) for way, moved in ways], state)
 
     def _placed_later(self, text: str, core: Utterance, state: Collection[str]) -> Understood | None:
         """ "Mach im Flur das Licht an" of a grammar that has "mach das Licht im Flur an"."""
         rule = self._placed_first
-        ways = rule.ways(core, self._commands.first_words)
+        ways = rule.ways(core, self._commands.verbs)
         means = [(way, partial(rule.means, start=start, end=end)) for way, start, end in ways]
         return self._one_of(text, core, means, state)
 

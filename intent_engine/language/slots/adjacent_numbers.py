@@ -8,11 +8,12 @@ from itertools import pairwise
 
 from intent_engine.language import quantities
 from intent_engine.language.grammar import QUANTITY_KINDS
-from intent_engine.language.numbers.digit_by_digit import said_together
+from intent_engine.language.numbers.digit_by_digit import digit_of, said_together
 from intent_engine.language.numbers.english_words import HALVES, NUMBER_WORDS
 from intent_engine.language.reading import Reading, SlotReading
 
 __all__ = [
+    "cuts_digits",
     "is_number",
     "leaves_one_of_two",
     "may_hold",
@@ -93,6 +94,24 @@ def number_said_apart(reading: Reading, breaks: Sequence[bool | None], language:
                 if _is_bare_number(words[place : slot.end], language):
                     return words[place : slot.end]
     return ()
+
+
+def cuts_digits(said: Sequence[str], reading: Reading, language: str) -> bool:
+    """Whether a digit was taken for another word that sounds like it, before others that are said one by one: "steer
+    two seven zero" is no "steer to seven zero".
+
+    Args:
+        said: the words.
+        reading: what they were taken for.
+        language: of the words.
+    """
+    for slot in reading.slots:
+        before, digits = slot.start - 1, reading.words[slot.start : slot.start + 2]
+        if not slot.slot.digits or before < 0 or said[before] == reading.words[before]:
+            continue
+        if digit_of(said[before], language) and len(digits) > 1 and all(digit_of(word, language) for word in digits):
+            return True
+    return False
 
 
 def leaves_one_of_two(

@@ -8,7 +8,7 @@ from intent_engine.language.grammar import Grammar
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.verb_forms import verbs_told
 
-__all__ = ["as_told", "verb_first"]
+__all__ = ["as_told", "last_verb_first", "verb_first"]
 
 _MOST_BETWEEN = 3
 """Words of a verb before what completes its negation: "ne te déplace pas"."""
@@ -47,8 +47,14 @@ def verb_first(denied: Utterance, grammar: Grammar) -> Iterator[Utterance]:
     if len(words) > 1 and words[1] in wording.asked:
         for _, verb in verbs_told(words[:1], grammar):
             yield denied.with_other(0, 2, Utterance([verb], [False]))
+    yield from last_verb_first(denied, grammar)
+
+
+def last_verb_first(said: Utterance, grammar: Grammar) -> Iterator[Utterance]:
+    """The same of a verb that stands last, in the infinitive. Only a language with verbs that are parted has it there."""
+    words, wording = said.words, grammar.wording
     if not wording.parted or len(words) < 2:
-        return  # only a language with verbs that are parted has its infinitive at the end
+        return
     *before, last = words
     parted = [(last.removeprefix(begin), begin) for begin in wording.parted if last.startswith(begin)]
     for infinitive, behind in ((last, ""), *parted):

@@ -16,7 +16,7 @@ from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["PlacedFirst"]
 
-_MOST_IN_A_NAME = 5
+_MOST_IN_A_NAME = 6
 """Words of the name of a place, or of an amount."""
 _LEAST, _MOST = 3, 16
 """Words of such a command."""
@@ -34,6 +34,7 @@ class PlacedFirst:
         self._placed = PhraseSet(grammar.wording.placed)
         self._leads = known.joining | known.binding | known.timed | known.delaying
         self._leading = self._leads | known.articles | known.unfinished
+        self._articles = known.articles
         self._language = grammar.language
         self._phrases = phrases
 
@@ -47,8 +48,8 @@ class PlacedFirst:
             return  # "five feet, uh, five forward": it may have been said anew
         for begin in range(1, len(words) - 1):
             for end in self._ends(words, begin):
-                if not verbs.isdisjoint(words[begin:end]):
-                    continue  # "step one turn left" may be "step one: turn left"
+                if words[begin] not in self._articles and not verbs.isdisjoint(words[begin:end]):
+                    continue  # "step one turn left" may be "step one: turn left", but "a quarter turn" is none
                 numbers = all(is_number(word, self._language) for word in words[end - 1 : end + 1])
                 if numbers or self._phrases.sequence.find([*words[:begin], *words[end:]]) is not None:
                     continue  # "with 3 5" may be with 35
@@ -60,7 +61,7 @@ class PlacedFirst:
     def _ends(self, words: list[str], begin: int) -> range:
         """Where what begins at a place may end; further behind the verb it begins with a preposition or a number."""
         lead = self._placed.at(words, begin) or (words[begin] in self._leads)
-        counts = is_number(words[begin], self._language)
+        counts = is_number(words[begin], self._language) or words[begin] in self._articles  # "a quarter turn"
         if not (lead or counts or begin == 1):
             return range(0)
         most = begin + 1 + lead + _MOST_IN_A_NAME if lead or counts else begin + 2

@@ -20,12 +20,13 @@ _MOST = 7
 class SaidFirst:
     """Reads such an utterance as a grammar has it, with its verb first.
 
-    What stands first begins with a preposition, or is one adverb. None that may say when it is to be done: "in ten
-    minutes water the beds" is no "water the beds in ten minutes".
+    What stands first begins with a preposition, or is one adverb. It may not say when it is to be done: "in ten
+    minutes water the beds" is no "water the beds in ten minutes", but "in German explain the mummy" has no time.
     """
 
     def __init__(self, grammar: Grammar, phrases: Phrases) -> None:
-        self._leads = grammar.wording.leads
+        self._says_when = grammar.wording.says_when
+        self._leads = grammar.wording.leads | self._says_when
         self._is_manner = thing_words(grammar.language).is_manner
         self._phrases = phrases
 
@@ -55,6 +56,10 @@ class SaidFirst:
             reading: of the words in their other order.
             moved: the places of those that stood elsewhere.
         """
+        if reading.words[moved.start] in self._says_when and any(
+            slot.slot.type == "duration" and slot.start >= moved.start for slot in reading.slots
+        ):
+            return False
         return all(
             slot.end <= moved.start
             or slot.start >= moved.stop

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from functools import cached_property
 
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
-from intent_engine.language.meaning.negations.forbidden_verbs import verb_first
+from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.parts import part_by_part
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
@@ -45,36 +46,13 @@ class VerbLast:
             said: the words, without those that say nothing.
             state: of the robot.
         """
-        if not self._grammar.wording.parted:
-            return None  # only a language with verbs that are parted has its infinitive at the end
-        told, changed = Utterance([], []), False
-        for start, end in self._parts(said):
-            part = said.part(start, end)
-            order = self._order(part, state)
-            changed |= order is not None
-            told = told.with_other(len(told), len(told), order or part)
-        return told if changed else None
-
-    def _parts(self, said: Utterance) -> Iterator[tuple[int, int]]:
-        """Where the orders stand, and what joins them."""
-        start = 0
-        while start < len(said):
-            rest = said.words[start:]
-            joint = max(self._phrases.goes_on(rest), self._phrases.opens(rest))
-            if joint:
-                yield start, start + joint
-                start += joint
-                continue
-            later = range(start + 1, len(said))
-            end = next((at for at in later if said.breaks[at] or self._phrases.goes_on(said.words[at:])), len(said))
-            yield start, end
-            start = end
+        return part_by_part(said, self._phrases, lambda part: self._order(part, state))
 
     def _order(self, part: Utterance, state: Collection[str]) -> Utterance | None:
         if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
             return None
         found = {}
-        for order in verb_first(part, self._grammar):
+        for order in last_verb_first(part, self._grammar):
             clause = self._commands.exact(order.words, state, breaks=order.breaks)
             if clause is None or not clause.accepted or clause.reading is None:
                 continue
@@ -94,8 +72,9 @@ class VerbLast:
         if first in known.pronouns or first in wording.before_verbs:
             return False
         several = first in known.of_several
-        if any(slot.slot.type in FREE_KINDS for slot in order.slots) and (several or first not in known.done_to):
-            return False  # "Leute nehmen": any words may be people
+        free = [order.words[slot.start] for slot in order.slots if slot.slot.type in FREE_KINDS]
+        if not wording.before_verbs.isdisjoint(free) or (free and (several or first not in known.done_to)):
+            return False  # "greif sich" is nobody's, and "Leute nehmen" may be about people
         parted = order.words[-1] in wording.parted and last.startswith(order.words[-1])
         if parted or not several:
             return first not in known.articles or first in known.done_to

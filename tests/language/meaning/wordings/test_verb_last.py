@@ -22,7 +22,6 @@ intents:
   drehen: {action: custom, sentences: ["dreh dich [{winkel}] nach links"]}
   greifen: {action: custom, sentences: ["greif {teil}"]}
 """
-WORKSHOP = WORKSHOP.replace("  ort:", "  teil: object\n  ort:")
 
 
 @pytest.mark.parametrize(

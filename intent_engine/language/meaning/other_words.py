@@ -1,0 +1,105 @@
+"""What was said, in other words that mean the same whatever it is about."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator
+from functools import partial
+
+from intent_engine.actions import Action
+from intent_engine.language.grammar import FREE_KINDS
+from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.meaning.wordings.idle_particles import IdleParticles
+from intent_engine.language.meaning.wordings.led_amounts import LedAmounts
+from intent_engine.language.meaning.wordings.parts import part_by_part
+from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
+from intent_engine.language.meaning.wordings.pointing import Pointing
+from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.meaning.wordings.sides import Sides
+from intent_engine.language.meaning.wordings.verbless import Verbless
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.vocabulary import vocabulary
+
+__all__ = ["OtherWords"]
+
+_MOST_WORDS = 20
+"""Words of an utterance that is put otherwise,"""
+_MOST_WAYS = 32
+"""and ways that are tried: a long sentence of somebody else has no end of them."""
+
+
+class OtherWords:
+    """Reads an utterance as a grammar has it, each command by itself.
+
+    Args:
+        commands: of the grammar.
+        phrases: of the grammar.
+    """
+
+    def __init__(self, commands: Commands, phrases: Phrases) -> None:
+        grammar = commands.matcher.grammar
+        own = vocabulary(grammar)
+        self._commands = commands
+        self._phrases = phrases
+        self._kinds: tuple[Callable[[Utterance], Iterator[Rewording]], ...] = (
+            Pointing(grammar, own).ways,
+            IdleParticles(grammar).ways,
+            LedAmounts(grammar, own).ways,
+            Sides(grammar, own).ways,
+        )
+        self._placed_first = PlacedFirst(grammar, phrases)
+        self._verbless = Verbless(grammar, own)
+
+    def told(self, said: Utterance, state: Collection[str]) -> Utterance | None:
+        """The utterance with its commands as the grammar has them. None: it has none of them in other words, or one
+        could be two.
+
+        Args:
+            said: the words, without those that say nothing.
+            state: of the robot.
+        """
+        if len(said) > _MOST_WORDS:
+            return None
+        return self._one_of(self._verbless.ways(said, self._commands.verbs), said, state) or part_by_part(
+            said, self._phrases, lambda part: self._otherwise(part, state)
+        )
+
+    def _otherwise(self, part: Utterance, state: Collection[str]) -> Utterance | None:
+        if part.words[0] not in self._commands.verbs or self._commands.exact(part.words, state, breaks=part.breaks):
+            return None  # what is refused in its own words is refused in others
+        return self._one_of(self._ways(part), part, state)
+
+    def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
+        """The way in which it is a command, and could be no other."""
+        found: dict[Action, Utterance] = {}
+        for way in ways:
+            clause = self._commands.exact(way.said.words, state, breaks=way.said.breaks)
+            if clause is None or clause.action is None or not clause.accepted or clause.reading is None:
+                continue
+            if way.is_meant(clause.reading) and _keeps_free_words(part, clause.reading):
+                found.setdefault(clause.action, way.said)
+        return next(iter(found.values())) if len(found) == 1 else None
+
+    def _ways(self, part: Utterance) -> list[Rewording]:
+        """To put one command in other words of one kind, or of several at once."""
+        found = [Rewording(part)]
+        for kind in self._kinds:
+            for before in tuple(found):
+                found += [before.then(way) for way in kind(before.said)][: _MOST_WAYS - len(found)]
+        changed = found[1:]
+        for before in tuple(changed):
+            changed += [before.then(way) for way in self._placed(before.said)][: _MOST_WAYS - len(changed)]
+        return changed
+
+    def _placed(self, part: Utterance) -> Iterator[Rewording]:
+        rule = self._placed_first
+        for way, start, end in rule.ways(part, self._commands.verbs):
+            yield Rewording(way, partial(rule.means, start=start, end=end))
+
+
+def _keeps_free_words(said: Utterance, reading: Reading) -> bool:
+    """Whether what any words may be was said as it is read."""
+    words = f" {' '.join(said.words)} "
+    free = (reading.words[slot.start : slot.end] for slot in reading.slots if slot.slot.type in FREE_KINDS)
+    return all(f" {' '.join(one)} " in words for one in free)

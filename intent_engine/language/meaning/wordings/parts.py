@@ -1,0 +1,45 @@
+"""Where the commands of one utterance stand, and what joins them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from intent_engine.language.meaning.phrases import Phrases
+from intent_engine.language.utterance import Utterance
+
+__all__ = ["part_by_part"]
+
+
+def part_by_part(said: Utterance, phrases: Phrases, told: Callable[[Utterance], Utterance | None]) -> Utterance | None:
+    """An utterance with each of its commands as it is told otherwise; None: none of them is.
+
+    Args:
+        said: the words, without those that say nothing.
+        phrases: of the grammar.
+        told: one command otherwise; None: as it is.
+    """
+    words: list[str] = []
+    breaks: list[bool | None] = []
+    changed = False
+    for start, end, joins in _parts(said, phrases):
+        part = said.part(start, end)
+        other = None if joins else told(part)
+        changed |= other is not None
+        words += (other or part).words
+        breaks += [said.breaks[start], *(other or part).breaks[1:]]
+    return Utterance(words, breaks) if changed else None
+
+
+def _parts(said: Utterance, phrases: Phrases) -> Iterator[tuple[int, int, bool]]:
+    """Where each begins and ends, and whether it only joins or opens."""
+    start = 0
+    while start < len(said):
+        rest = said.words[start:]
+        if joint := max(phrases.goes_on(rest), phrases.opens(rest), phrases.correction.at(said.words, start)):
+            yield start, start + joint, True
+            start += joint
+            continue
+        later = range(start + 1, len(said))
+        end = next((at for at in later if said.breaks[at] or phrases.goes_on(said.words[at:])), len(said))
+        yield start, end, False
+        start = end

@@ -1,0 +1,46 @@
+"""What is told to be on or off without a verb: "lights on", "Licht aus"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from itertools import product
+
+from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.thing_words import thing_words
+
+__all__ = ["Verbless"]
+
+_MOST = 6
+"""Words of such an order."""
+
+
+class Verbless:
+    """Reads it with a verb of a grammar before it, and with an article where the grammar has one.
+
+    Args:
+        grammar: whose they are.
+        own: the words that it is written in.
+    """
+
+    def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
+        self._switched = grammar.wording.switched
+        self._articles = sorted(thing_words(grammar.language).definite.intersection(own))
+
+    def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """With each of the verbs that commands begin with."""
+        words = core.words
+        if not 1 < len(words) <= _MOST or words[-1] not in self._switched or words[0] in verbs or any(core.breaks[1:]):
+            return
+        *thing, switched = words
+        things = [thing] if thing[0] in self._articles else [thing, *([article, *thing] for article in self._articles)]
+        for verb, named in product(sorted(verbs), things):
+            for told in ([verb, *named, switched], [verb, switched, *named]):
+                yield Rewording(Utterance.in_one_breath(told), _names_a_thing)
+
+
+def _names_a_thing(reading: Reading) -> bool:
+    """Whether it is one of the things that a grammar knows: any other words may be said of anything."""
+    return not any(slot.slot.type in FREE_KINDS for slot in reading.slots)
