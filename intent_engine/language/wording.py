@@ -109,6 +109,8 @@ class Wording:
     """Verbs with what may belong to them and says no more than they do: "heat *up* the flask"."""
     switched: frozenset[str] = frozenset()
     """What ends an order without a verb: "lights *on*"."""
+    wishes_for: tuple[tuple[str, ...], ...] = ()
+    """What somebody says who wants a thing: "*could I get* a mojito"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
     ways_to: frozenset[str] = frozenset()

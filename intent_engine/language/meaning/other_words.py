@@ -17,6 +17,7 @@ from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.meaning.wordings.sides import Sides
 from intent_engine.language.meaning.wordings.verbless import Verbless
+from intent_engine.language.meaning.wordings.wished_things import WishedThings
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.vocabulary import vocabulary
@@ -50,25 +51,30 @@ class OtherWords:
         )
         self._placed_first = PlacedFirst(grammar, phrases)
         self._verbless = Verbless(grammar, own)
+        self._wished = WishedThings(grammar)
 
-    def told(self, said: Utterance, state: Collection[str]) -> Utterance | None:
+    def told(self, said: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
         """The utterance with its commands as the grammar has them. None: it has none of them in other words, or one
         could be two.
 
         Args:
             said: the words, without those that say nothing.
             state: of the robot.
+            asks: whether it is written as a question, which only asks for a thing: "could I get a tea?".
         """
         if len(said) > _MOST_WORDS:
             return None
-        return self._one_of(self._verbless.ways(said, self._commands.verbs), said, state) or part_by_part(
-            said, self._phrases, lambda part: self._otherwise(part, state)
-        )
+        verbs = self._commands.verbs
+        switched = None if asks else self._one_of(self._verbless.ways(said, verbs), said, state)
+        return switched or part_by_part(said, self._phrases, lambda part: self._otherwise(part, state, asks=asks))
 
-    def _otherwise(self, part: Utterance, state: Collection[str]) -> Utterance | None:
-        if part.words[0] not in self._commands.verbs or self._commands.exact(part.words, state, breaks=part.breaks):
+    def _otherwise(self, part: Utterance, state: Collection[str], *, asks: bool) -> Utterance | None:
+        verbs = self._commands.verbs
+        if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
-        return self._one_of(self._ways(part), part, state)
+        if part.words[0] not in verbs:
+            return self._one_of(self._wished.ways(part, verbs), part, state)
+        return None if asks else self._one_of(self._ways(part), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""

@@ -141,8 +141,9 @@ class WrittenOtherwise:
         for rule in (self._without_ways_on, self._counted_otherwise, self._for_each, self._named_again):
             if written is None:
                 written = rule(text, core, state)
-        if written is None and "?" not in text:
-            written = self._understood_as(text, core, self._other_words.told(core, state), state)
+        if written is None:
+            other = self._other_words.told(core, state, asks="?" in text)
+            written = self._understood_as(text, core, other, state)
         return written
 
     def _with_other_verbs(self, text: str, core: Utterance) -> Iterator[Utterance | None]:

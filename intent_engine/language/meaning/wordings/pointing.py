@@ -23,8 +23,9 @@ class Pointing:
 
     def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
         self._pointing = grammar.wording.points
-        self._all = thing_words(grammar.language).articles
-        articles = self._all - self._pointing
+        known = thing_words(grammar.language)
+        self._all = known.articles
+        articles = known.definite or known.articles - self._pointing
         self._articles = [Utterance.in_one_breath([word]) for word in sorted(articles.intersection(own))]
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:

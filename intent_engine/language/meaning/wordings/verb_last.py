@@ -36,6 +36,10 @@ class VerbLast:
         self._known = thing_words(self._grammar.language)
 
     @cached_property
+    def _articles(self) -> list[Utterance]:
+        return [Utterance.in_one_breath([word]) for word in sorted(self._known.definite & self._words)]
+
+    @cached_property
     def _words(self) -> frozenset[str]:
         return vocabulary(self._grammar)
 
@@ -51,13 +55,15 @@ class VerbLast:
     def _order(self, part: Utterance, state: Collection[str]) -> Utterance | None:
         if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
             return None
+        named = [] if part.words[0] in self._known.articles else self._articles
         found = {}
-        for order in last_verb_first(part, self._grammar):
-            clause = self._commands.exact(order.words, state, breaks=order.breaks)
-            if clause is None or not clause.accepted or clause.reading is None:
-                continue
-            if self._tells_by_itself(part, clause.reading):
-                found.setdefault(clause.action, order)
+        for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
+            for order in last_verb_first(said, self._grammar):
+                clause = self._commands.exact(order.words, state, breaks=order.breaks)
+                if clause is None or not clause.accepted or clause.reading is None:
+                    continue
+                if self._tells_by_itself(part, clause.reading):
+                    found.setdefault(clause.action, order)
         return next(iter(found.values())) if len(found) == 1 else None
 
     def _tells_by_itself(self, part: Utterance, order: Reading) -> bool:

@@ -27,6 +27,7 @@ class Verbless:
 
     def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
         self._switched = grammar.wording.switched
+        self._parts = bool(grammar.wording.parted)
         self._articles = sorted(thing_words(grammar.language).definite.intersection(own))
 
     def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
@@ -37,8 +38,9 @@ class Verbless:
         *thing, switched = words
         things = [thing] if thing[0] in self._articles else [thing, *([article, *thing] for article in self._articles)]
         for verb, named in product(sorted(verbs), things):
-            for told in ([verb, *named, switched], [verb, switched, *named]):
-                yield Rewording(Utterance.in_one_breath(told), _names_a_thing)
+            yield Rewording(Utterance.in_one_breath([verb, *named, switched]), _names_a_thing)
+            if not self._parts:  # "schalte ein Licht" is about a light
+                yield Rewording(Utterance.in_one_breath([verb, switched, *named]), _names_a_thing)
 
 
 def _names_a_thing(reading: Reading) -> bool:

@@ -17,6 +17,7 @@ intents:
   öffnen: {action: custom, sentences: ["öffne [die|das] {was} [{n}]"]}
   schließen: {action: custom, sentences: ["schließ [die|das] {was} [{n}]"]}
   einschalten: {action: custom, sentences: ["schalte [die|das] {was} ein"]}
+  lösen: {action: custom, sentences: ["löse (das|die) {was}"]}
   hin: {action: custom, sentences: ["fahr (zum|in die) {ort}"]}
   fahren: {action: custom, sentences: ["fahr [{weite}] vorwärts"]}
   drehen: {action: custom, sentences: ["dreh dich [{winkel}] nach links"]}
@@ -34,6 +35,7 @@ intents:
         ("die Pumpe öffnen", "öffnen", {"was": "Pumpe"}),
         ("Licht einschalten", "einschalten", {"was": "Licht"}),
         ("die Ventile einschalten", "einschalten", {"was": "Ventile"}),
+        ("Pumpe lösen", "lösen", {"was": "Pumpe"}),
         ("in die Küche fahren", "hin", {"ort": "Küche"}),
         ("zwei Meter vorwärts fahren", "fahren", {"weite": 2.0}),
         ("nach links drehen", "drehen", {}),

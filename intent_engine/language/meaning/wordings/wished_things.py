@@ -1,0 +1,36 @@
+"""A thing that somebody wants, where a grammar tells to get or make it: "could I get a mojito?", "I'll have a beer"."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from intent_engine.language.grammar import FREE_KINDS, Grammar
+from intent_engine.language.meaning.wordings.rewording import Rewording
+from intent_engine.language.reading import Reading
+from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
+
+__all__ = ["WishedThings"]
+
+
+class WishedThings:
+    """Reads it with a verb of giving, as a grammar has it."""
+
+    def __init__(self, grammar: Grammar) -> None:
+        self._wishes = PhraseSet(grammar.wording.wishes_for)
+        self._gives = grammar.wording.gives
+        self._for_whom = sorted(grammar.wording.for_whom)
+
+    def ways(self, core: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """With each of the verbs that commands begin with, and for whom or for nobody."""
+        length = self._wishes.at(core.words, 0)
+        if not 0 < length < len(core) or any(core.breaks[1 : length + 1]):
+            return
+        for verb in sorted(self._gives.intersection(verbs)):
+            for told in ([verb], *([verb, whom] for whom in self._for_whom)):
+                yield Rewording(core.with_other(0, length, Utterance.in_one_breath(told)), _is_listed)
+
+
+def _is_listed(reading: Reading) -> bool:
+    """Whether it is a thing that a grammar knows: people want anything ("could I have a word")."""
+    return not any(slot.slot.type in FREE_KINDS for slot in reading.slots)

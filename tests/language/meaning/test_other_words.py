@@ -1,0 +1,197 @@
+"""What means the same in other words, whatever it is about: each of a grammar that has it in one way only."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+CRANE = """
+slots:
+  part: [boom, hook, winch, lamp, pump]
+  how_far: distance
+  how_much: angle
+  height: distance
+  level: {type: percent, unit: percent}
+  pace: speed
+  liters: {type: number}
+  heading: {type: angle, unit: deg, digits: true}
+  what: object
+  "on": boolean
+  tongue: [english, german]
+intents:
+  check: {action: custom, sentences: ["check the {part}"]}
+  slew: {action: custom, sentences: ["slew (left|right) [{how_much}]"]}
+  tilt: {action: custom, sentences: ["tilt the {part} (to the left|to the right) [{how_much}]"]}
+  hoist: {action: custom, sentences: ["hoist the {part} {how_far}"]}
+  raise: {action: custom, sentences: ["raise the {part} to {height}"]}
+  fill: {action: custom, sentences: ["fill the tank to {level}"]}
+  drive: {action: custom, sentences: ["drive [at {pace}]"]}
+  flow: {action: custom, sentences: ["set the flow to {liters} liters per minute"]}
+  steer: {action: custom, sentences: ["steer to {heading}"]}
+  take: {action: custom, sentences: ["take the {what}"]}
+  switch: {action: custom, sentences: ["switch the {part} {on}"]}
+  explain: {action: custom, sentences: ["explain the {part} [in {tongue}]"]}
+  drinks: {action: custom, sentences: ["(make|mix) [me] [a|an|{count}] {drink}"]}
+  fetch: {action: custom, sentences: ["get me the {what}"]}
+  start: {action: custom, sentences: ["start the {part} [at {pace}] [for {time}]"]}
+"""
+GRAMMAR = CRANE.replace(
+    "slots:\n", "slots:\n  time: duration\n  count: {type: number, max: 9}\n  drink: [tea, coffee]\n", 1
+)
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        # Words that point to a thing.
+        ("check that boom", "check the boom"),
+        ("check your hook", "check the hook"),
+        ("raise my boom to two meters", "raise the boom to two meters"),
+        # Which way.
+        ("slew to the left", "slew left"),
+        ("slew towards the right by ten degrees", "slew right ten degrees"),
+        ("slew ten degrees to your left", "slew left ten degrees"),
+        ("slew a quarter turn to the right", "slew right a quarter turn"),
+        ("tilt the boom left", "tilt the boom to the left"),
+        # What leads an amount.
+        ("hoist the hook by two meters", "hoist the hook two meters"),
+        ("raise the hook to a height of two meters", "raise the hook to two meters"),
+        ("drive at a speed of one meter per second", "drive at one meter per second"),
+        ("fill the tank to a level of ten percent", "fill the tank to ten percent"),
+        ("set the flow to two liters a minute", "set the flow to two liters per minute"),
+        # What belongs to a verb and says no more.
+        ("fill up the tank to ten percent", "fill the tank to ten percent"),
+        ("fill the tank up to ten percent", "fill the tank to ten percent"),
+        ("raise up that boom to two meters", "raise the boom to two meters"),
+        ("start up the pump", "start the pump"),
+        # No verb.
+        ("lamp on", "switch the lamp on"),
+        ("the pump off please", "switch the pump off"),
+        # How, before the verb; how long, before how fast.
+        ("in German, explain the boom", "explain the boom in German"),
+        ("start the pump for half an hour at two meters per second", "start the pump at two meters per second for half an hour"),
+        # A thing that somebody wants.
+        ("could I get a tea?", "make me a tea"),
+        ("I'll have two coffees", "make two coffees"),
+        ("we'd like a tea, please", "make me a tea"),
+        ("can I have a tea and a coffee", "mix a tea and a coffee"),
+        # Several.
+        ("check that boom and slew to the left", "check the boom and slew left"),
+        ("check your boom, then raise up your hook to a height of two meters", "check the boom, then raise the hook to two meters"),
+        ("check this boom, no, the hook", "check the boom, no, the hook"),
+    ],
+)  # fmt: skip
+def test_it_is_the_same(engine_of, said: str, meant: str) -> None:
+    engine = engine_of(GRAMMAR)
+    assert engine.parse(said).actions == engine.parse(meant).actions != ()
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "check that",
+        "check that boom?",
+        "don't check that boom",
+        "take your time",  # about no thing
+        "take that chance",
+        "a bit left",
+        "the boom slews to the left",
+        "slew to the left or right",
+        "drive by two meters per second",  # that changes a speed
+        "fill the tank by ten percent",
+        "the lamp is on",
+        "is the lamp on",
+        "lamp on?",
+        "lamp on the pump",
+        "come on",
+        "the ghost on",
+        "not lamp on",
+        "in ten minutes explain the boom",
+        "steer two seven zero",  # the first may be a digit
+        "your boom",
+        "could I have a word",
+        "could I get the boom",
+        "I'd like a tea if there is one",
+        "I would like tea more than coffee",
+        "she'll have a tea",
+        "I'll have had a tea",
+        "that's your boom up",
+    ],
+)
+def test_what_may_mean_something_else_does_nothing(engine_of, said: str) -> None:
+    assert not engine_of(GRAMMAR).parse(said).actions
+
+
+def test_digits_behind_the_word_that_leads_them_are_a_number(engine_of) -> None:
+    assert engine_of(GRAMMAR).parse("steer to two seven zero").slots == {"heading": pytest.approx(math.radians(270))}
+
+
+FOREIGN = {
+    "de": ("""
+language: de
+slots: {teil: [Ventil, Pumpe, Licht], weite: distance, winkel: angle, tempo: speed}
+intents:
+  öffnen: {action: custom, sentences: ["öffne (das|die) {teil}"]}
+  drehen: {action: custom, sentences: ["dreh dich nach links [{winkel}]"]}
+  fahren: {action: custom, sentences: ["fahr [{weite}] vorwärts [mit {tempo}]"]}
+  an: {action: custom, sentences: ["schalte (das|die) {teil} ein", "mach (das|die) {teil} an"]}
+""", [
+        ("öffne dieses Ventil", "öffne das Ventil"),
+        ("öffne deine Pumpe", "öffne die Pumpe"),
+        ("dreh dich links", "dreh dich nach links"),
+        ("dreh dich um neunzig Grad nach links", "dreh dich nach links neunzig Grad"),
+        ("fahr nach vorn", "fahr vorwärts"),
+        ("fahr vorwärts mit einer Geschwindigkeit von einem Meter pro Sekunde", "fahr vorwärts mit einem Meter pro Sekunde"),
+        ("Licht an", "mach das Licht an"),
+        ("die Pumpe ein", "schalte die Pumpe ein"),
+    ]),
+    "fr": ("""
+language: fr
+slots: {quoi: [vanne, pompe], combien: angle, loin: distance, allure: speed}
+intents:
+  ouvrir: {action: custom, sentences: ["ouvre la {quoi}"]}
+  tourner: {action: custom, sentences: ["tourne à gauche [{combien}]"]}
+  avancer: {action: custom, sentences: ["avance [{loin}] [à {allure}]"]}
+""", [
+        ("ouvre cette vanne", "ouvre la vanne"),
+        ("tourne vers la gauche", "tourne à gauche"),
+        ("tourne à gauche de trente degrés", "tourne à gauche trente degrés"),
+        ("avance de deux mètres", "avance deux mètres"),
+        ("avance à une vitesse de deux mètres par seconde", "avance à deux mètres par seconde"),
+    ]),
+    "es": ("""
+language: es
+slots: {cosa: [válvula, bomba], cuánto: angle, marcha: speed}
+intents:
+  abrir: {action: custom, sentences: ["abre la {cosa}"]}
+  girar: {action: custom, sentences: ["gira a la izquierda [{cuánto}]"]}
+  avanzar: {action: custom, sentences: ["avanza [a {marcha}]"]}
+""", [
+        ("abre esta válvula", "abre la válvula"),
+        ("gira hacia la izquierda", "gira a la izquierda"),
+        ("avanza a una velocidad de un metro por segundo", "avanza a un metro por segundo"),
+    ]),
+    "it": ("""
+language: it
+slots: {cosa: [valvola, pompa], quanto: angle, passo: speed}
+intents:
+  aprire: {action: custom, sentences: ["apri la {cosa}"]}
+  girare: {action: custom, sentences: ["gira a sinistra [{quanto}]"]}
+  andare: {action: custom, sentences: ["vai avanti [a {passo}]"]}
+""", [
+        ("apri questa valvola", "apri la valvola"),
+        ("gira verso sinistra", "gira a sinistra"),
+        ("gira a sinistra di trenta gradi", "gira a sinistra trenta gradi"),
+        ("vai avanti a una velocità di un metro al secondo", "vai avanti a un metro al secondo"),
+    ]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "meant"),
+    [(language, said, meant) for language, (_, rows) in FOREIGN.items() for said, meant in rows],
+)
+def test_other_languages_have_such_words(engine_of, language: str, said: str, meant: str) -> None:
+    engine = engine_of(FOREIGN[language][0])
+    assert engine.parse(said).actions == engine.parse(meant).actions != ()
