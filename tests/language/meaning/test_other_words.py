@@ -70,15 +70,15 @@ GRAMMAR = CRANE.replace(
         ("the pump off please", "switch the pump off"),
         # How, before the verb; how long, before how fast.
         ("in German, explain the boom", "explain the boom in German"),
-        ("start the pump for half an hour at two meters per second", "start the pump at two meters per second for half an hour"),
+        ("start the pump for half an hour at 1 m/s", "start the pump at 1 m/s for half an hour"),
         # A thing that somebody wants.
         ("could I get a tea?", "make me a tea"),
         ("I'll have two coffees", "make two coffees"),
-        ("we'd like a tea, please", "make me a tea"),
+        ("we would like a tea, please", "make me a tea"),
         ("can I have a tea and a coffee", "mix a tea and a coffee"),
         # Several.
         ("check that boom and slew to the left", "check the boom and slew left"),
-        ("check your boom, then raise up your hook to a height of two meters", "check the boom, then raise the hook to two meters"),
+        ("check your boom, then raise up your hook to two meters", "check the boom, then raise the hook to two meters"),
         ("check this boom, no, the hook", "check the boom, no, the hook"),
     ],
 )  # fmt: skip
@@ -142,7 +142,7 @@ intents:
         ("dreh dich links", "dreh dich nach links"),
         ("dreh dich um neunzig Grad nach links", "dreh dich nach links neunzig Grad"),
         ("fahr nach vorn", "fahr vorwärts"),
-        ("fahr vorwärts mit einer Geschwindigkeit von einem Meter pro Sekunde", "fahr vorwärts mit einem Meter pro Sekunde"),
+        ("fahr vorwärts mit einer Geschwindigkeit von 1 m/s", "fahr vorwärts mit 1 m/s"),
         ("Licht an", "mach das Licht an"),
         ("die Pumpe ein", "schalte die Pumpe ein"),
     ]),

@@ -51,7 +51,7 @@ def verb_first(denied: Utterance, grammar: Grammar) -> Iterator[Utterance]:
 
 
 def last_verb_first(said: Utterance, grammar: Grammar) -> Iterator[Utterance]:
-    """The same of a verb that stands last, in the infinitive. Only a language with verbs that are parted has it there."""
+    """The same of a verb that stands last in the infinitive, as it does in a language with verbs that are parted."""
     words, wording = said.words, grammar.wording
     if not wording.parted or len(words) < 2:
         return

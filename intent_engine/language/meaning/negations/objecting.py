@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from intent_engine.interpretation import Interpretation, Status
 from intent_engine.language.meaning.command import Commands
+from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
 from intent_engine.language.meaning.phrases import Phrases
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.verb_forms import verbs_told
@@ -46,6 +47,8 @@ def objects_to_what_is_done(
 
 
 def _is_forbidden(words: Sequence[str], commands: Commands) -> bool:
-    """Whether a verb is as it is forbidden, "no *limpien* el salón": that says what is not to be done, and not
-    that anything else is to end."""
-    return any(verb in commands.first_words for _, verb in verbs_told(words, commands.matcher.grammar))
+    """Whether a verb is as it is forbidden, "no *limpien* el salón", "nicht das Labor *reinigen*": that says what is not
+    to be done, and not that anything else is to end."""
+    grammar = commands.matcher.grammar
+    told = (way.words[0] for way in last_verb_first(Utterance.in_one_breath(words), grammar))
+    return not commands.first_words.isdisjoint((*(verb for _, verb in verbs_told(words, grammar)), *told))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from functools import cached_property
 
+from intent_engine.actions import Action
 from intent_engine.language.grammar import FREE_KINDS
 from intent_engine.language.meaning.command import LEAST_WORDS, Commands
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
@@ -56,7 +57,7 @@ class VerbLast:
         if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
             return None
         named = [] if part.words[0] in self._known.articles else self._articles
-        found = {}
+        found: dict[Action | None, Utterance] = {}
         for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
             for order in last_verb_first(said, self._grammar):
                 clause = self._commands.exact(order.words, state, breaks=order.breaks)
