@@ -31,8 +31,8 @@ def objects_to_what_is_done(
     begun, objections = phrases.objected(core)
     if not begun or begun == len(core) or phrases.thanks(said):
         return False
-    negates = phrases.negation.at(core.words, 0) == begun and not core.breaks[begun]
-    if negates and _is_forbidden(core.words[begun:], commands):
+    negated = phrases.negation.at(core.words, 0)  # "nicht das" may be "not that", or begin "nicht das Labor reinigen"
+    if 0 < negated <= begun and not any(core.breaks[1 : begun + 1]) and _is_forbidden(core.words[negated:], commands):
         return False
     if objections > 1:
         return True
@@ -47,8 +47,8 @@ def objects_to_what_is_done(
 
 
 def _is_forbidden(words: Sequence[str], commands: Commands) -> bool:
-    """Whether a verb is as it is forbidden, "no *limpien* el salón", "nicht das Labor *reinigen*": that says what is not
-    to be done, and not that anything else is to end."""
+    """Whether a verb is as it is forbidden, "no *limpien* el salón", "nicht den Saal *reinigen*": that says what is
+    not to be done, and not that anything else is to end."""
     grammar = commands.matcher.grammar
     told = (way.words[0] for way in last_verb_first(Utterance.in_one_breath(words), grammar))
     return not commands.first_words.isdisjoint((*(verb for _, verb in verbs_told(words, grammar)), *told))
