@@ -113,6 +113,8 @@ class Wording:
     """What somebody says who wants a thing: "*could I get* a mojito"."""
     ways_on: frozenset[str] = frozenset()
     """Words before one of ``ways_to`` and a place that say no more of the way: "*over* to the lab"."""
+    back_into: frozenset[str] = frozenset()
+    """Prepositions of where something is put, before which the way back says no more: "put it *back* on the shelf"."""
     ways_to: frozenset[str] = frozenset()
     """Prepositions of where a way goes."""
     parted: tuple[str, ...] = ()

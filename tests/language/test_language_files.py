@@ -72,7 +72,7 @@ LACKING: Mapping[str, Mapping[str, str]] = {
         "counting": "de en fr it", "standing_for": "en es fr it", "adverb": "de es fr it",
         "for_whom": "de en fr", "gives": "en", "once_more": "de en es it", "wished": "de", "wishing": "de es fr it",
         "asking": "de es fr", "kindly": "de es fr", "told_as": "de", "vowels": "es fr", "joined": "es it",
-        "ways_on": "de en", "ways_to": "de en",
+        "ways_on": "de en", "ways_to": "de en", "back_into": "en",
         "leads": "en", "says_when": "en", "wishes_for": "en", "switched": "de en", "led_by": "de en fr it",
         "particles": "en", "idle_particles": "en",
         "placed": "de es",  # elsewhere the same words say where something is to go

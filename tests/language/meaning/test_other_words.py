@@ -32,6 +32,8 @@ intents:
   take: {action: custom, sentences: ["take the {what}"]}
   switch: {action: custom, sentences: ["switch the {part} {on}"]}
   explain: {action: custom, sentences: ["explain the {part} [in {tongue}]"]}
+  add: {action: custom, sentences: ["add {liters} milliliters of {drink}"]}
+  put: {action: custom, sentences: ["put the {part} on the {part:where}"]}
   drinks: {action: custom, sentences: ["(make|mix) [me] [a|an|{count}] {drink}"]}
   fetch: {action: custom, sentences: ["get me the {what}"]}
   start: {action: custom, sentences: ["start the {part} [at {pace}] [for {time}]"]}
@@ -59,6 +61,9 @@ GRAMMAR = CRANE.replace(
         ("raise the hook to a height of two meters", "raise the hook to two meters"),
         ("drive at a speed of one meter per second", "drive at one meter per second"),
         ("fill the tank to a level of ten percent", "fill the tank to ten percent"),
+        ("add ten milliliters tea", "add ten milliliters of tea"),
+        ("add 10 ml of tea", "add ten milliliters of tea"),
+        ("put the hook back on the boom", "put the hook on the boom"),
         ("set the flow to two liters a minute", "set the flow to two liters per minute"),
         # What belongs to a verb and says no more.
         ("fill up the tank to ten percent", "fill the tank to ten percent"),
@@ -105,6 +110,9 @@ def test_it_is_the_same(engine_of, said: str, meant: str) -> None:
         "lamp on?",
         "lamp on the pump",
         "come on",
+        "put the hook back on",
+        "put the hook over on the boom",
+        "add ten milliliters word",
         "the ghost on",
         "not lamp on",
         "in ten minutes explain the boom",

@@ -28,7 +28,7 @@ class LedAmounts:
         own: the words that it is written in.
     """
 
-    def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
+    def __init__(self, grammar: Grammar, own: frozenset[str]) -> None:
         self._by = grammar.wording.led_by
         self._sizes = grammar.wording.sizes
         self._articles = thing_words(grammar.language).articles
@@ -37,6 +37,8 @@ class LedAmounts:
         self._rates = [words for rate in rates if len(words := rate.split()) == 1]
         self._times = frozenset(words[0] for words in table.by_kind.get("duration", {})) if table is not None else ()
         self._own = own
+        self._measures = thing_words(grammar.language).measures
+        self._of_own = sorted(self._sizes.keys() & own)
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """Without what leads an amount, and with other words between a unit and a time."""
@@ -50,6 +52,9 @@ class LedAmounts:
             )
             if sized and not any(breaks[at + 1 : end + 1]):
                 yield Rewording(core.with_other(at, end, _NOTHING), _Behind(words[end], _AMOUNTS))
+            if words[at] in self._measures and words[at + 1] not in self._of_own and not breaks[at + 1]:
+                for of in self._of_own:  # "twenty milliliters lime juice"
+                    yield Rewording(core.with_other(at + 1, at + 1, Utterance.in_one_breath([of])))
             if [words[at]] in self._rates and words[at + 1] in self._times:
                 for other in self._rates:
                     if other != [words[at]] and other[0] in self._own:

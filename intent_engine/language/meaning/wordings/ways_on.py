@@ -22,6 +22,8 @@ class WaysOn:
         wording = grammar.wording
         self._words = wording.ways_on
         self._to = wording.ways_to
+        self._back = {words[0] for words in wording.ways_back if len(words) == 1}
+        self._back_into = wording.back_into
 
     def without(self, core: Utterance) -> Utterance | None:
         """The same without those words; None: there are none."""
@@ -46,5 +48,10 @@ class WaysOn:
         return [
             place
             for place in range(1, len(words) - 1)
-            if words[place] in self._words and words[place + 1] in self._to and not any(breaks[place : place + 2])
+            if self._says_no_more(words[place], words[place + 1]) and not any(breaks[place : place + 2])
         ]
+
+    def _says_no_more(self, word: str, preposition: str) -> bool:
+        if word in self._back and preposition in self._back_into:
+            return True  # "put the tray back on the shelf"
+        return word in self._words and preposition in self._to
