@@ -99,8 +99,16 @@ class Wording:
     """Words for whom something is done that are written with the verb: "apága*me* la bomba"."""
     points: frozenset[str] = frozenset()
     """Words that point to a thing, as its article would: "*that* vial", "*your* horn"."""
+    wholes: tuple[tuple[str, ...], ...] = ()
+    """What may stand before an article of all that there is: "*all* the carts", "*all of* that clay"."""
     sides: tuple[str, ...] = ()
     """Words for one way, each with the others for it: "left/to the left"."""
+    up_to: frozenset[str] = frozenset()
+    """Which way something goes until it is so much: "*up* to ten percent"."""
+    sized: frozenset[str] = frozenset()
+    """What may stand behind how long something is: "two meters *deep*"."""
+    levels: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Verbs of what something is set to, each with the prepositions that say the same there: "*at* two bar"."""
     led_by: frozenset[str] = frozenset()
     """Words before how far something is to go, which may be left out: "turn left *by* thirty degrees"."""
     sizes: Mapping[str, frozenset[str]] = field(default_factory=dict)

@@ -16,6 +16,7 @@ from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pointing import Pointing
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.meaning.wordings.sides import Sides
+from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.verbless import Verbless
 from intent_engine.language.meaning.wordings.wished_things import WishedThings
 from intent_engine.language.reading import Reading
@@ -50,6 +51,7 @@ class OtherWords:
             Sides(grammar, own).ways,
         )
         self._placed_first = PlacedFirst(grammar, phrases)
+        self._verb_last = VerbLast(grammar, own)
         self._verbless = Verbless(grammar, own)
         self._wished = WishedThings(grammar)
 
@@ -72,9 +74,12 @@ class OtherWords:
         verbs = self._commands.verbs
         if self._commands.exact(part.words, state, breaks=part.breaks):
             return None  # what is refused in its own words is refused in others
-        if part.words[0] not in verbs:
+        if asks:
             return self._one_of(self._wished.ways(part, verbs), part, state)
-        return None if asks else self._one_of(self._ways(part), part, state)
+        if part.words[0] in verbs:
+            return self._one_of(self._ways([Rewording(part)])[1:], part, state)
+        ordered = list(self._verb_last.ways(part, verbs)) or list(self._wished.ways(part, verbs))
+        return self._one_of(ordered, part, state) or self._one_of(self._ways(ordered), part, state)
 
     def _one_of(self, ways: Iterable[Rewording], part: Utterance, state: Collection[str]) -> Utterance | None:
         """The way in which it is a command, and could be no other."""
@@ -87,16 +92,15 @@ class OtherWords:
                 found.setdefault(clause.action, way.said)
         return next(iter(found.values())) if len(found) == 1 else None
 
-    def _ways(self, part: Utterance) -> list[Rewording]:
-        """To put one command in other words of one kind, or of several at once."""
-        found = [Rewording(part)]
+    def _ways(self, found: list[Rewording]) -> list[Rewording]:
+        """Ways to put one command, and these in other words of one kind, or of several at once."""
+        ways = [*found]
         for kind in self._kinds:
-            for before in tuple(found):
-                found += [before.then(way) for way in kind(before.said)][: _MOST_WAYS - len(found)]
-        changed = found[1:]
-        for before in tuple(changed):
-            changed += [before.then(way) for way in self._placed(before.said)][: _MOST_WAYS - len(changed)]
-        return changed
+            for before in tuple(ways):
+                ways += [before.then(way) for way in kind(before.said)][: _MOST_WAYS - len(ways)]
+        for before in ways[len(found) :]:
+            ways += [before.then(way) for way in self._placed(before.said)][: _MOST_WAYS - len(ways)]
+        return ways
 
     def _placed(self, part: Utterance) -> Iterator[Rewording]:
         rule = self._placed_first

@@ -26,7 +26,6 @@ from intent_engine.language.meaning.wordings.particles import Particles
 from intent_engine.language.meaning.wordings.placed_first import PlacedFirst
 from intent_engine.language.meaning.wordings.pronouns import NamesListed
 from intent_engine.language.meaning.wordings.said_first import SaidFirst
-from intent_engine.language.meaning.wordings.verb_last import VerbLast
 from intent_engine.language.meaning.wordings.ways_on import WaysOn
 from intent_engine.language.reading import Reading
 from intent_engine.language.slots.called_by_number import is_called_so, without_number
@@ -100,7 +99,6 @@ class WrittenOtherwise:
         self._particles = Particles(commands, phrases)
         self._said_first = SaidFirst(self._matcher.grammar, phrases)
         self._placed_first = PlacedFirst(self._matcher.grammar, phrases)
-        self._verb_last = VerbLast(phrases, commands)
         self._other_words = OtherWords(commands, phrases)
         self._plurals = Plurals(self._matcher.grammar, lambda: commands.first_words)
 
@@ -125,8 +123,6 @@ class WrittenOtherwise:
             written = self._understood_as(text, core, self._particles.placed(core, state), state)
         if written is None:
             written = self._in_the_infinitive(text, core, state) or self._asked_for(text, core, state)
-        if written is None and "?" not in text:
-            written = self._understood_as(text, core, self._verb_last.told(core, state), state)
         if written is None:
             written = self._begun_twice(text, core, state) or self._manner_moved(text, core, state)
             written = written or self._placed_later(text, core, state)

@@ -9,6 +9,7 @@ from intent_engine.language.grammar import QUANTITY_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.numbers.units import units
 from intent_engine.language.reading import Reading
+from intent_engine.language.slots.adjacent_numbers import is_number
 from intent_engine.language.utterance import Utterance
 from intent_engine.language.words.thing_words import thing_words
 
@@ -29,44 +30,96 @@ class LedAmounts:
     """
 
     def __init__(self, grammar: Grammar, own: frozenset[str]) -> None:
-        self._by = grammar.wording.led_by
-        self._sizes = grammar.wording.sizes
-        self._articles = thing_words(grammar.language).articles
-        table = units(grammar.language)
-        rates = sorted(table.words["per"]) if table is not None else []
-        self._rates = [words for rate in rates if len(words := rate.split()) == 1]
-        self._times = frozenset(words[0] for words in table.by_kind.get("duration", {})) if table is not None else ()
+        wording, known, table = grammar.wording, thing_words(grammar.language), units(grammar.language)
+        self._wording = wording
+        self._around = {words[0] for words in grammar.around if len(words) == 1}
+        self._articles = known.articles
+        self._measures = known.measures
         self._own = own
-        self._measures = thing_words(grammar.language).measures
-        self._of_own = sorted(self._sizes.keys() & own)
+        self._by_own = sorted(wording.led_by & own)
+        self._of_own = sorted(wording.sizes.keys() & own)
+        self._rates = table.words["per"] if table is not None else frozenset[str]()
+        self._times = {words[0] for words in table.by_kind.get("duration", {})} if table is not None else set[str]()
+        self._language = grammar.language
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
-        """Without what leads an amount, and with other words between a unit and a time."""
-        words, breaks = core.words, core.breaks
-        for at in range(1, len(words) - 1):
-            if words[at] in self._by and not any(breaks[at : at + 2]):
-                yield Rewording(core.with_other(at, at + 1, _NOTHING), _Behind(words[at + 1], _CHANGES))
-            end = at + 3
-            sized = (
-                end < len(words) and words[at] in self._articles and words[at + 1] in self._sizes.get(words[at + 2], ())
-            )
-            if sized and not any(breaks[at + 1 : end + 1]):
-                yield Rewording(core.with_other(at, end, _NOTHING), _Behind(words[end], _AMOUNTS))
-            if words[at] in self._measures and words[at + 1] not in self._of_own and not breaks[at + 1]:
-                for of in self._of_own:  # "twenty milliliters lime juice"
-                    yield Rewording(core.with_other(at + 1, at + 1, Utterance.in_one_breath([of])))
-            if [words[at]] in self._rates and words[at + 1] in self._times:
-                for other in self._rates:
-                    if other != [words[at]] and other[0] in self._own:
-                        yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath(other)))
+        """Without a word, with one more, and with another."""
+        for at in range(1, len(core)):
+            if not core.breaks[at]:
+                yield from self._left_out(core, at)
+                yield from self._put_in(core, at)
+                yield from self._exchanged(core, at)
+
+    def _left_out(self, core: Utterance, at: int) -> Iterator[Rewording]:
+        words, wording = core.words, self._wording
+        word, after, *_ = (*words[at : at + 2], "")
+        if word in wording.sized:  # "two meters deep"
+            yield Rewording(core.with_other(at, at + 1, _NOTHING), _Ends(words[at - 1]))
+        if any(core.breaks[at + 1 : at + 2]) or not after:
+            return
+        without = Rewording(core.with_other(at, at + 1, _NOTHING), _Begins(words[at + 1 : at + 3], _AMOUNTS))
+        if word in wording.led_by:
+            yield Rewording(without.said, _Begins([after], _CHANGES))
+        about = word in self._around and (after in self._articles or after in wording.led_by)  # "about a meter"
+        up_to = word in wording.up_to and after in wording.ways_to and self._goes(words[0], word)
+        if about or up_to:
+            yield without
+        sizes = wording.sizes.get(words[at + 2], ()) if at + 3 < len(words) else ()
+        if word in self._articles and after in sizes and not any(core.breaks[at + 2 : at + 4]):
+            yield Rewording(core.with_other(at, at + 3, _NOTHING), _Begins([words[at + 3]], _AMOUNTS))
+
+    def _goes(self, verb: str, way: str) -> bool:
+        """Whether a verb goes that way anyhow. "Raise the boom *down* to a meter" says two things, and "turn the volume
+        *down*" is not to turn it."""
+        ways = self._wording.up_to
+        own = self._wording.particles.get(verb, frozenset[str]()) & ways
+        idle = self._wording.idle_particles.get(verb, frozenset[str]()) & ways
+        return way in idle if idle else not own
+
+    def _put_in(self, core: Utterance, at: int) -> Iterator[Rewording]:
+        words = core.words
+        if self._by_own and self._may_begin(words, at):
+            for by in self._by_own:  # "turn thirty degrees", of "turn by {angle}"
+                said = core.with_other(at, at, Utterance.in_one_breath([by]))
+                yield Rewording(said, _Begins([words[at]], _CHANGES))
+        if words[at - 1] in self._measures and words[at] not in self._of_own:
+            for of in self._of_own:  # "twenty milliliters lime juice"
+                yield Rewording(core.with_other(at, at, Utterance.in_one_breath([of])))
+
+    def _may_begin(self, words: list[str], at: int) -> bool:
+        """Whether a number may begin at a place."""
+        counts = is_number(words[at], self._language) and not is_number(words[at - 1], self._language)
+        return (counts or words[at] in self._articles) and words[at - 1] not in self._wording.led_by
+
+    def _exchanged(self, core: Utterance, at: int) -> Iterator[Rewording]:
+        words = core.words
+        word, after, *_ = (*words[at : at + 2], "")
+        for other in sorted(self._wording.levels.get(words[0], ())) if after else ():  # "set the pressure at two bar"
+            if word in self._wording.levels[words[0]] and other != word:
+                said = core.with_other(at, at + 1, Utterance.in_one_breath([other]))
+                yield Rewording(said, _Begins([after], _AMOUNTS))
+        for other in sorted(self._rates & self._own) if word in self._rates and after in self._times else ():
+            if other != word:  # "two liters a minute"
+                yield Rewording(core.with_other(at, at + 1, Utterance.in_one_breath([other])))
 
 
-class _Behind:
-    """Whether an amount begins with a word."""
+class _Begins:
+    """Whether an amount begins with one of some words."""
 
-    def __init__(self, word: str, kinds: Collection[str]) -> None:
-        self._word = word
+    def __init__(self, words: Collection[str], kinds: Collection[str]) -> None:
+        self._words = words
         self._kinds = kinds
 
     def __call__(self, reading: Reading) -> bool:
-        return any(slot.slot.type in self._kinds and reading.words[slot.start] == self._word for slot in reading.slots)
+        return any(slot.slot.type in self._kinds and reading.words[slot.start] in self._words for slot in reading.slots)
+
+
+class _Ends:
+    """Whether an amount ends with a word."""
+
+    def __init__(self, word: str) -> None:
+        self._word = word
+
+    def __call__(self, reading: Reading) -> bool:
+        ends = (slot.end - 1 for slot in reading.slots if slot.slot.type in _AMOUNTS)
+        return any(reading.words[end] == self._word for end in ends)

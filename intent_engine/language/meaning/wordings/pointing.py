@@ -8,6 +8,7 @@ from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
+from intent_engine.language.words.phrase_set import PhraseSet
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["Pointing"]
@@ -23,19 +24,33 @@ class Pointing:
 
     def __init__(self, grammar: Grammar, own: Collection[str]) -> None:
         self._pointing = grammar.wording.points
+        self._wholes = PhraseSet(grammar.wording.wholes)
         known = thing_words(grammar.language)
-        self._all = known.articles
+        self._all = known.articles | self._pointing
         articles = known.definite or known.articles - self._pointing
         self._articles = [Utterance.in_one_breath([word]) for word in sorted(articles.intersection(own))]
 
     def ways(self, core: Utterance) -> Iterator[Rewording]:
         """With one article in the place of each."""
-        places = [at for at, word in enumerate(core.words[:-1]) if word in self._pointing and not core.breaks[at + 1]]
-        for article in (*self._articles, Utterance([], [])) if places else ():
+        found = list(self._found(core))
+        for article in (*self._articles, Utterance([], [])) if found else ():
             said = core
-            for at in reversed(places):
-                said = said.with_other(at, at + 1, article)
+            for start, end in reversed(found):
+                said = said.with_other(start, end, article)
             yield Rewording(said, self._points_to_nothing_free)
+
+    def _found(self, core: Utterance) -> Iterator[tuple[int, int]]:
+        """Where such words stand before others in the same breath; "all the" is such as well."""
+        words, start = core.words, 0
+        while start < len(words) - 1:
+            whole = self._wholes.at(words, start)
+            end = start + whole + 1
+            article = words[start + whole] if end < len(words) else ""
+            if article not in (self._all if whole else self._pointing) or any(core.breaks[start + 1 : end + 1]):
+                start += 1
+                continue
+            yield start, end
+            start = end
 
     def _points_to_nothing_free(self, reading: Reading) -> bool:
         """Whether none of it stands before any words that are free: "pick your battles" is about no thing."""

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from functools import cached_property
+from collections.abc import Collection, Iterator, Set
+from functools import partial
 
-from intent_engine.actions import Action
-from intent_engine.language.grammar import FREE_KINDS
-from intent_engine.language.meaning.command import LEAST_WORDS, Commands
+from intent_engine.language.grammar import FREE_KINDS, Grammar
 from intent_engine.language.meaning.negations.forbidden_verbs import last_verb_first
-from intent_engine.language.meaning.phrases import Phrases
-from intent_engine.language.meaning.wordings.parts import part_by_part
+from intent_engine.language.meaning.wordings.rewording import Rewording
 from intent_engine.language.reading import Reading
 from intent_engine.language.utterance import Utterance
-from intent_engine.language.vocabulary import vocabulary
 from intent_engine.language.words.thing_words import thing_words
 
 __all__ = ["VerbLast"]
@@ -26,46 +22,25 @@ class VerbLast:
     """Reads such orders as a grammar has them, the verb first.
 
     Args:
-        phrases: of the grammar.
-        commands: of the grammar.
+        grammar: whose they are.
+        own: the words that it is written in.
     """
 
-    def __init__(self, phrases: Phrases, commands: Commands) -> None:
-        self._phrases = phrases
-        self._commands = commands
-        self._grammar = commands.matcher.grammar
-        self._known = thing_words(self._grammar.language)
+    def __init__(self, grammar: Grammar, own: Set[str]) -> None:
+        self._grammar = grammar
+        self._known = thing_words(grammar.language)
+        self._words = own
+        self._articles = [Utterance.in_one_breath([word]) for word in sorted(self._known.definite & own)]
 
-    @cached_property
-    def _articles(self) -> list[Utterance]:
-        return [Utterance.in_one_breath([word]) for word in sorted(self._known.definite & self._words)]
-
-    @cached_property
-    def _words(self) -> frozenset[str]:
-        return vocabulary(self._grammar)
-
-    def told(self, said: Utterance, state: Collection[str]) -> Utterance | None:
-        """What was said, each order of it with its verb first. None: none has its verb last, or one could be two.
-
-        Args:
-            said: the words, without those that say nothing.
-            state: of the robot.
-        """
-        return part_by_part(said, self._phrases, lambda part: self._order(part, state))
-
-    def _order(self, part: Utterance, state: Collection[str]) -> Utterance | None:
-        if len(part) < LEAST_WORDS or not part.words[-1].endswith("n"):
-            return None
+    def ways(self, part: Utterance, verbs: Collection[str]) -> Iterator[Rewording]:
+        """One order with its verb first, which commands begin with, and with an article where it has none."""
+        if not part.words[-1].endswith("n"):
+            return
         named = [] if part.words[0] in self._known.articles else self._articles
-        found: dict[Action | None, Utterance] = {}
         for said in (part, *(part.with_other(0, 0, article) for article in named)):  # "Tür öffnen"
             for order in last_verb_first(said, self._grammar):
-                clause = self._commands.exact(order.words, state, breaks=order.breaks)
-                if clause is None or not clause.accepted or clause.reading is None:
-                    continue
-                if self._tells_by_itself(part, clause.reading):
-                    found.setdefault(clause.action, order)
-        return next(iter(found.values())) if len(found) == 1 else None
+                if order.words[0] in verbs:
+                    yield Rewording(order, partial(self._tells_by_itself, part))
 
     def _tells_by_itself(self, part: Utterance, order: Reading) -> bool:
         """Whether it is an order though no word asks for it, and does not tell what somebody does: "die Türen

@@ -11,8 +11,11 @@ from intent_engine.language.utterance import Utterance
 __all__ = ["WaysOn"]
 
 _PLACES = ("location", "choice")
+_NUMBERED = ("number", "ordinal")
 _NOTHING = Utterance([], [])
 _MOST_ARTICLES = 1
+_MOST_IN_A_NAME = 3
+"""Words before the number of a place: "to the second gate", "to gate number seven"."""
 
 
 class WaysOn:
@@ -37,9 +40,11 @@ class WaysOn:
         ways = [core.words[place + 1] for place in self._places(core)]
         for reading in readings:
             for slot in reading.slots:
-                before = reading.words[max(slot.start - 1 - _MOST_ARTICLES, 0) : slot.start]
+                numbered = slot.slot.type in _NUMBERED
+                most = _MOST_IN_A_NAME if numbered else _MOST_ARTICLES
+                before = reading.words[max(slot.start - 1 - most, 0) : slot.start]
                 led = next((way for way in ways if way in before), None)
-                if led is not None and slot.slot.type in _PLACES:
+                if led is not None and (numbered or slot.slot.type in _PLACES):
                     ways.remove(led)
         return not ways
 
